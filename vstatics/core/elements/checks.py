@@ -12,7 +12,7 @@ from fractions import Fraction
 from itertools import product
 
 from vstatics.core.elements import group_checks
-from vstatics.core.elements.element import DrawingFields, Element, PlanetMass
+from vstatics.core.elements.element import DrawingFields, Element
 from vstatics.core.elements.group import PlanetGroup, group_of
 from vstatics.core.elements.group_checks import LARGEST_WHEEL
 from vstatics.core.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
@@ -53,11 +53,12 @@ def hints(drawing: DrawingFields) -> Iterator[Problem]:
             group = group_of(element)
             yield from _alike(group, ("elements", number))
             if group.is_shared and not at_meshes(element, group, drawing):
-                message = (
+                yield Problem(
+                    "N301",
                     "several wheels share planets, and the losses of the reduced form are not "
-                    "exact then; `losses: meshes` calculates them at each mesh"
+                    "exact then; `losses: meshes` calculates them at each mesh",
+                    ("elements", number),
                 )
-                yield Problem("N301", message, ("elements", number))
     yield from _side_by_side(drawing)
 
 
@@ -68,11 +69,12 @@ def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
         for wheel in group.wheels_of(train):
             first = seen.setdefault(group.relative(wheel, train), wheel.member)
             if first != wheel.member:
-                message = (
+                yield Problem(
+                    "N302",
                     f"{first} and {wheel.member} turn alike whatever the carrier does (ratio 1): "
-                    "between them it takes torque by losses only"
+                    "between them it takes torque by losses only",
+                    path,
                 )
-                yield Problem("N302", message, path)
 
 
 def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
@@ -88,12 +90,13 @@ def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
         if isinstance(element.shape, Planetary)
     )
     for number, other in sets_side_by_side(sets):
-        message = (
+        yield Problem(
+            "N303",
             f"has a wheel and the carrier in common with {other}: if they share planets too, "
             "draw them as one element, such as `ravigneaux` or `planet_group`; losses are not "
-            "exact otherwise"
+            "exact otherwise",
+            ("elements", number),
         )
-        yield Problem("N303", message, ("elements", number))
 
 
 def _problems(element: Element, path: Path) -> Iterator[Problem]:
@@ -135,11 +138,12 @@ def _friction(drawing: DrawingFields) -> Iterator[Problem]:
         rings += ["second"] * (element.kind == "internal_pair")
         for ring in rings:
             if (teeth := element.teeth.get(ring, LEAST_RING)) < LEAST_RING:
-                message = (
+                yield Problem(
+                    "E334",
                     f"read {teeth} teeth, expected {LEAST_RING} at least: the tips of a standard "
-                    "ring with fewer lie within its base circle, so friction gives no efficiency"
+                    "ring with fewer lie within its base circle, so friction gives no efficiency",
+                    ("elements", number, "teeth", ring),
                 )
-                yield Problem("E334", message, ("elements", number, "teeth", ring))
 
 
 def _is_torsional(element: Element) -> bool:
@@ -271,21 +275,19 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
     for name, mass in element.planet_masses.items():
         here = (*place, name) if named else place
         if name in element.planet_names:
-            yield from _of_mass(mass, here)
+            yield from not_negative(mass.inertia, "an inertia", (*here, "inertia"))
+            yield from not_negative(mass.mass, "a mass", (*here, "mass"))
+            yield from not_negative(mass.radius, "a radius", (*here, "radius"))
+            if mass.mass and not mass.radius:
+                message = (
+                    "`radius` is missing: how far the pin is from the axis of the set, as there is"
+                )
+                yield Problem("E316", f"{message} a mass", here)
         else:
             known = spoken(map(quoted, element.planet_names), "or")
             expected = f"expected {known}" if known else f"a {element.kind} has none"
             hint = nearest(name, element.planet_names)
             yield Problem("E315", f"there is no planet `{name}`, {expected}{hint}", here)
-
-
-def _of_mass(mass: PlanetMass, path: Path) -> Iterator[Problem]:
-    yield from not_negative(mass.inertia, "an inertia", (*path, "inertia"))
-    yield from not_negative(mass.mass, "a mass", (*path, "mass"))
-    yield from not_negative(mass.radius, "a radius", (*path, "radius"))
-    if mass.mass and not mass.radius:
-        message = "`radius` is missing: how far the pin is from the axis of the set, as there is"
-        yield Problem("E316", f"{message} a mass", path)
 
 
 def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Problem]:
@@ -299,11 +301,12 @@ def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Prob
     if element.stiffness is not None:
         rows = len(part_of(element, drawing, drawing.links).lowered)
         if rows > 1:
-            message = (
+            yield Problem(
+                "E317",
                 f"the element has {rows} rows (mechanisms), expected a stiffness of what has one: "
-                "leave it out, and put springs beside the element"
+                "leave it out, and put springs beside the element",
+                (*path, "stiffness"),
             )
-            yield Problem("E317", message, (*path, "stiffness"))
     known = _known_planets(element)
     for name, mass in element.planet_masses.items():
         if mass.inertia and name not in known:

@@ -68,7 +68,7 @@ class PlanetGroup:
             ratio = -self.teeth(rim) / self.teeth(other)
             neighbours[a].append((b, ratio))
             neighbours[b].append((a, 1 / ratio))
-        trains: list[dict[str, Fraction]] = []
+        trains = []
         known: dict[str, Fraction] = {}
         for start in self.planets:
             if start in known:

@@ -21,7 +21,7 @@ MOST_PLANET_KINDS = 20
 
 def rims(element: Element, path: Path) -> Iterator[Problem]:
     """Check the rims of a group of planets: names must be unique."""
-    seen: dict[str, str] = {}
+    seen = {}
     for planet, rims_of_planet in element.rims.items():
         place = (*path, "rims", planet)
         if not rims_of_planet:

@@ -68,7 +68,7 @@ class DrawnPart(NamedTuple):
 
 def parts(drawing: DrawingFields) -> list[DrawnPart]:
     """Return the parts of a drawing; links of planets are numbered last."""
-    drawn: list[DrawnPart] = []
+    drawn = []
     last = drawing.links
     for element in drawing.elements:
         part = part_of(element, drawing, last)

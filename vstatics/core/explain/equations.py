@@ -74,7 +74,7 @@ def torque_system(  # noqa: PLR0913 - all parameters are parts of the equations
     `drag` contains the external torques of drag by link [-].
     """
     rows: list[list[Term]] = [[] for _ in range(case.links + 1)]
-    values: dict[str, float] = {}
+    values = {}
     for device in loaded_devices(case, gear):
         unknown = names.torques[device]
         values[unknown] = plain(torques.on_first_link[device])

@@ -135,7 +135,7 @@ def _quotient(
 
 def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
     """Return the fraction without factors ``1 - 1/u``, and the symbols and powers of these."""
-    inverse: Powers = []
+    inverse = []
     top, bottom, number = [], below.factors, above.number
     for factor, power in above.factors:
         symbol = 1 - factor  # a factor is stored as 1 - u, not as u - 1

@@ -101,7 +101,7 @@ def symbols_of(case: Transmission, names: Names, on_links: OwnLinks) -> list[Sym
     on_links : OwnLinks
         Case on its own links.
     """
-    symbols: list[Symbol] = []
+    symbols = []
     number, wheels = 0, 0
     for part, reduced in zip(parts_of(case), on_links.parts, strict=True):
         for place, lowered in enumerate(reduced.lowered):

@@ -14,7 +14,7 @@ from vstatics.core.elements.kinds import Planetary
 from vstatics.core.model.parts import HOUSING, Law, Mechanism, ShiftElement
 from vstatics.core.model.springs import Spring, ends
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.tables.grid import NOTHING, Cell, Grid, Value, Values, grid_of, word
+from vstatics.core.tables.grid import NOTHING, Cell, Grid, Value, grid_of, word
 from vstatics.core.texts import heading, tr
 
 UNREAD = frozenset(
@@ -62,14 +62,15 @@ def in_words(name: str) -> str:
 def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
     """Return the table of drawn gear sets with teeth and further data."""
     drawing = drawing_of(case)
-    rows: list[Values] = []
+    rows = []
     for element in drawing.elements if drawing else ():
         links = [
             f"{in_words(name)} {link_text(case, link)}" for name, link in element.members.items()
         ]
         links += [
             f"{wheel.member} {link_text(case, wheel.link)}"
-            for wheel in _wheels_without_member(element)
+            for wheel in element.wheels
+            if wheel.member not in element.members
         ]
         more = "; ".join(
             f"{in_words(key)}: {data_text(value)}"
@@ -93,10 +94,6 @@ def fills_a_gap(element: Element) -> bool:
     return len(teeth_by_rim) > 1 and any(
         teeth and rim not in element.teeth for rim, teeth in teeth_by_rim.items()
     )
-
-
-def _wheels_without_member(element: Element) -> Sequence[Any]:
-    return [wheel for wheel in element.wheels if wheel.member not in element.members]
 
 
 def _teeth(element: Element) -> Iterator[str]:
@@ -157,7 +154,7 @@ def _points(mechanism: Mechanism) -> str:
 
 def losses(case: Transmission) -> Grid:
     """Return the table of efficiencies of all mechanisms in the solution, defaults included."""
-    rows: list[Values] = []
+    rows = []
     for part in parts_of(case):
         for mechanism, members in part.lowered:
             if mechanism.kind == "converter":  # the loss of a converter follows from its points

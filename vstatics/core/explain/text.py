@@ -251,8 +251,9 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     )
     product = f"{torque} x {f'({motion})' if sign.motion < 0 else motion} = {power}: "
     known = not (math.isnan(sign.torque) or math.isnan(sign.motion))
-    text = f"{label}{product * known}{sign.told}"
-    yield from wrap(text, EQUATION_WIDTH, subsequent_indent=INDENT * 3)
+    yield from wrap(
+        f"{label}{product * known}{sign.told}", EQUATION_WIDTH, subsequent_indent=INDENT * 3
+    )
     if math.isnan(sign.lossy_ratio):
         return
     ratio, efficiency = short(sign.ratio, digits), short(sign.efficiency, digits)
@@ -265,7 +266,7 @@ def _machines(explanation: Explanation, digits: int | None) -> Iterator[str]:
     if explanation.balance is None:
         return
     column = max(len(share.link) for share in explanation.balance.shares)
-    parts: list[str] = []
+    parts = []
     for share in explanation.balance.shares:
         power, efficiency, given = (short(each, digits) for each in share[1:])
         sign = "x" if share.power_kW > 0 else "/"

@@ -195,7 +195,7 @@ def _throughput(
 
 
 def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float]:
-    losses: dict[Node, float] = {}
+    losses = {}
     for number, device in enumerate(state.case.own_devices, 1):
         lost = sum(plain(state.mechanism_losses[index]) for index in device.mechanisms)
         loss = lost * state.ideal.direction + 0.0

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.core.flow.power_flow import GearFlow
 from vstatics.core.flow.tables import around, doubt, power_grid
-from vstatics.core.tables.grid import Cell, Grid, Row, grid_of, text
+from vstatics.core.tables.grid import Cell, Grid, grid_of, text
 from vstatics.core.tables.numbers import fixed
 from vstatics.core.tables.ports import ports_grid
 from vstatics.core.texts import tr
@@ -43,7 +43,7 @@ def flow_grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
 def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
     """Merge the tables of all gears; sections, nodes and parts become columns."""
     columns = {column.heading: column for _, grid in by_gear for column in grid.columns[1:]}
-    rows: list[Row] = []
+    rows = []
     for gear, grid in by_gear:
         headings = [column.heading for column in grid.columns[1:]]
         section, node = Cell(""), Cell("")

@@ -72,7 +72,7 @@ def _joining(
     numbers: Sequence[int], given: Mapping[int, Sequence[int]]
 ) -> list[tuple[int, int, list[int]]]:
     """Return pairs of mechanisms with two common links that connect the mechanisms."""
-    pairs: list[tuple[int, int, list[int]]] = []
+    pairs = []
     joined, others = list(numbers[:1]), list(numbers[1:])
     while others:
         for first, second in ((a, b) for a in joined for b in others):

@@ -160,7 +160,19 @@ def _bare(
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:
     """Yield notes about the assumptions that a case leaves to the program."""
-    yield from _sharing(case)
+    sets = (
+        (number, mechanism.name or mechanism_name(number), mechanism.third, mechanism.links[:2])
+        for number, mechanism in _not_drawn(case)
+        if mechanism.efficiency != 1
+    )
+    for number, other in sets_side_by_side(sets):
+        yield Problem(
+            "N202",
+            f"shares a wheel and the carrier with {other}: if they share planets too, the "
+            "losses of this form are not exact; give the set as an element, or each mesh as a "
+            "mechanism (example: `vstatics check --explain N202`)",
+            ("mechanisms", number),
+        )
     yield from _turning(case)
     if case.springs:
         yield from left_out(case)
@@ -170,30 +182,12 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
     """Note gears with another input link if its direction, needed for freewheels, is assumed."""
     for number, gear in enumerate(case.gears if case.freewheels else (), 1):
         if gear.input not in (None, case.input) and not case.input_turns(gear):
-            message = (
+            yield Problem(
+                "N201",
                 f"the input, link {case.link_name(case.gear_input(gear))}, is taken to turn "
-                "forward, on which freewheels depend; say `input_turns: forward` or `backward`"
+                "forward, on which freewheels depend; say `input_turns: forward` or `backward`",
+                ("gears", number),
             )
-            yield Problem("N201", message, ("gears", number))
-
-
-def _sharing(case: TransmissionFields) -> Iterator[Problem]:
-    """Note mechanisms with losses that probably share planets; the losses are then inexact.
-
-    Such mechanisms have the third link and one toothed gear in common.
-    """
-    sets = (
-        (number, mechanism.name or mechanism_name(number), mechanism.third, mechanism.links[:2])
-        for number, mechanism in _not_drawn(case)
-        if mechanism.efficiency != 1
-    )
-    for number, other in sets_side_by_side(sets):
-        message = (
-            f"shares a wheel and the carrier with {other}: if they share planets too, the "
-            "losses of this form are not exact; give the set as an element, or each mesh as a "
-            "mechanism (example: `vstatics check --explain N202`)"
-        )
-        yield Problem("N202", message, ("mechanisms", number))
 
 
 def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:

@@ -60,8 +60,9 @@ class PointLaw(Law):
 def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
     """Check that points ascend from 0 on, with values from `low` to `high`."""
     if len(law.points) > MOST_LAW_POINTS:
-        message = f"read {len(law.points)} points, expected {MOST_LAW_POINTS} at most"
-        yield Problem("E266", message, path)
+        yield Problem(
+            "E266", f"read {len(law.points)} points, expected {MOST_LAW_POINTS} at most", path
+        )
         return
     if not law.points:
         yield Problem("E266", "there is no point, expected one at least", path)
@@ -97,9 +98,8 @@ def of_balances(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E269", message, (*path, "battery"))
         ends = gear.input or case.input, gear.output or case.main_output
         if not gear.open_links(ends):
-            message = "read no link without speed and torque"
             expected = "expected at least one, neither input nor output"
-            yield Problem("E269", f"{message}, {expected}", path)
+            yield Problem("E269", f"read no link without speed and torque, {expected}", path)
 
 
 def without_loads(case: TransmissionFields) -> Iterator[Problem]:

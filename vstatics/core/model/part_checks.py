@@ -99,8 +99,9 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
         yield from expect(size, f"{noun} above 0", (*path, name), right=0 < size < math.inf)
     surfaces = friction.surfaces
     right = surfaces >= 1 and surfaces == int(surfaces)
-    what = "a whole number of surfaces from 1"
-    yield from expect(surfaces, what, (*path, "surfaces"), right=right)
+    yield from expect(
+        surfaces, "a whole number of surfaces from 1", (*path, "surfaces"), right=right
+    )
     here = (*path, "coefficient")
     table = friction.table
     rows: Sequence[tuple[float, ...]] = table.rows if table else friction.points
@@ -173,8 +174,9 @@ def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator
         message = f"read {size:g}{unit}, expected a torque of 0 or more: drag opposes any motion"
         yield Problem("E222", message, path)
     elif size and element is not None and element.kind == "dog_clutch":
-        message = "a dog clutch does not drag when it is open, expected it without drag"
-        yield Problem("E223", message, path)
+        yield Problem(
+            "E223", "a dog clutch does not drag when it is open, expected it without drag", path
+        )
 
 
 def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
@@ -187,8 +189,9 @@ def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
         message = "a brake holds a link against the housing, expected `clutch` for two links"
         yield Problem("E225", message, path)
     elif element.kind == "clutch" and to_housing:
-        message = "a clutch joins two links, expected `brake` for a link and the housing"
-        yield Problem("E226", message, path)
+        yield Problem(
+            "E226", "a clutch joins two links, expected `brake` for a link and the housing", path
+        )
 
 
 def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem]:
@@ -210,7 +213,9 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
     yield from of_efficiency(mechanism.efficiency, (*path, "efficiency"))
     yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
     if (planet := mechanism.planet_ratio) is not None:
-        yield from not_0(planet, "a finite ratio", (*path, "planet_ratio"))
+        right = planet != 0 and math.isfinite(planet)
+        what = "a finite ratio other than 0"
+        yield from expect(planet, what, (*path, "planet_ratio"), right=right)
 
 
 def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
@@ -224,11 +229,13 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
             message = f"a {mechanism.kind} joins two links, expected a link, not the housing"
             yield Problem("E272", message, (*path, member))
     if mechanism.third != HOUSING or mechanism.is_set:
-        message = f"a {mechanism.kind} joins two links; leave the third out"
-        yield Problem("E273", message, (*path, "third"))
+        yield Problem(
+            "E273", f"a {mechanism.kind} joins two links; leave the third out", (*path, "third")
+        )
     if math.isinf(mechanism.ratio):
-        message = f"read {mechanism.ratio}, expected a finite number"
-        yield Problem("E229", message, (*path, "speed_ratio"))
+        yield Problem(
+            "E229", f"read {mechanism.ratio}, expected a finite number", (*path, "speed_ratio")
+        )
     if mechanism.kind == "converter":
         yield from of_characteristic(mechanism.points, (*path, "points"))
 
@@ -273,12 +280,13 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             yield Problem("E229", f"read {ratio}, expected a finite number", inner)
         elif ratio != 1 and _is_bypassed(case, gear, number):
             name = mechanisms[number - 1].name or number
-            message = (
+            yield Problem(
+                "E455",
                 f"read {ratio:g}, but what is engaged joins the links of converter {name}, so that "
                 "it turns as one: expected 1, or none; release its lock-up clutch, or leave the "
-                "speed ratio out"
+                "speed ratio out",
+                inner,
             )
-            yield Problem("E455", message, inner)
 
 
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
@@ -321,12 +329,6 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
                     yield Problem("E277", message, ("gears", place))
 
 
-def not_0(number: float, what: str, path: Path) -> Iterator[Problem]:
-    """Check that a number is finite and not 0."""
-    right = number != 0 and math.isfinite(number)
-    return expect(number, f"{what} other than 0", path, right=right)
-
-
 def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
     """Check the efficiency of a mechanism, gear set or mesh."""
     if isinstance(value, Law):
@@ -339,8 +341,9 @@ def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
     if isinstance(value, Law):
         yield from _efficiencies(value, path)
     elif value is not None:
-        what = "an efficiency from 0 (self-locking) to 1"
-        yield from expect(value, what, path, right=0 <= value <= 1)
+        yield from expect(
+            value, "an efficiency from 0 (self-locking) to 1", path, right=0 <= value <= 1
+        )
 
 
 def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
@@ -372,11 +375,12 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
     if mechanism.third == HOUSING:  # a gear pair, shaft, variator or converter
         return
     if ratio == 1:
-        message = (
+        yield Problem(
+            "N203",
             "with ratio 1 the first link turns as the second whatever the third does, which takes "
-            "torque by losses only"
+            "torque by losses only",
+            (*path, "ratio"),
         )
-        yield Problem("N203", message, (*path, "ratio"))
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
             "N204" if ratio == -1 else "W201",  # as bevel differentials have it
@@ -397,7 +401,15 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
         yield Problem("E214", f"input and output are both link {called(case, ends[0])}", path)
     yield from _turning(case, gear, (*path, "input_turns"))
-    yield from _dragging(case, gear, path)
+    yield from of_link_drag(case, gear.drag, path)
+    elements = case.shift_elements
+    for number, torque in gear.open_drag.items():
+        inner = (*path, "open_drag", number)
+        if is_number(number, len(elements), 1):
+            yield from of_drag(torque, elements[number - 1], inner)
+        else:
+            expected = f"the number of a shift element, from 1 to {len(elements)}"
+            yield Problem("E243", f"read {number!r}, expected {expected}", inner)
     yield from _speed_ratios(case, gear, path)
     if gear.kind not in GEAR_KINDS:
         yield Problem("E232", f"read {gear.kind!r}, expected `gear` or `point`", (*path, "kind"))
@@ -443,19 +455,21 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
 
 def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
     """Check an operating point."""
-    if not isinstance(load or Load(), Load):
-        message = f"read {type_and_value(load)}, expected a Load, in rpm and N*m"
-        yield Problem("E238", message, (*path, "load"))
-        return
     load = load or Load()
+    if not isinstance(load, Load):
+        yield Problem(
+            "E238", f"read {type_and_value(load)}, expected a Load, in rpm and N*m", (*path, "load")
+        )
+        return
     for quantity, value in load._asdict().items():
         if isinstance(value, str):
             message = f"read {value!r}, expected a number, in rpm and N*m"
             yield Problem("E239", message, (*path, "load", quantity))
             return
         if value is not None and not math.isfinite(value):
-            message = f"read {value:g}, expected a finite number"
-            yield Problem("E229", message, (*path, "load", quantity))
+            yield Problem(
+                "E229", f"read {value:g}, expected a finite number", (*path, "load", quantity)
+            )
         elif value == 0 and quantity == "speed":
             message = "read 0, expected a speed other than 0, as of an input that turns"
             yield Problem("E241", message, (*path, "load", quantity))
@@ -466,17 +480,19 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
 def _of_power(load: Load, power: float, path: Path) -> Iterator[Problem]:
     """Check that the power of an operating point is speed times torque."""
     if load.speed is None:
-        message = f"read {power:g} kW without a speed, expected `speed` and `torque`"
-        yield Problem("E238", message, path)
+        yield Problem(
+            "E238", f"read {power:g} kW without a speed, expected `speed` and `torque`", path
+        )
         return
     product = load.speed * (load.torque or 0.0) * KW_OF_RPM_NM
     if load.speed and not (product and math.isclose(power, product, rel_tol=SAME_POWER)):
         torque = power / load.speed / KW_OF_RPM_NM
-        message = (
+        yield Problem(
+            "E238",
             f"read {power:g} kW, which at {load.speed:g} rpm are {torque:.6g} N*m: expected these "
-            "as `torque`, or no `power`"
+            "as `torque`, or no `power`",
+            path,
         )
-        yield Problem("E238", message, path)
 
 
 def of_link_drag(
@@ -485,30 +501,18 @@ def of_link_drag(
     """Check the drag torques on links, of a gear or of the case."""
     for link, torque in drag.items():
         if link == HOUSING:
-            message = "the housing does not turn, expected a link"
-            yield Problem("E217", message, (*path, "drag", link))
+            yield Problem(
+                "E217", "the housing does not turn, expected a link", (*path, "drag", link)
+            )
         else:
             yield from of_link(link, (*path, "drag", link), case.own_links, lowest=1)
         yield from of_drag(torque, None, (*path, "drag", link))
 
 
-def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """Check the drag torques of links and disengaged shift elements in a gear."""
-    yield from of_link_drag(case, gear.drag, path)
-    elements = case.shift_elements
-    for number, torque in gear.open_drag.items():
-        inner = (*path, "open_drag", number)
-        if is_number(number, len(elements), 1):
-            yield from of_drag(torque, elements[number - 1], inner)
-        else:
-            expected = f"the number of a shift element, from 1 to {len(elements)}"
-            yield Problem("E243", f"read {number!r}, expected {expected}", inner)
-
-
 def _engaged(
     elements: Sequence[ShiftElement], engaged: Sequence[int], path: Path
 ) -> Iterator[Problem]:
-    seen: set[int] = set()
+    seen = set()
     for position, element in enumerate(engaged, 1):
         if not is_number(element, len(elements), 1):
             expected = f"the number of a shift element, from 1 to {len(elements)}"
@@ -555,5 +559,4 @@ def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
     """Return a note about an implausibly large number with a missing unit."""
     other = "mm" if unit == "m" else "rpm"
     hint = f"{value:g} {other} needs its unit, a bare number is in {unit}"
-    message = f"read {value:g} {unit}, more than {what} has: {hint}"
-    return Problem("N205", message, path)
+    return Problem("N205", f"read {value:g} {unit}, more than {what} has: {hint}", path)

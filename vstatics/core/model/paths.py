@@ -59,7 +59,7 @@ def split(text: str) -> list[PathPart]:
     >>> [part.name for part in split('controls."F 1.a".2.1')]
     ['controls', 'F 1.a', '2', '1']
     """
-    parts: list[PathPart] = []
+    parts = []
     at = len(text) - len(text.lstrip())
     end = len(text.rstrip())
     while True:

@@ -54,8 +54,7 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
         place = ("second" if link == shaft[1] else "first",) if shaft else ("twist", link)
         yield from of_link(link, (*path, *place), case.own_links)
         right = math.isfinite(part) and (part != 0 or link == HOUSING)
-        what = "a finite coefficient other than 0"
-        yield from expect(part, what, (*path, *place), right=right)
+        yield from expect(part, "a finite coefficient other than 0", (*path, *place), right=right)
     if not any(link != HOUSING for link in twist):
         message = "the twist is empty, expected at least one link with its coefficient"
         yield Problem("E251", message, (*path, "twist"))
@@ -100,10 +99,11 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
         rises = point[0] > previous[0]
         if not (rises and point[1] >= previous[1]):
             place, expected = (2, "torques that do not fall") if rises else (1, "twists that rise")
-            message = (
-                f"read {point[place - 1]:g} behind {previous[place - 1]:g}, expected {expected}"
+            yield Problem(
+                "E690",
+                f"read {point[place - 1]:g} behind {previous[place - 1]:g}, expected {expected}",
+                (*here, number, place),
             )
-            yield Problem("E690", message, (*here, number, place))
     first, last = spring.points[0], spring.points[-1]
     if first[0] >= 0 and (*first,) != (0, 0):
         message = f"read {first[0]:g}, {first[1]:g}, expected [0, 0] first, or a twist below 0"
@@ -155,8 +155,9 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
     strut = spring.strut
     assert strut is not None  # noqa: S101 - by the caller; for mypy
     if not case.is_straight(spring):
-        message = "its twist names no link of `masses`, expected one: a strut is in m and N"
-        yield Problem("E542", message, path)
+        yield Problem(
+            "E542", "its twist names no link of `masses`, expected one: a strut is in m and N", path
+        )
     whole = ("pressure", "area", "length", "exponent")
     for name in (*whole, *["counter_length"] * (strut.counter_length is not None)):
         yield from above_0(getattr(strut, name), "a number", (*path, name))
@@ -171,8 +172,9 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
             message = f"read {strut.at:g}, expected more than {least:g} and less than {most:g} m"
             yield Problem("E544", message, (*path, "at"))
         elif not strut.slope(strut.at) < math.inf:
-            message = "its stiffness is beyond all numbers, expected sizes of a strut"
-            yield Problem("E548", message, path)
+            yield Problem(
+                "E548", "its stiffness is beyond all numbers, expected sizes of a strut", path
+            )
     if spring.points:
         yield Problem("E693", "read `points` beside `strut`, expected none", (*path[:-1], "points"))
     yield from _beside("strut", spring, path[:-1])
@@ -241,8 +243,9 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
     rows: dict[str, str] = {}
     for what, name, path, members in _devices(case):
         if name in taken:
-            message = f"`{name}` is the name of {taken[name]} too, expected another"
-            yield Problem("E257", message, path)
+            yield Problem(
+                "E257", f"`{name}` is the name of {taken[name]} too, expected another", path
+            )
         taken.setdefault(name, what)
         rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
     springs = spring_names(case.springs)
@@ -253,8 +256,9 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
     ):
         for number, name in enumerate(names, 1):
             if other := taken.get(name) or rows.get(name):
-                message = f"`{name}` is the name of {other} too, expected another"
-                yield Problem("E257", message, (key, number))
+                yield Problem(
+                    "E257", f"`{name}` is the name of {other} too, expected another", (key, number)
+                )
         taken |= dict.fromkeys(names, what)
 
 

@@ -20,6 +20,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 from vstatics.core.numerics.signed import (
@@ -401,21 +402,11 @@ TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough,
 """Arithmetic of numbers of fixed sign; sizes belong to the first variant."""
 
 
-class LaterSize:
-    """Size of an entry in the first variant, and on request in all variants."""
+class LaterSize(NamedTuple):
+    """Size of an entry in the first variant, and a function for the size in all variants."""
 
-    __slots__ = ("_made", "_make", "first")
-
-    def __init__(self, first: float, make: Callable[[], Either]) -> None:
-        self.first = first
-        self._make = make
-        self._made: Either | None = None
-
-    def of_all(self) -> Either:
-        """Return the size in each variant."""
-        if self._made is None:
-            self._made = self._make()
-        return self._made
+    first: float
+    of_all: Callable[[], Either]
 
 
 def _of_first_variant(entry: Entry) -> FloatEntry:
@@ -434,12 +425,13 @@ def _of_all_variants(entry: Entry) -> tuple[Either, Callable[[], Either]]:
 
 def _signed_entry(number: Number) -> Entry:
     signed = of_any_sign(number)
-    return number, LaterSize(abs(value_of(signed)), lambda: size_of(signed))
+    return number, LaterSize(abs(value_of(signed)), cache(lambda: size_of(signed)))
 
 
 def _signed_quotient(entry: Entry, pivot: Entry) -> Entry:
     ratio = entry[0] / pivot[0]
 
+    @cache
     def size() -> Either:
         (_, entry_size), (divisor, pivot_size) = _of_all_variants(entry), _of_all_variants(pivot)
         return _sum_of_sizes(entry_size(), size_of(of_any_sign(ratio)) * pivot_size()) / divisor
@@ -456,6 +448,7 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
         _of_first_variant(entry), _of_first_variant(factor), _of_first_variant(term)
     )
 
+    @cache
     def size_of_all() -> Either:
         (_, entry_size), (a, factor_size), (b, term_size) = (
             _of_all_variants(entry),

@@ -38,9 +38,11 @@ class RecordedColumns(NamedTuple):
         kind, bracket, _ = heading.partition("[")
         alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
         known = alike or self.headings
-        there = f"columns {f'of {kind} ' * bool(alike)}are {listed(known)}"
-        message = f"there is no column {quoted(heading)}{nearest(heading, known)}; {there}"
-        return self.problem(identity, message)
+        return self.problem(
+            identity,
+            f"there is no column {quoted(heading)}{nearest(heading, known)}; "
+            f"columns {f'of {kind} ' * bool(alike)}are {listed(known)}",
+        )
 
     def problem(self, identity: str, message: str) -> Problem:
         """Return a problem with the headings of the file."""
@@ -78,7 +80,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     """
     source = decode(data, file, "a record").source
     rows = numbered_rows(without_titles(source.lines, lambda cell: _wanted(cell, wanted) in wanted))
-    problems: list[Problem] = []
+    problems = []
     lines = array("q")
     try:
         head, first = next(rows, (1, []))
@@ -109,12 +111,13 @@ def _places(
     headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
 ) -> dict[str, tuple[int, float]]:
     """Return the index of each wanted column, and the size of the unit in SI."""
-    places: dict[str, tuple[int, float]] = {}
+    places = {}
     for place, heading in enumerate(headings):
         name = _wanted(heading, wanted)
         if name in places:
-            message = f"{name}: read two columns of this name, expected one"
-            raise ReadError("E121", message, place=head)
+            raise ReadError(
+                "E121", f"{name}: read two columns of this name, expected one", place=head
+            )
         if name in wanted:
             measure, size = wanted[name], 1.0
             if measure is not None and heading != name:

@@ -62,8 +62,9 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
         if not cells or cells[0] == "conventions":
             continue
         if len(cells) != len(COLUMNS) or cells[0] not in BY_NAME:
-            message = "no row of a result in CSV: expected table,row,gear,value"
-            raise no_result(message, file, number)
+            raise no_result(
+                "no row of a result in CSV: expected table,row,gear,value", file, number
+            )
         table, name, gear, value = cells
         try:
             figure = finite_figure(value or None)

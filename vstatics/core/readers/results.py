@@ -56,23 +56,19 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
         return read_parquet(data, file)
     text = decode(data, file)
     if text.lstrip()[:1] in ("{", "["):
-        return _read_json(text, file)
+        try:
+            content = json.loads(text)
+        except (RecursionError, ValueError) as error:
+            if isinstance(error, json.JSONDecodeError) and _is_lines(text, error):
+                return _read_lines(text, file)
+            raise _no_json(error, file) from None
+        documents = content if isinstance(content, list) else [content]
+        if not documents:
+            raise no_result(f"an empty array, as of check where all is well; {TAKEN}", file)
+        return [_report(document, file, number) for number, document in enumerate(documents, 1)]
     if is_csv(text):
         return read_csv(text, file)
     return _read_listing(text, file)
-
-
-def _read_json(text: str, file: str) -> list[WrittenResult]:
-    try:
-        content = json.loads(text)
-    except (RecursionError, ValueError) as error:
-        if isinstance(error, json.JSONDecodeError) and _is_lines(text, error):
-            return _read_lines(text, file)
-        raise _no_json(error, file) from None
-    documents = content if isinstance(content, list) else [content]
-    if not documents:
-        raise no_result(f"an empty array, as of check where all is well; {TAKEN}", file)
-    return [_report(document, file, number) for number, document in enumerate(documents, 1)]
 
 
 def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
@@ -109,8 +105,7 @@ def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
     if not isinstance(document, dict):
-        message = f"result {number} is no JSON object; {TAKEN}"
-        raise no_result(message, file, line)
+        raise no_result(f"result {number} is no JSON object; {TAKEN}", file, line)
     if "errors" in document:
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
@@ -122,8 +117,9 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
                 rows_of_table = [rows] if quantity.rows == "one" else rows
                 tables[key] = [[_from_json(value) for value in row] for row in rows_of_table]
             except (TypeError, ValueError, OverflowError):
-                message = f"{key} of result {number} is no table of numbers"
-                raise no_result(message, file, line) from None
+                raise no_result(
+                    f"{key} of result {number} is no table of numbers", file, line
+                ) from None
     if not tables:
         raise no_result(_no_tables(document, number), file, line)
     case = _case(json.dumps(document.get("case")), "json")
@@ -177,7 +173,7 @@ def _case(text: str, kind: Format) -> Transmission | None:
 
 def _read_listing(text: str, file: str) -> list[WrittenResult]:
     """Read a listing, in which a new report begins at each `KJG=` after a table."""
-    reports: list[WrittenResult] = []
+    reports = []
     tables: dict[str, Figures] = {}
     names: dict[str, list[str]] = {}
     first, table, report_file, next_file = 0, "", "", ""

@@ -88,7 +88,14 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
         if data.startswith(b"PK"):
             return _workbook(data, file) if is_workbook(data) else read_npz(data)
         if data.startswith(b"PAR1"):
-            return _parquet(data, file)
+            table = open_parquet(data, file).read(use_threads=False)
+            from pyarrow.types import is_floating  # type: ignore[import-untyped]
+
+            _expect_different(table.column_names)
+            return {
+                name: column.to_numpy() if is_floating(column.type) else column.to_pylist()
+                for name, column in zip(table.column_names, table.columns, strict=True)
+            }
         text = data.decode()
         return _json_lines(text, file) if text.startswith("{") else _csv(text, file)
     except ReadError:
@@ -99,8 +106,9 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
 
 def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:
     text = " ".join(str(error).split()) or type(error).__name__
-    message = f"no table of variants: {text[:200]}"
-    return ReadError("E111", message, place=Source(file, "").place(line))
+    return ReadError(
+        "E111", f"no table of variants: {text[:200]}", place=Source(file, "").place(line)
+    )
 
 
 def expect_size(cells: int, size: int = 0) -> None:
@@ -120,15 +128,16 @@ def expect_size(cells: int, size: int = 0) -> None:
     if cells > MOST_TABLE_CELLS:
         raise ValueError(f"it has {cells:,} cells, expected at most {MOST_TABLE_CELLS:,}")
     if size > TABLE_BYTES:
-        most = f"{TABLE_BYTES / 1e6:g} MB"
-        raise ValueError(f"it has {size / 1e6:,.0f} MB when unpacked, expected at most {most}")
+        raise ValueError(
+            f"it has {size / 1e6:,.0f} MB when unpacked, expected at most {TABLE_BYTES / 1e6:g} MB"
+        )
 
 
 def _csv(text: str, file: str) -> dict[str, Column]:
     lines = csv.reader(io.StringIO(text))
     names = [unguarded(head) for head in next(lines)]
     _expect_different(names)
-    rows: list[list[str]] = []
+    rows = []
     for line in lines:
         if line and len(line) != len(names):
             error = ValueError(f"read {len(line)} cells, expected {len(names)}, as in the heading")
@@ -221,8 +230,9 @@ def read_npz(data: bytes) -> dict[str, Column]:
         if array.ndim != 1 or array.dtype.kind not in "biufUS":
             raise ValueError(f"{quoted(name)} is not a row of numbers")
         if len(array) != length:
-            message = f"{quoted(name)} has {len(array)} numbers, expected {length}, as the others"
-            raise ValueError(message)
+            raise ValueError(
+                f"{quoted(name)} has {len(array)} numbers, expected {length}, as the others"
+            )
     for name, words_of_codes in texts.items():
         codes = arrays[name]
         if codes.dtype.kind not in "iu" or not np.isin(codes, np.arange(len(words_of_codes))).all():
@@ -253,17 +263,6 @@ def _expect_declared(packed: ZipFile) -> None:
                 raise ValueError(f"{quoted(member.filename)} is cut off")
         cells, size = cells + math.prod(shape), size + declared
         expect_size(cells, size)
-
-
-def _parquet(data: bytes, file: str) -> dict[str, Column]:
-    table = open_parquet(data, file).read(use_threads=False)
-    from pyarrow.types import is_floating  # type: ignore[import-untyped]
-
-    _expect_different(table.column_names)
-    return {
-        name: column.to_numpy() if is_floating(column.type) else column.to_pylist()
-        for name, column in zip(table.column_names, table.columns, strict=True)
-    }
 
 
 def open_parquet(data: bytes, file: str) -> Any:

@@ -49,7 +49,12 @@ def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[G
     [GearInertia(gear='1', inertia=2.0, acceleration=40.0)]
     """
     case = results.case
-    moving = _moving(case)
+    drawing = drawing_of(case)
+    planets = planet_inertias(drawing) if drawing else ()
+    moving = [
+        *((inertia, {link: 1.0}) for link, inertia in case.heavy.items() if inertia),
+        *((planet.inertia, dict(planet.speed)) for planet in planets),
+    ]
     if not moving:
         return []
     inertias = []
@@ -64,16 +69,6 @@ def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[G
         possible = inertia > 0 and math.isfinite(power)
         inertias.append(GearInertia(gear.name, inertia, power / inertia if possible else math.nan))
     return inertias
-
-
-def _moving(case: Transmission) -> list[tuple[float, dict[int, float]]]:
-    """List the inertias, each with its speed as a linear form of link speeds."""
-    drawing = drawing_of(case)
-    planets = planet_inertias(drawing) if drawing else ()
-    return [
-        *((inertia, {link: 1.0}) for link, inertia in case.heavy.items() if inertia),
-        *((planet.inertia, dict(planet.speed)) for planet in planets),
-    ]
 
 
 def _power(

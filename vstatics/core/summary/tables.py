@@ -37,8 +37,11 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
     ports : sequence of PortTable, optional
         Ports of the gears, if already calculated.
     """
+    lines = summary.design.gears
+    headings = "gear", "ratio", "next", "step", "efficiency", "state"
+    rows = ((*line[:-1], state(line.state)) for line in lines)
     tables = (
-        _design(summary),
+        grid_of("Gears", headings, rows, key="gears", optional=["state"]),
         _spread(summary),
         _transitions(summary),
         _slip_powers(summary),
@@ -58,13 +61,6 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
     yield from (grid for grid in tables if grid.rows)
     if summary.combinations is not None:
         yield other_combinations(summary)
-
-
-def _design(summary: Summary) -> Grid:
-    lines = summary.design.gears
-    headings = "gear", "ratio", "next", "step", "efficiency", "state"
-    rows = ((*line[:-1], state(line.state)) for line in lines)
-    return grid_of("Gears", headings, rows, key="gears", optional=["state"])
 
 
 def state(name: str) -> Cell:

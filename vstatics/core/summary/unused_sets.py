@@ -99,11 +99,12 @@ def _check(case: Transmission, at_most: int) -> None:
     elements = len(case.shift_elements) - len(case.freewheels)
     count = sum(math.comb(elements, size) for size in _sizes(case))
     if count > at_most:
-        message = (
+        raise CaseError(
+            "E420",
             f"{needed(case)} of {len(case.shift_elements)} shift elements have {count} "
-            f"combinations, more than the {at_most} that may be tried"
+            f"combinations, more than the {at_most} that may be tried",
+            ("shift_elements",),
         )
-        raise CaseError("E420", message, ("shift_elements",))
 
 
 def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:

@@ -310,8 +310,8 @@ def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
 
 def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
     properties = head(_FORMS[kind]) if kind in _FORMS else {}
-    optional: list[str] = []
-    failed: Schema = {}
+    optional = []
+    failed = {}
     for key in _keys(kind):
         of_key = schema(key.kind, definitions)
         if key.mark == FAILURE:

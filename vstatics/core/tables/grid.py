@@ -198,8 +198,8 @@ def grid_of(
     (True, True, [['1', '3.500']])
     """
     filled = dict(enumerate(zip(*[[_cell(value) for value in row] for row in rows], strict=True)))
-    columns: list[Column] = []
-    cells: list[Sequence[Cell]] = []
+    columns = []
+    cells = []
     for place, head in enumerate(headings):
         column = filled.get(place, ())
         if head in optional and all(cell.text in ("", NOTHING) for cell in column):

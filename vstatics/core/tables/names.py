@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple, cast
 
 from vstatics.core.arguments import type_and_value
-from vstatics.core.errors import Place, ReadError, listed, quoted, typed_number
+from vstatics.core.errors import ReadError, listed, quoted, typed_number
 from vstatics.core.model.paths import in_quotes
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.matrix import structural_matrix
@@ -17,15 +17,13 @@ from vstatics.core.suggestions import nearest
 from vstatics.core.tables.quantities import BY_NAME, Quantity
 
 
-def quantity_named(name: str, place: Place | None = None) -> Quantity:
+def quantity_named(name: str) -> Quantity:
     """Return the quantity with a name or alias.
 
     Parameters
     ----------
     name : str
         Name, with the right upper and lower case.
-    place : Place, optional
-        Place of the name in its file, for the message.
 
     Raises
     ------
@@ -44,9 +42,7 @@ def quantity_named(name: str, place: Place | None = None) -> Quantity:
     """
     if name in BY_NAME:
         return BY_NAME[name]
-    raise ReadError(
-        "E113", f"there is no table {quoted(name)}{nearest_quantity(name)}", place=place
-    )
+    raise ReadError("E113", f"there is no table {quoted(name)}{nearest_quantity(name)}")
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
@@ -62,7 +58,7 @@ def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
     return f"; did you mean `{relative}_{unit}`?" if unit else f"; did you mean `{relative}`?"
 
 
-def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = None) -> int:
+def row_named(name: str, kind: Rows, case: Transmission) -> int:
     """Return the index of the row with a name, such as `P1.ring`.
 
     Parameters
@@ -73,8 +69,6 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     kind : str
         Kind of the rows, `Quantity.rows`.
     case : Transmission
-    place : Place, optional
-        Place of the name in its file, for the message.
 
     Raises
     ------
@@ -99,7 +93,7 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     if number is not None:
         return number - 1
     message = several(name, indices, names) if indices else no_row(name, kind, names)
-    raise ReadError("E114", message, place=place)
+    raise ReadError("E114", message)
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:

@@ -56,8 +56,7 @@ def explained(identity: str) -> ExplainedMessage:
     """
     identity = identity.upper()
     if identity not in _lines():
-        message = f"there is no message {quoted(identity)}{nearest(identity, _lines())}"
-        raise ValueError(message)
+        raise ValueError(f"there is no message {quoted(identity)}{nearest(identity, _lines())}")
     file = _FOLDER.joinpath("examples", f"{identity}.yaml")
     example = file.read_text("utf-8") if file.is_file() else None
     return ExplainedMessage(identity, severity(identity), *_lines()[identity], example)

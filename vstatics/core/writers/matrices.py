@@ -24,7 +24,7 @@ def write(case: Transmission) -> str:
     CaseError
         If the members of a mechanism or gear set are not sun, carrier and ring.
     """
-    rigid: dict[str, dict[int, int]] = {}
+    rigid = {}
     for device in case.own_devices:
         for letter, link in _links(case, device).items():
             rigid[f"{device.name}.{letter}"] = {link: -1 if link == case.input else 1}

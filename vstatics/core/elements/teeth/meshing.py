@@ -48,11 +48,12 @@ def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
         if wheel.internal:
             continue
         if wheel.teeth < UNCUT_SHIFTED:
-            message = (
+            yield Doubt(
+                "N319",
                 f"{wheel} is undercut even with a shifted profile, "
-                f"expected {UNCUT_SHIFTED} teeth or more"
+                f"expected {UNCUT_SHIFTED} teeth or more",
+                wheel.key,
             )
-            yield Doubt("N319", message, wheel.key)
         elif wheel.teeth < UNCUT:
             message = f"{wheel} needs a shifted profile: below {UNCUT} teeth are undercut"
             yield Doubt("N317", message, wheel.key, has_cure=False)

@@ -74,7 +74,7 @@ def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
     >>> next(around), next(around)
     ({'first': 20, 'second': 40}, {'first': 19, 'second': 38})
     """
-    candidates: list[tuple[float, int, Teeth]] = []
+    candidates = []
     logs = {key: math.log(count) for key, count in space.given.items()}
     for number, steps in enumerate(_steps(len(space.moves), WIDER if wide else 1)):
         teeth = dict(space.start)

@@ -61,11 +61,12 @@ def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
         first, *others = wheels
         if teeth.denominator > 1:
             sun, ring = map(layout.label, sorted(wheels, key=lambda wheel: wheel.internal))
-            message = (
+            yield Doubt(
+                "N311",
                 f"no standard {layout.label(rim)} fits between: ({ring} - {sun})/2 = "
-                f"{float(teeth):g} is not whole; speeds of planets take it as it is"
+                f"{float(teeth):g} is not whole; speeds of planets take it as it is",
+                layout.key(wheels[-1]),
             )
-            yield Doubt("N311", message, layout.key(wheels[-1]))
         for other in others:
             change = int((layout.span(other) or 0) - (layout.span(first) or 0))
             if change and teeth.denominator == 1:

@@ -171,7 +171,7 @@ def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
         return {}
     numbers = fields.numbers("NNM", count, "KNM", integer)
     ratios = fields.numbers("UAQ", count, "KNM", real)
-    planets: dict[int, float] = {}
+    planets = {}
     for position, (number, ratio) in enumerate(zip(numbers, ratios, strict=True), 1):
         if f"NNM({position})" in fields.unreadable:
             fields.hidden += every
@@ -235,7 +235,7 @@ def _port(fields: Fields, key: str, default: int) -> int:
 
 def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
     """Read the names, by kind and number; ``T`` is the title."""
-    names: dict[str, str] = {}
+    names = {}
     for kind, number, name, *spot in fields.scan.names:
         label = f"{kind}{int(number) if number else ''}"
         largest = sizes.get(kind)
@@ -290,7 +290,7 @@ class KnownDeck:
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
         """Attribute and indices of mechanisms by line, for lines of plain numbers."""
         every = range(len(self.case.mechanisms))
-        known: dict[int, tuple[str, Sequence[int]]] = {}
+        known = {}
         for key, part, owners in (
             ("IAB", "ratio", every),
             ("ETAI", "efficiency", every),

@@ -216,13 +216,14 @@ def _add(result: Scan, new: Field) -> None:
     first = result.fields.setdefault(new.key, new)
     if first is not new:
         before = f"line {first.line}, column {first.column}"
-        message = f"{new.key}: given again, first given in {before}; expected once"
-        result.error(message, new.line, new.column)
+        result.error(
+            f"{new.key}: given again, first given in {before}; expected once", new.line, new.column
+        )
 
 
 def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
     """Find all fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
-    heads: list[tuple[str, int, int]] = []
+    heads = []
     before = 0
     for equals in re.finditer("=", line):
         words = list(WORD.finditer(line, before, equals.start()))[-5:]
@@ -282,8 +283,9 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
     if b"\0" in data:
-        message = "the file is binary, expected a deck as text: save it as text in UTF-8"
-        raise _unreadable(file, message)
+        raise _unreadable(
+            file, "the file is binary, expected a deck as text: save it as text in UTF-8"
+        )
     data = data.rstrip(b"\x1a")  # end-of-file character of DOS
     try:
         yield with_plain_blanks(data.decode("utf-8-sig")), []

@@ -104,7 +104,7 @@ def take_rows(
         scan.error(f"{field.key}: read {len(rows)} lines of numbers{end}, {expected}", *spot)
         return stand_ins(field, sum(counts), parse)
     numbers: list[Number] = []
-    spots: list[Spot] = []
+    spots = []
     unreadable: set[int] = set()
     for gear, tokens in zip(gears, rows, strict=True):
         wanted = _row(field.key, gear, counts[gear - 1], counted)
@@ -146,7 +146,7 @@ def _plain(
     later lines; then each token must be checked.
     """
     numbers: list[Number] = []
-    counts: list[int] = []
+    counts = []
     for _, line, start, end in value_lines(scan, field):
         text = line[start:end]
         if len(numbers) == need:

@@ -126,8 +126,9 @@ def parse(source: Excerpt, language: Language) -> Tree:
     """
     length = source.end - source.start
     if length > MOST_FORMULA_CHARACTERS:
-        message = f"read {length} characters, expected {MOST_FORMULA_CHARACTERS} at most"
-        raise source.error(message, source.start)
+        raise source.error(
+            f"read {length} characters, expected {MOST_FORMULA_CHARACTERS} at most", source.start
+        )
     return _Parser(source, language).expression()
 
 
@@ -156,7 +157,7 @@ class _Parser:
         left = self.operand(least, depth)
         while (level := _BINDS.get(self.operator(), -1)) >= least:
             operands: list[Tree] = [left]
-            signs: list[tuple[str, int]] = []
+            signs = []
             while (sign := self.operator()) in _LEVELS[level]:
                 signs.append((sign, self.at))
                 self.take(sign, self.at + len(sign))
@@ -192,8 +193,9 @@ class _Parser:
 
     def check_depth(self, depth: int, at: int) -> None:
         if depth > MOST_DEPTH:
-            message = f"more than {MOST_DEPTH} operations, one inside another; sum() may help"
-            raise self.source.error(message, at)
+            raise self.source.error(
+                f"more than {MOST_DEPTH} operations, one inside another; sum() may help", at
+            )
 
     def operator(self) -> str:
         """Read an operator, `)` or `,` behind an operand; return an empty text at the end."""
@@ -238,8 +240,9 @@ class _Parser:
         """Read an operand behind a sign."""
         at, name = self.at, _PREFIXES[sign]
         if sign == "not" and _BINDS[sign] < least:
-            message = f"put `not ...` behind {quoted(self.before)} in brackets: (not ...)"
-            raise self.source.error(message, at)
+            raise self.source.error(
+                f"put `not ...` behind {quoted(self.before)} in brackets: (not ...)", at
+            )
         self.take(sign, at + len(sign))
         operand = self.expression(_BINDS[name], depth + 1)
         return operand if sign == "+" else self.operation(name, [operand], at)
@@ -270,20 +273,23 @@ class _Parser:
             self.take(name, end)
             return self.operation(name, self.bracketed(depth + 1, call=True), at)
         if name in language.functions:
-            example = f"{name}({language.example})"
-            message = f"`{name}` is a function, expected `(` behind it, such as {example}"
-            raise self.source.error(message, behind)
+            raise self.source.error(
+                f"`{name}` is a function, expected `(` behind it, such as "
+                f"{name}({language.example})",
+                behind,
+            )
         if call:
             words = (*language.functions, *language.of_names)
             hint = nearest(name, words) or language.instead
             known = ", ".join(language.functions)
-            message = f"there is no function {quoted(name)}, expected {known}{hint}"
-            raise self.source.error(message, at)
-        if name in PYTHON:
-            message = (
-                f"read `{name}`, which this language does not have; expected {language.operands}"
+            raise self.source.error(
+                f"there is no function {quoted(name)}, expected {known}{hint}", at
             )
-            raise self.source.error(message, at)
+        if name in PYTHON:
+            raise self.source.error(
+                f"read `{name}`, which this language does not have; expected {language.operands}",
+                at,
+            )
         subscripts, end = (
             read_subscripts(self.source, behind) if self.source.has("[", behind) else ((), end)
         )
@@ -297,8 +303,9 @@ class _Parser:
         close = self.source.end_of(_BLANK, end)
         if end == begin or not self.source.has(")", close):
             read = self.source.text[begin : self.source.end_of(_INSIDE, begin)].strip()
-            message = f"read {quoted(read)}, expected a name in quotes, such as {word}('out')"
-            raise self.source.error(message, begin)
+            raise self.source.error(
+                f"read {quoted(read)}, expected a name in quotes, such as {word}('out')", begin
+            )
         self.take(")", close + 1)
         return TableName(word, (Subscript(self.source.text[begin:end], begin),), at)
 

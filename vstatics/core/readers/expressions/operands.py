@@ -92,8 +92,9 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
     end = source.end_of(_WORD, behind)
     text, word = source.text[at:behind], source.text[at:end]
     if re.fullmatch(r"[0-9_]+_[0-9]+", word):
-        message = f"read {quoted(word)}, expected a number without `_`: {word.replace('_', '')}"
-        raise source.error(message, at)
+        raise source.error(
+            f"read {quoted(word)}, expected a number without `_`: {word.replace('_', '')}", at
+        )
     if word != text:
         name, dot, attribute = word.partition(".")
         correct = f'"{name}".{attribute}' if dot and NAME.fullmatch(attribute) else f'"{word}"'

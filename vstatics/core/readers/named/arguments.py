@@ -166,13 +166,14 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
 
     Numbers that cannot be related are reported and omitted.
     """
-    relative: dict[int, float] = {}
+    relative = {}
     no_load = any(path[-1] == "load" for path in spots.unreadable)
     for part, (number, path) in numbers.items():
         if isinstance(number, Law) and not whole and path[0] == "drag":
             if path not in spots.unreadable:
-                message = "it depends on speed, in N*m, expected a `load` with speed and torque"
-                spots.tell(path, message)
+                spots.tell(
+                    path, "it depends on speed, in N*m, expected a `load` with speed and torque"
+                )
         elif not isinstance(number, WithUnit):
             relative[part] = number
         elif whole:

@@ -6,6 +6,7 @@ The text behind the number, such as a unit or the name of a link, is left to the
 from __future__ import annotations
 
 import math
+import operator
 import re
 from typing import NamedTuple
 
@@ -154,17 +155,13 @@ class _Calculation:
         return value
 
 
+_OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
+
+
 def _applied(sign: str, left: float, right: float) -> float:
-    match sign:
-        case "+":
-            return _finite(left + right)
-        case "-":
-            return _finite(left - right)
-        case "*":
-            return _finite(left * right)
-    if right == 0:
+    if sign == "/" and right == 0:
         raise ValueError("expected a denominator other than 0")
-    return _finite(left / right)
+    return _finite(_OPERATORS[sign](left, right))
 
 
 def _finite(value: float) -> float:

@@ -34,9 +34,8 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
             spots.complain(spot, "an empty key, expected a name", key)
         elif key.text in seen:
             first = seen[key.text]
-            message = f"key `{shown(key.text)}` is given twice"
             other = f"the first is on line {first.line}, column {first.column}"
-            spots.complain(spot, f"{message}, {other}", key, "E192")
+            spots.complain(spot, f"key `{shown(key.text)}` is given twice, {other}", key, "E192")
         else:
             seen[key.text] = key
             yield key, value
@@ -48,7 +47,7 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
     A mistyped key is read as the suggested key, so that one mistake causes one message.
     """
     known = {key.name: key for key in keys}
-    given: dict[str, Node] = {}
+    given = {}
     meant: dict[str, Node] = {}
     for key, value in entries(spots, spot):
         if key.text not in known:
@@ -61,11 +60,6 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
         elif known[key.text].required or not is_null(value):
             given[key.text] = value
     return meant | given
-
-
-def is_behind_comma(key: Scalar, value: Node) -> bool:
-    """Check for a key cut off by a decimal comma, as in `{a: 0,2 kg*m^2, b: 5}`."""
-    return is_null(value) and key.text.partition(" ")[0].isdigit()
 
 
 def is_merge(key: Scalar) -> bool:

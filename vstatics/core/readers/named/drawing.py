@@ -76,7 +76,7 @@ def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterat
 
 def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
     """Return the function that locates a problem of a mechanism at the gear set."""
-    paths: list[Path] = []
+    paths = []
     for number, part in enumerate(drawing.parts, 1):
         count = number - len(drawing.elements)
         path: Path = ("elements", number) if part.element else ("mechanisms", count)

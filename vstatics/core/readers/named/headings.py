@@ -226,7 +226,7 @@ class _ExpectedTable(NamedTuple):
         """Return the first line with all required columns, or report the best line."""
         if not lines:
             raise HeadingError(f"read nothing, expected {self.what}", 1)
-        candidates: list[tuple[int, int, str, list[str]]] = []
+        candidates = []
         required = {column.name for column in self.columns if not column.optional}
         for at, separator, cells in _heading_lines([line for _, line in lines]):
             known = {heading.column.name for heading in self.understood(cells)}

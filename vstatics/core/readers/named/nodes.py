@@ -168,8 +168,9 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
         text = data.decode(encoding)
     except UnicodeDecodeError as error:
         if b"\0" in data[: error.start] and encoding == "utf-8":
-            message = f"a zero byte: this is no text, expected {expected}"
-            DocumentText(Source(file, "")).stop(message, 1, 1)
+            DocumentText(Source(file, "")).stop(
+                f"a zero byte: this is no text, expected {expected}", 1, 1
+            )
         document = DocumentText(Source(file, data.decode(encoding, "replace")))
         before = Source(file, data[: error.start].decode(encoding, "ignore")).lines
         message = f"no {encoding.removesuffix('-sig').upper()} text: {error.reason}"

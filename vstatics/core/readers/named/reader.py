@@ -112,7 +112,12 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     root = _case(_mapping(root, document, expected))
     walk = Walk(Spots(document))
     given = {key.text for key, _ in root.entries}
-    masses = _has_masses(root)
+    masses = any(
+        key.text in ("springs", "inertias", "masses")
+        and not is_null(value)
+        and (not isinstance(value, Mapping) or bool(value.entries))
+        for key, value in root.entries
+    )
     root, case = _with_annexes(root, document)
     shape = with_masses(case) if masses else case
     if "elements" in given:
@@ -153,16 +158,6 @@ def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey
             document.problems.append(Problem("W807", message, (), place))
     entries = [entry for entry in root.entries if entry[0].text not in missing]
     return root._replace(entries=entries), with_carried(CASE, keys)
-
-
-def _has_masses(root: Mapping) -> bool:
-    """Check for springs or inertias, with which a case needs no other components."""
-    return any(
-        key.text in ("springs", "inertias", "masses")
-        and not is_null(value)
-        and (not isinstance(value, Mapping) or bool(value.entries))
-        for key, value in root.entries
-    )
 
 
 def _mapping(root: Node, document: DocumentText, expected: str) -> Mapping:

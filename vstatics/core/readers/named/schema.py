@@ -241,18 +241,16 @@ def _by_name(item: Words) -> Words:
     }
 
 
-def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911, C901 - a table
+def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
     match shape.kind:
         case "share":
             return {**_reference("number"), "minimum": 0}
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
-        case "relative_speed":
-            return {"type": ["number", "string"]}  # or the name of a link with a factor
+        case "relative_speed" | "drag":
+            return {"type": ["number", "string"]}  # or a factor of a link's speed, or a formula
         case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
-        case "drag":
-            return {"type": ["number", "string"]}  # or a formula
         case "speed" | "torque" | "power":
             return {"type": "string", "pattern": QUANTITY}
         case "flag":

@@ -103,7 +103,7 @@ def unit(text: str) -> tuple[Quantity | None, float]:
     (('torque', 1000.0), ('speed', 1.0), (None, 1.0))
     """
     text = text.translate(_SIGNS).replace("л.с.", "лс").replace(" per ", "/")
-    kinds: list[str] = []
+    kinds = []
     above: float = 1
     below: float = 1
     at = 0
@@ -127,12 +127,14 @@ def unit(text: str) -> tuple[Quantity | None, float]:
 
 def factors(word: str) -> list[_Factor]:
     """Split a word into factors: N and m for `Nm`, an unknown factor for `Mm2`."""
-    for end in range(len(word), 0, -1) if word != "1" else ():
+    if word == "1":
+        return []
+    for end in range(len(word), 0, -1):
         parts = [_factor(part) for part in (word[:end], word[end:]) if part]
         known = [part for part in parts if part]
         if len(known) == len(parts):
             return known
-    return [] if word == "1" else [("?", 1, 1)]
+    return [("?", 1, 1)]
 
 
 def _factor(word: str) -> _Factor | None:
@@ -191,8 +193,9 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     measure, size = unit(behind)
     if measure != kind:
         other = f"; this is a {measure}" if measure else slip(text) or usual(behind, kind)
-        such = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}"
-        raise ValueError(f"{such}{or_else}{other}")
+        raise ValueError(
+            f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{or_else}{other}"
+        )
     value = number * size
     if not math.isfinite(value):
         raise ValueError(f"expected a {kind} that is not so large")

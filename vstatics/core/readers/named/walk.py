@@ -40,7 +40,6 @@ from vstatics.core.readers.named.compounds import (
     NO_COMMA,
     NO_MERGE,
     entries,
-    is_behind_comma,
     is_merge,
     known_entries,
 )
@@ -107,7 +106,7 @@ class Walk:
 
     def _by_key(self, spot: Spot, shape: ByKey) -> Any:
         node = spot.node
-        given: dict[str, Node] = {}
+        given = {}
         if isinstance(node, Mapping):
             given = known_entries(self.spots, spot, shape.keys)
         elif not is_null(node) or shape.required:
@@ -166,8 +165,9 @@ class Walk:
         if not isinstance(node, Listing) or not shape.least <= len(node.items) <= 2:
             alternative = " or one: [first]" if shape.least == 1 else ""
             self.spots.unreadable += [(*spot.path[:-1], end) for end in _ENDS]
-            expected = f"expected two links: [first, second]{alternative}"
-            return self.refuse(spot, shape, expected, length(node))
+            return self.refuse(
+                spot, shape, f"expected two links: [first, second]{alternative}", length(node)
+            )
         inner = [
             spot.item(member, number, item)
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
@@ -213,7 +213,7 @@ class Walk:
             refer, unknown = self.references.element, NO_ELEMENT
         elif shape.by != "link":
             refer, unknown = partial(self.references.other, shape.by), NO_ELEMENT
-        values: dict[int, float] = {}
+        values = {}
         for key, value in entries(self.spots, spot):
             if self._is_behind_comma(spot, key, value):
                 continue
@@ -234,8 +234,8 @@ class Walk:
         return values
 
     def _is_behind_comma(self, spot: Spot, key: Scalar, value: Node) -> bool:
-        """Report a key that is the end of a number with a decimal comma."""
-        if not is_behind_comma(key, value):
+        """Report a key that is the end of a decimal number, as in `{a: 0,2 kg*m^2, b: 5}`."""
+        if not (is_null(value) and key.text.partition(" ")[0].isdigit()):
             return False
         self.spots.complain(spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key)
         return True
@@ -244,7 +244,7 @@ class Walk:
         """Read shares by the names of gears, which are not checked here."""
         if not isinstance(spot.node, Mapping):
             return self.refuse(spot, shape, "expected a share for each gear")
-        shares: dict[str, float] = {}
+        shares = {}
         for key, value in spot.node.entries:
             if self._is_behind_comma(spot, key, value):
                 continue
@@ -266,8 +266,9 @@ class Walk:
     def _pair(self, spot: Spot, shape: Pair) -> Any:
         node = spot.node
         if not isinstance(node, Listing) or len(node.items) != 2:
-            expected = f"expected two: [{shape.kind}, {shape.kind}]"
-            return self.refuse(spot, shape, expected, length(node))
+            return self.refuse(
+                spot, shape, f"expected two: [{shape.kind}, {shape.kind}]", length(node)
+            )
         return self.items(spot, node.items, TEXT)
 
     def _by_kind(self, spot: Spot, shape: ByKind) -> Any:

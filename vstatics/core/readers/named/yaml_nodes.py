@@ -43,9 +43,9 @@ def yaml_tree(document: DocumentText) -> Node:
     """
     unprintable = _UNPRINTABLE.search(document.text)
     if unprintable:
-        code = f"U+{ord(unprintable[0]):04X}"
         document.stop(
-            f"{code}, a character that YAML has not", *document.place(unprintable.start())
+            f"U+{ord(unprintable[0]):04X}, a character that YAML has not",
+            *document.place(unprintable.start()),
         )
     return _Builder(document, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).root()
 
@@ -139,8 +139,9 @@ class _Builder:
         while not isinstance(event := self.next(), yaml.MappingEndEvent):
             key = self.node(event, depth + 1)
             if not isinstance(key, Scalar):
-                message = "a key that is a list or a mapping, expected text"
-                self.document.stop(message, key.line, key.column)
+                self.document.stop(
+                    "a key that is a list or a mapping, expected text", key.line, key.column
+                )
             yield key, self.node(self.next(), depth + 1)
 
     def scalar(self, event: Any, line: int, column: int) -> Scalar:
@@ -160,6 +161,7 @@ class _Builder:
             self.document.stop(f"alias *{name} stands inside what it repeats", *self.last)
         self.values += size
         if self.values > MOST_VALUES:
-            message = f"alias *{name} makes more than {MOST_VALUES} values of this document"
-            self.document.stop(message, *self.last)
+            self.document.stop(
+                f"alias *{name} makes more than {MOST_VALUES} values of this document", *self.last
+            )
         return node

@@ -147,8 +147,9 @@ class _SheetElements:
         value = "".join(self._contents.get("t" if kind == "inlineStr" else "v", ()))
         if not value:
             if "f" in self._contents:
-                message = "a formula without its value: save the file in a spreadsheet program"
-                raise ValueError(message)
+                raise ValueError(
+                    "a formula without its value: save the file in a spreadsheet program"
+                )
             return ""
         if kind == "e":
             raise ValueError(f"read {value}, expected a number or a text")
@@ -171,10 +172,11 @@ class _SheetElements:
         first, _, last = ref.partition(":")
         place = _PLACE.fullmatch(first)
         if place and last:
-            message = (
-                f"{ref} are merged into one cell, expected a value in each: unmerge and fill them"
+            self._report(
+                f"{ref} are merged into one cell, expected a value in each: unmerge and fill them",
+                int(place[2]),
+                _column_of(place[1]),
             )
-            self._report(message, int(place[2]), _column_of(place[1]))
 
     def _report(self, message: str, row: int, column: int) -> None:
         at = CellPlace.of(self._place._replace(line=row, column=column), self._place.sheet)

@@ -35,10 +35,11 @@ class GrownNode:
         if not numbers:
             return Mapping([(key, value) for _, key, value in values], self.line, self.column)
         if len(numbers) < len(values) or sorted(numbers) != [*range(1, len(values) + 1)]:
-            message = (
-                f"items {', '.join(str(part) for part, _, _ in values)}, expected 1 to the last"
+            document.stop(
+                f"items {', '.join(str(part) for part, _, _ in values)}, expected 1 to the last",
+                self.line,
+                self.column,
             )
-            document.stop(message, self.line, self.column)
         values.sort(key=lambda item: item[0])
         return Listing([value for _, _, value in values], self.line, self.column)
 

@@ -125,7 +125,7 @@ class PackedParts:
 
     def _relations(self, of: str) -> dict[str, tuple[str, str]]:
         folder, name = posixpath.split(of)
-        relations: dict[str, tuple[str, str]] = {}
+        relations = {}
 
         def start(name: str, attributes: Mapping[str, str]) -> None:
             if name == "Relationship" and attributes.get("TargetMode") != "External":
@@ -153,9 +153,9 @@ class PackedParts:
     @cached_property
     def texts(self) -> list[str]:
         """Texts shared by cells, without phonetic hints."""
-        texts: list[str] = []
+        texts = []
         parts: list[str] = []
-        inside: list[str] = []
+        inside = []
 
         def start(name: str, _: Mapping[str, str]) -> None:
             inside.append(name)
@@ -178,8 +178,8 @@ class PackedParts:
     @cached_property
     def dates(self) -> frozenset[int]:
         """Numbers of the cell formats for dates or times."""
-        codes: dict[str, str] = {}
-        formats: list[str] = []
+        codes = {}
+        formats = []
         section = ""
 
         def start(name: str, attributes: Mapping[str, str]) -> None:
@@ -195,8 +195,9 @@ class PackedParts:
             member = self._packed.getinfo(path)
             if member.file_size > MOST_STYLE_BYTES:
                 most = MOST_STYLE_BYTES / 1e6
-                message = f"formats of {member.file_size / 1e6:.0f} MB, expected at most {most:.0f}"
-                raise ValueError(message)
+                raise ValueError(
+                    f"formats of {member.file_size / 1e6:.0f} MB, expected at most {most:.0f}"
+                )
             with self._packed.open(member) as part:
                 parse(part, start)
         return frozenset(n for n, key in enumerate(formats) if _is_date(key, codes.get(key)))

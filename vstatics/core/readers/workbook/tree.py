@@ -167,7 +167,7 @@ class TreeOfSheets:
         """Return the paths and the shift elements in the headings, by columns."""
         paths, engaged = dict[int, tuple[Part, ...]](), dict[int, str]()
         sheet, rows = PART_SHEETS[name], self.sheets[name]
-        given: set[str] = set()
+        given = set()
         for cell in rows[0][1:] if rows else ():
             if cell.text in given:
                 self._refuse(cell, f"the heading {quoted(cell.text)} is there twice")
@@ -211,8 +211,9 @@ class TreeOfSheets:
             order = int(number) if is_number else 0
             is_engaged = bool(order) if is_number else MARKS.get(cell.text.casefold())
             if is_engaged is None:
-                message = f"read {quoted(cell.text)}, expected `{ENGAGED}` or 1, nothing or 0"
-                self._refuse(cell, message)
+                self._refuse(
+                    cell, f"read {quoted(cell.text)}, expected `{ENGAGED}` or 1, nothing or 0"
+                )
             elif is_engaged:
                 name = Scalar(engaged[cell.column], *self._at(cell), plain=False)
                 engagements.append((order, name))
