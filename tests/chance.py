@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from random import Random
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
+import pytest
 
 Each = TypeVar("Each")
 FRESH = os.environ.get("VSTATICS_TEST_SEED", "")
@@ -31,3 +32,8 @@ def count(usual: int, nightly: int) -> int:
 def some(cases: Sequence[Each]) -> Sequence[Each]:
     """Every third case, all of them by `make nightly`."""
     return cases[:: count(3, 1)]
+
+
+def fast_and_slow(fast: Iterable[object], slow: Iterable[object]) -> list[Any]:
+    """Return parameters of a test of which the second part runs only with the slow tests."""
+    return [*fast, *(pytest.param(each, marks=pytest.mark.slow) for each in slow)]

@@ -10,6 +10,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.commands import CASES, vstatics
+from tests.processes import names
 from vstatics import ReadError, load, solve
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.style import Style
@@ -17,13 +18,6 @@ from vstatics.pictures.flow import efficiency
 from vstatics.pictures.plotting import plot
 
 UMDM = CASES / "umdm.yaml"
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder, the current one."""
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
 
 
 @pytest.fixture
@@ -38,10 +32,6 @@ def count(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
     monkeypatch.setattr(efficiency, "draw", draw)
     return wanted
-
-
-def names(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
 
 
 def wide(svg: str) -> float:

@@ -232,18 +232,16 @@ def test_a_note_tells_that_a_converter_is_asked_outside_its_points(tmp_path: Pat
         assert ran.err.count("note: outside the points of TC the last one counts") == count
 
 
+@pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
     "options", [(), ("-o", "out.npz", "--jobs", "2"), ("--max", "efficiency[one]")]
 )
 @pytest.mark.parametrize(("most", "is_outside"), [(100, 0), (101, 1)])
 def test_one_note_tells_that_variants_are_outside_a_law(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
     options: tuple[str, ...],
     most: int,
     is_outside: int,
 ) -> None:
-    monkeypatch.chdir(tmp_path)
     law = "drag: {in: [[0, 1], [100, 3]]}"
     Path("case.yaml").write_text(
         "\n".join(law if line.startswith("drag") else line for line in CASE.splitlines())

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
-from tests.commands import vstatics
+from tests.commands import json_answer, vstatics
 from tests.core.summary.capacities import CASE, LOW
 
 
@@ -55,7 +54,7 @@ def test_a_duty_cycle_is_shown_alone_and_of_two_cases(tmp_path: Path) -> None:
     assert "in all   1.000        .993" in said.out
     both = vstatics("summary", file, file, "--duty", duty)
     assert "efficiency of the duty cycle" in both.out
-    made = json.loads(vstatics("summary", file, "--duty", duty, "-f", "json").out)
+    made = json_answer("summary", file, "--duty", duty)
     assert made["duty"]["efficiency"] == pytest.approx(0.25 * LOW + 0.75)
 
 

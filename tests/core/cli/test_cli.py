@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import click
 import pytest
 
-from tests.commands import CASES, MZKT, Said, vstatics
+from tests.commands import CASES, MZKT, Said, json_answer, vstatics
+from tests.shipped import PRINTED
 from vstatics.core.cli import main, with_languages
 
 COMMANDS = ["run", "check", "convert", "compare"]
-REFERENCE = json.loads(
-    (Path(__file__).parents[2] / "published" / "mzkt7922.json").read_text(encoding="utf-8")
-)
 
 
 @pytest.mark.usefixtures("files")
@@ -47,7 +44,7 @@ def test_status_is_that_of_the_case(command: str, case: str, status: int, words:
 @pytest.mark.usefixtures("files")
 def test_a_gear_tied_up_does_not_stop_the_others() -> None:
     """In its low gear the differential has the ratio 1 - u = 3.5."""
-    document = json.loads(vstatics("run", "tied.yaml", "-f", "json").out)
+    document = json_answer("run", "tied.yaml")
     assert document["ratio"] == [None, pytest.approx(3.5)]
     assert document["messages"][0].startswith("error: gear both: tied up")
 
@@ -88,9 +85,9 @@ def test_wrong_use_is_2_and_says_how(arguments: str) -> None:
 @pytest.mark.usefixtures("files")
 def test_many_cases_go_on_after_a_bad_one() -> None:
     said = vstatics("run", MZKT, "bad.yaml", "neutral.yaml", "-f", "json")
-    first, failed, last = json.loads(said.out)
+    first, failed, last = said.json
     assert said.status == 1
-    assert first["ETA"] == pytest.approx(REFERENCE["ETA"], abs=0.5e-3)
+    assert first["ETA"] == pytest.approx(PRINTED["ETA"], abs=0.5e-3)
     assert set(failed) == {"file", "case", "errors"}
     assert failed["case"] == "bad.yaml"
     assert "bad.yaml:3:" in failed["errors"][0]

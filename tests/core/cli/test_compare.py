@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import vstatics as library
-from tests.commands import CASES, MZKT, NEUTRAL, vstatics
+from tests.commands import CASES, MZKT, NEUTRAL, json_answer, vstatics
 
 FORMS = ("csv", "json", "jsonl", "parquet")
 SWEPT = ("csv", "jsonl", "npz", "parquet")
@@ -63,7 +63,7 @@ def test_a_result_that_cannot_be_read_is_told_and_counted_in_every_format(tmp_pa
         assert said.out.endswith("1 same, 0 changed, 0 added, 0 gone, 2 unreadable\n")
         assert "no JSON" in next(one for one in said.out.splitlines() if "locked" in one)
         assert said.err.splitlines()[-1].endswith("differ in 2 places")
-    document = json.loads(vstatics("compare", *both, "-f", "json").out)
+    document = json_answer("compare", *both)
     assert (document["same"], document["unreadable"]) == (1, 2)
     states = {one["name"]: (one["state"], len(one.get("errors", ()))) for one in document["cases"]}
     assert states == {
@@ -290,7 +290,7 @@ def test_sweeps_are_compared_in_every_format_and_in_directories() -> None:
         sweep(f"{folder}/a.csv", values)
         results(f"{folder}/b.json", "neutral.yaml")
     sweep("golden/c.npz")
-    [case] = json.loads(vstatics("compare", "new/a.csv", "golden/a.csv", "-f", "json").out)["cases"]
+    [case] = json_answer("compare", "new/a.csv", "golden/a.csv")["cases"]
     assert [case["numbers"][0][key] for key in ("table", "row", "gear", "expected", "actual")] == [
         "D.ratio", "variant 2", None, -4.0, -5.0
     ]  # fmt: skip
@@ -309,7 +309,7 @@ def test_one_file_that_cannot_be_read_fails_in_every_format(broken: int) -> None
     Path(names[broken]).write_text("{", encoding="utf-8")
     suite = ET.fromstring(vstatics("compare", *names, "-f", "junit").out)[0]  # noqa: S314 - our own
     assert (suite.get("tests"), suite.get("failures")) == ("1", "1")
-    document = json.loads(vstatics("compare", *names, "-f", "json").out)
+    document = json_answer("compare", *names)
     assert (document["unreadable"], document["same"]) == (1, 0)
     for form in ("text", "markdown"):
         said = vstatics("compare", *names, "-f", form)
@@ -322,7 +322,7 @@ def test_mechanisms_of_a_deck_are_not_elements_of_a_drawing_by_their_place() -> 
     vstatics("convert", case, "box.dat")  # a deck keeps no description
     assert vstatics("convert", "box.dat", "box.yaml").status == 0
     names = results("deck.json", "box.yaml"), results("drawn.json", case)
-    document = json.loads(vstatics("compare", *names, "-f", "json").out)
+    document = json_answer("compare", *names)
     torques = [one for one in document["cases"][0]["numbers"] if one["table"] == "AMLG"]
     assert torques
     assert not [one for one in torques if one["deviation"] is not None]

@@ -133,5 +133,5 @@ def test_what_a_command_allows_is_not_part_of_the_case(tmp_path: Path) -> None:
         told, allowed = vstatics(*call), vstatics(*call, "--allow", "W201,w414")
         assert ("W201" in allowed.out, "W414" in allowed.out, allowed.err) == (False, False, "")
         assert "warning: " in told.err
-    made = json.loads(allowed.out)
-    assert made["case"] == json.loads(told.out)["case"]
+    made = allowed.json
+    assert made["case"] == told.json["case"]

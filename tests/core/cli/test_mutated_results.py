@@ -14,7 +14,7 @@ import pyarrow.parquet as pq  # type: ignore[import-untyped]
 import pytest
 
 from tests.chance import FRESH, count, seeded
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.mutated_results import tried
 
 CASE = CASES / "simpson.yaml"
@@ -145,7 +145,7 @@ def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> Non
 
 
 def _result(**changes: Any) -> str:
-    made = json.loads(vstatics("run", CASE, "-f", "json").out)
+    made = json_answer("run", CASE)
     return json.dumps(made | changes)
 
 
@@ -158,7 +158,7 @@ def test_a_ratio_of_0_is_compared(tmp_path: Path) -> None:
             "compare", tmp_path / f"{one}.json", tmp_path / f"{other}.json", "-f", "json"
         )
         assert told.status == 1
-        assert json.loads(told.out)["changed"] == 1
+        assert told.json["changed"] == 1
 
 
 def test_a_sweep_without_status_is_told(tmp_path: Path) -> None:
@@ -177,7 +177,7 @@ def test_a_column_of_a_sweep_may_have_the_name_of_a_table(tmp_path: Path, name: 
     said = vstatics("compare", *files)
     assert "1 of 2 variants, 1 of 2 columns differ" in said.out
     assert f"{name:10}  variant 1  2.000 -> 2.500  +25.00 %" in said.out
-    [one] = json.loads(vstatics("compare", *files, "-f", "json").out)["cases"]
+    [one] = json_answer("compare", *files)["cases"]
     assert [(one["table"], one["row"]) for one in one["numbers"]] == [(name, "variant 1")]
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -11,11 +9,9 @@ from hypothesis import strategies as st
 
 import vstatics
 from tests.chance import count, generator
+from tests.commands import CASES
 from tests.core.statics.batches import ARRAYS, plainly, random_case, ratios, same, with_numbers
 from vstatics import distribution_matrix, solve
-
-CASES = Path(__file__).parents[3] / "cases"
-
 
 EXTREME = st.sampled_from(
     [1e308, -1e308, 1e200, 1e160, 1e10, -2.0, 0.5, 1.0 + 1e-15, 1e-10, 1e-160, -1e-200, 1e-308]
@@ -52,7 +48,7 @@ def test_arrays_of_another_shape_are_refused() -> None:
 
 
 def test_ratios_and_efficiencies_have_axes_of_their_own() -> None:
-    case = vstatics.load(Path(__file__).parents[3] / "cases" / "mzkt7922.yaml")
+    case = vstatics.load(CASES / "mzkt7922.yaml")
     rng = generator(5)
     u = ratios(rng, case, 6, "ordinary").reshape(2, 1, 3, 3)
     eta = np.tile(rng.uniform(0.9, 1, (4, 1, 3)), 1)

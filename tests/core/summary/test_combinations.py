@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 
 import pytest
@@ -86,7 +85,7 @@ def test_that_there_are_none_is_said() -> None:
     said = vstatics("summary", CASES / "zf-8hp70.yaml", "--combinations")
     assert "combinations of shift elements: none" in said.out
     made = vstatics("summary", CASES / "zf-8hp70.yaml", "--combinations", "-f", "json")
-    assert json.loads(made.out)["combinations"] == []
+    assert made.json["combinations"] == []
 
 
 def test_a_case_without_shift_elements_has_none() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterable
@@ -13,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 
 from tests.chance import count, seeded
-from tests.commands import CASES, MZKT, NEUTRAL, SHIPPED, vstatics
+from tests.commands import CASES, MZKT, NEUTRAL, SHIPPED, json_answer, vstatics
 from tests.oracle import gears as oracle
 from tests.strategies import transmissions
 from tests.trains import is_regular, random_train
@@ -166,7 +165,7 @@ def test_each_shipped_case_is_told_or_has_its_own_numbers(case: Path, tmp_path: 
         assert all(re.match(where, line) for line in said.err.splitlines() if "error" in line)
         assert said.out == ""
         return
-    result = json.loads(vstatics("run", "-q", case, "-f", "json").out)
+    result = json_answer("run", "-q", case)
     speeds = rows(said.out, "(W(I,J),J=1,NP),I=1,KJG")
     torques = rows(said.out, "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1")
     ratios = [math.nan if ratio is None else ratio for ratio in result["ratio"]]

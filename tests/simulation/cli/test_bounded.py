@@ -35,11 +35,10 @@ LONG, SHORT = "1e9", "2"
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("mass.yaml").write_text(CASE, encoding="utf-8")
+def _files(folder: Path) -> None:
+    (folder / "mass.yaml").write_text(CASE, encoding="utf-8")
     for name, duration in (("long.yaml", LONG), ("short.yaml", SHORT)):
-        Path(name).write_text(SCENARIO.replace("DURATION", duration), encoding="utf-8")
+        (folder / name).write_text(SCENARIO.replace("DURATION", duration), encoding="utf-8")
 
 
 def document() -> Any:

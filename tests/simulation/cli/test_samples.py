@@ -18,11 +18,10 @@ LOCKS = 0.410054006
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A folder with case and scenario, the current one."""
-    monkeypatch.chdir(tmp_path)
-    Path("set.yaml").write_bytes(CASE)
-    Path("lock.yaml").write_bytes(SCENARIO)
+    (folder / "set.yaml").write_bytes(CASE)
+    (folder / "lock.yaml").write_bytes(SCENARIO)
 
 
 def samples(*options: object) -> str:

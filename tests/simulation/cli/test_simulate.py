@@ -7,15 +7,15 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.core.cli.test_schemas import validator
+from tests.processes import names
 from vstatics.core.errors import Problem
 from vstatics.simulation import run as module
 
@@ -38,21 +38,16 @@ LOCKS = 0.410054006
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A folder with case and scenario, the current one."""
-    monkeypatch.chdir(tmp_path)
-    Path("box.yaml").write_text(CASE, encoding="utf-8")
-    Path("lock.yaml").write_text(SCENARIO, encoding="utf-8")
-
-
-def names() -> list[str]:
-    return sorted(path.name for path in Path().iterdir())
+    (folder / "box.yaml").write_text(CASE, encoding="utf-8")
+    (folder / "lock.yaml").write_text(SCENARIO, encoding="utf-8")
 
 
 def document(*options: str) -> Any:
     said = vstatics("simulate", "lock.yaml", "-f", "json", *options)
     assert (said.status, said.err) == (0, "")
-    found = json.loads(said.out)
+    found = said.json
     assert list(validator("simulation").iter_errors(found)) == []
     return found
 
@@ -202,7 +197,7 @@ def test_a_run_that_stops_leaves_what_it_has_with_a_mark(
     assert said.status == 1
     assert said.err == "lock.yaml: error: at 0.5 s brake neither sticks nor slips\n"
     if form == "json":
-        assert json.loads(said.out)["stopped"] == "at 0.5 s brake neither sticks nor slips [E608]"
+        assert said.json["stopped"] == "at 0.5 s brake neither sticks nor slips [E608]"
     assert said.out
 
 
@@ -233,7 +228,7 @@ def test_a_scenario_is_checked_with_its_case() -> None:
     assert (said.status, said.out) == (1, "")
     assert said.err.startswith("lock.yaml:3:")
     Path("lock.yaml").write_text(SCENARIO.replace("120", "1e20"), encoding="utf-8")
-    [problem] = json.loads(vstatics("check", "lock.yaml", "-f", "json").out)
+    [problem] = json_answer("check", "lock.yaml")
     assert (problem["line"], problem["severity"]) == (4, "error")
 
 

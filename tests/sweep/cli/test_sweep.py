@@ -22,11 +22,9 @@ COLUMNS = "variant,D.ratio,status,ratio[direct],ratio[low]"
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def _case(folder: Path) -> None:
     """A folder, the current one, with the differential of `sweeps`."""
-    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
 
 
 def test_a_grid_on_stdout() -> None:
@@ -42,7 +40,7 @@ def test_a_grid_on_stdout() -> None:
 def test_the_numbers_are_those_of_run() -> None:
     """The published case with its own numbers varied to what they are."""
     said = vstatics("sweep", MZKT, "--vary", "D1.ratio=-0.8", "-f", "jsonl")
-    read = json.loads(said.out)
+    read = said.json
     results = solve(load(MZKT))
     for number, gear in enumerate("123456"):
         assert read[f"ratio[{gear}]"] == pytest.approx(results.ratio[number], rel=1e-11)

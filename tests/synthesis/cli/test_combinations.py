@@ -48,7 +48,7 @@ def said(*arguments: object) -> Said:
 
 
 def entries(*arguments: object) -> list[dict[str, Any]]:
-    document = json.loads(said(*arguments, "-f", "json").out)
+    document = said(*arguments, "-f", "json").json
     assert [*validator("combinations").iter_errors(document)] == []
     assert list(document) == ["combinations"]
     found: list[dict[str, Any]] = document["combinations"]
@@ -79,7 +79,7 @@ def test_json_has_the_shape_that_is_promised() -> None:
 
 def test_ports_have_a_block_each() -> None:
     """A differential, Willis with u = -2.5: (1 - u) and its inverse with the ring held."""
-    document = json.loads(said(DIFFERENTIAL, "--ports", "1:3, 3:1", "-f", "json").out)
+    document = said(DIFFERENTIAL, "--ports", "1:3, 3:1", "-f", "json").json
     assert [*validator("combinations").iter_errors(document)] == []
     blocks = document["ports"]
     assert [(one["input"], one["output"]) for one in blocks] == [("1", "3"), ("3", "1")]
@@ -93,7 +93,7 @@ def test_ports_have_a_block_each() -> None:
 
 
 def test_all_ports_are_all_ordered_pairs_and_have_no_brakes_of_auto() -> None:
-    found = json.loads(said(DIFFERENTIAL, "--ports", "all", "--elements", "auto", "-f", "json").out)
+    found = said(DIFFERENTIAL, "--ports", "all", "--elements", "auto", "-f", "json").json
     pairs = [(one["input"], one["output"]) for one in found["ports"]]
     assert pairs == [*permutations("123", 2)]
     for one in found["ports"]:
@@ -159,9 +159,7 @@ def test_sets_without_a_torque_come_last_when_sorted() -> None:
     found = entries(BELAZ, "--sort", "torques")
     kinds = [one["kind"] for one in found]
     assert kinds == ["direct", *["gear"] * 7, *["parking"] * 6, "blocked"]
-    block = json.loads(said(BELAZ, "--ports", "all", "--sort", "torques", "-f", "json").out)[
-        "ports"
-    ][0]
+    block = said(BELAZ, "--ports", "all", "--sort", "torques", "-f", "json").json["ports"][0]
     order = ["direct", "gear", "neutral", "parking", "blocked"]
     kinds = [one["kind"] for one in block["combinations"]]
     assert kinds == sorted(kinds, key=order.index)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.synthesis.boxes.listed_boxes import many, simpson
 
 
@@ -54,7 +54,7 @@ def test_summaries_stand_side_by_side(boxes: Path) -> None:
     assert re.search(r"^B: .*boxes\.json box 4 \(box ", said.out, re.MULTILINE)
     assert re.search(r"^1 +2\.479 +2\.479 +1\.676 +1\.676 ", said.out, re.MULTILINE)
     assert re.search(r"^of them between two links +2 +2$", said.out, re.MULTILINE)
-    assert len(json.loads(vstatics("summary", boxes, "-f", "json").out)) == 4
+    assert len(json_answer("summary", boxes)) == 4
     tables = vstatics("summary", boxes).out.partition("Gears")[2]
     assert max(map(len, tables.splitlines())) <= 80
     assert tables.count("mean forward efficiency") == 2  # two boxes beside two others

@@ -29,10 +29,9 @@ HIT = 40 * 30 / math.pi
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A folder with a table, the current one."""
-    monkeypatch.chdir(tmp_path)
-    Path("engine.csv").write_text(TABLE, encoding="utf-8")
+    (folder / "engine.csv").write_text(TABLE, encoding="utf-8")
 
 
 def bytes_of(*call: str, text: str) -> bytes:

@@ -11,6 +11,7 @@ import openpyxl
 import pytest
 
 from tests.commands import CASES, NEUTRAL, vstatics
+from tests.processes import names
 from tests.torsion.cli.torsional import (
     ASKED,
     BOX,
@@ -37,14 +38,9 @@ CSV_OF_VALUES = ("response", "csv")
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A folder with the case, the current one."""
-    monkeypatch.chdir(tmp_path)
-    Path("box.yaml").write_text(GOOD, encoding="utf-8")
-
-
-def names() -> list[str]:
-    return sorted(path.name for path in Path().iterdir())
+    (folder / "box.yaml").write_text(GOOD, encoding="utf-8")
 
 
 # formats
@@ -108,7 +104,7 @@ def test_digits_are_those_asked_for() -> None:
 
 @pytest.mark.parametrize("command", ASKED)
 def test_json_from_a_pipe_tells_its_file_as_other_commands_do(command: str) -> None:
-    made = json.loads(asked(command, "-f", "json", text=GOOD).out)
+    made = asked(command, "-f", "json", text=GOOD).json
     assert (made["file"], made["case"], made["version"]) == ("<stdin>", "two gears", 1)
     from_file = vstatics("torsion", command, "box.yaml", *ASKED[command], "-f", "json").out
     assert json.loads(from_file) == {**made, "file": "box.yaml"}
@@ -179,7 +175,7 @@ def test_an_output_that_cannot_be_written_is_told(call: tuple[str, ...]) -> None
 @pytest.mark.parametrize("command", OF_GEARS)
 def test_all_gears_or_those_asked_for_by_name_or_number_each_once(command: str) -> None:
     def told(*options: str) -> list[str]:
-        made = json.loads(asked(command, *options, "-f", "json").out)
+        made = asked(command, *options, "-f", "json").json
         return [gear["name"] for gear in made["gears"]]
 
     assert told() == ["low", "direct", "tied", "N"]
@@ -189,7 +185,7 @@ def test_all_gears_or_those_asked_for_by_name_or_number_each_once(command: str) 
 
 def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
     answer = said("modes", "-f", "json", text=STUCK)
-    free, stuck = json.loads(answer.out)["gears"]
+    free, stuck = answer.json["gears"]
     why = "tied up: A and B let nothing move; release one of the engaged elements"
     assert (answer.status, free["rigid_modes"], stuck.keys()) == (1, 1, {"name", "error"})
     assert stuck["error"].startswith(why)
@@ -199,7 +195,7 @@ def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
 def test_a_gear_that_holds_the_input_vibrates() -> None:
     """The engine stands; all frequencies are those of the rest on the damper."""
     answer = said("modes", "--gear", "tied", "-f", "json")
-    [gear] = json.loads(answer.out)["gears"]
+    [gear] = answer.json["gears"]
     assert (answer.status, gear["rigid_modes"], len(gear["modes"])) == (0, 1, 4)
     assert {mode["shape"]["engine"] for mode in gear["modes"]} == {0.0}
 
@@ -207,7 +203,7 @@ def test_a_gear_that_holds_the_input_vibrates() -> None:
 @pytest.mark.parametrize("command", STANDS)
 def test_a_gear_that_has_no_answer_does_not_stop_the_others(command: str) -> None:
     answer = asked(command, "-f", "json")
-    low, direct, tied, neutral = json.loads(answer.out)["gears"]
+    low, direct, tied, neutral = answer.json["gears"]
     assert answer.status == 1
     assert tied.keys() == {"name", "error"}
     assert tied["error"] == STANDS[command]
@@ -259,7 +255,7 @@ def test_where_there_is_one_gear_it_need_not_be_named(call: tuple[str, ...]) -> 
     command, *options = call
     without = said(command, *options, "-f", "json", text=CHAIN)
     assert (without.status, without.err) == (0, "")
-    assert json.loads(without.out)["gear"] == "1"
+    assert without.json["gear"] == "1"
     assert without.out == said(command, *options, "--gear", "1", "-f", "json", text=CHAIN).out
 
 
@@ -335,7 +331,7 @@ def test_a_case_without_anything_elastic_has_rigid_modes_only() -> None:
     answer = said("modes", "-f", "json", text=text)
     assert (answer.status, answer.err.count("warning: gear ")) == (0, 2)
     assert "nothing is elastic; expected `springs`" in answer.err
-    gears = json.loads(answer.out)["gears"]
+    gears = answer.json["gears"]
     assert [(one["rigid_modes"], one["modes"]) for one in gears] == [(2, []), (1, [])]
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 from typing import Any, get_args
 
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.pictures import drawn as said
 from tests.pictures.test_pictures import STYLES, overlaps
 from tests.torsion.pictures.marks import drawn, marks, plotted
@@ -22,9 +21,7 @@ FILE = CASES / "moskvich412.yaml"
 
 
 def answers() -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = json.loads(vstatics("torsion", "dump", FILE, "-f", "json").out)[
-        "gears"
-    ]
+    found: list[dict[str, Any]] = json_answer("torsion", "dump", FILE)["gears"]
     return found
 
 

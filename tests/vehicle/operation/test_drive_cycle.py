@@ -318,7 +318,7 @@ def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Pat
     given.write_text("time [s],speed [m/s]\n0,60\n1,60\n2,80\n3,80\n")
     asked = ["cycle", str(case), str(given), "-f", "json", "--least-speed"]
     ran = vstatics(*asked, "1000 rpm")
-    messages = json.loads(ran.out)["cycle"]["messages"]
+    messages = ran.json["cycle"]["messages"]
     assert ran.status == 0
     assert [one[-6:] for one in messages] == ["[W428]", "[W429]"]
     # the second gear turns 4 v: 240, 280, 320 rad/s, and 1000 kg 20 m/s^2 are beyond any engine
@@ -328,7 +328,7 @@ def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Pat
     assert f"{case}: {messages[0][:-7]}" in ran.err  # `tests.commands` drops ids
     assert vstatics(*asked, "1000 rpm", "--strict").status == 1
     ran = vstatics(*asked, "1000 rpm", "--strict", "--allow", "W428", "--allow", "W429")
-    assert (ran.status, json.loads(ran.out)["cycle"]["messages"]) == (0, [])
+    assert (ran.status, ran.json["cycle"]["messages"]) == (0, [])
     ran = vstatics(*asked, "1000")
     assert ran.status == 2
     assert "read '1000', expected a speed with its unit" in ran.err

@@ -10,17 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import BAD, CASES, MZKT, TIED_UP, vstatics
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder, the current one."""
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def names(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
+from tests.processes import names
 
 
 @pytest.mark.parametrize("form", ["listing", "json", "csv"])

@@ -22,14 +22,13 @@ NAMES = ("drawer/a.dat", "drawer/deep/b.dat", "drawer/deep/c.dat")
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """Three decks in two folders, and a bad one that no pattern here meets."""
-    monkeypatch.chdir(tmp_path)
-    Path("drawer/deep").mkdir(parents=True)
+    (folder / "drawer/deep").mkdir(parents=True)
     for name in NAMES:
-        Path(name).write_bytes(MZKT.read_bytes())
-    Path("bad.yaml").write_text(BAD, encoding="utf-8")
-    Path("neutral.yaml").write_text(NEUTRAL, encoding="utf-8")
+        (folder / name).write_bytes(MZKT.read_bytes())
+    (folder / "bad.yaml").write_text(BAD, encoding="utf-8")
+    (folder / "neutral.yaml").write_text(NEUTRAL, encoding="utf-8")
 
 
 def rows(file: str) -> list[dict[str, object]]:

@@ -12,12 +12,11 @@ from tests.commands import BAD, MZKT, NEUTRAL, TIED_UP, vstatics
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """Four cases that were calculated an hour after they were written; one is bad, one tied up."""
-    monkeypatch.chdir(tmp_path)
-    Path("mzkt.dat").write_bytes(MZKT.read_bytes())
+    (folder / "mzkt.dat").write_bytes(MZKT.read_bytes())
     for name, text in (("neutral", NEUTRAL), ("tied", TIED_UP), ("bad", BAD)):
-        Path(f"{name}.yaml").write_text(text, encoding="utf-8")
+        (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
     for name in CASES:
         os.utime(name, (0, Path(name).stat().st_mtime - 3600))
     assert vstatics("run", *CASES, "-o", "out", "-f", "json").status == 1

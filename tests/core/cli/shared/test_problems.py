@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 
@@ -174,7 +173,7 @@ def test_one_text_about_several_gears_is_one_line_and_a_message_of_each() -> Non
     [warning] = [line for line in said.err.splitlines() if "warning" in line]
     assert warning.startswith("<stdin>:4:9: warning: gears N and P: 1 condition missing")
     assert "nothing holds the torque of the input" in warning
-    told = [one.partition(": 1 ")[0] for one in json.loads(said.out)["messages"]]
+    told = [one.partition(": 1 ")[0] for one in said.json["messages"]]
     assert told == ["warning: gear N", "warning: gear P"]
 
 

@@ -99,6 +99,7 @@ gears: {"1": {speed_ratios: {TC: 0.6}}}
         assert "TC has no lambda" in said.err
 
 
+@pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
     "asked",
     [
@@ -107,11 +108,8 @@ gears: {"1": {speed_ratios: {TC: 0.6}}}
         ["simulate", "s.yaml"],
     ],
 )
-def test_without_a_speed_ratio_it_vibrates_and_moves_as_one_of_converters(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, asked: list[str]
-) -> None:
+def test_without_a_speed_ratio_it_vibrates_and_moves_as_one_of_converters(asked: list[str]) -> None:
     """Statics cannot be had of it, and says so at the gear."""
-    monkeypatch.chdir(tmp_path)
     common = """links: [engine, turbine, shaft]
 shift_elements: {K: [turbine, shaft]}
 inertias: {engine: 0.5, turbine: 0.1, shaft: 2}

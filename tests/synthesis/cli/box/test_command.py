@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
-from tests.commands import Said, vstatics
+from tests.commands import Said, json_answer, vstatics
 from tests.processes import names
 from vstatics import load, solve
 from vstatics.core.cli.schemas import schemas
@@ -80,7 +80,7 @@ def searched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Searched:
 def boxes(*options: object) -> list[dict[str, object]]:
     said = vstatics("synth", "box", *ASKED, *options, "-f", "json")
     assert (said.status, said.err) == (0, "")
-    document = json.loads(said.out)
+    document = said.json
     assert (document["searched"], document["found"]) == (600, len(document["boxes"]))
     found: list[dict[str, object]] = document["boxes"]
     return found
@@ -191,7 +191,7 @@ def test_filters(options: tuple[object, ...], count: int) -> None:
 )
 def test_where_none_is_found_the_status_tells(options: tuple[object, ...], told: str) -> None:
     said = vstatics("synth", "box", *ASKED, *options, "-f", "json", "-q")
-    assert (said.status, json.loads(said.out)["boxes"]) == (1, [])
+    assert (said.status, said.json["boxes"]) == (1, [])
     assert said.err == f"no box is found: {told}\n"
 
 
@@ -200,7 +200,7 @@ def test_a_list_tells_whether_it_is_complete(searched: Searched, given_up: int) 
     searched.given_up = given_up
     for options, status in [((), 0), (("--complete",), int(given_up > 0))]:
         said = vstatics("synth", "box", *ASKED, *options, "-f", "json")
-        document = json.loads(said.out)
+        document = said.json
         assert (said.status, len(document["boxes"])) == (status, 3)
         told = document["complete"], document["given_up"]
         assert told == (not given_up, PIECES * given_up)
@@ -212,7 +212,7 @@ def test_a_dry_run_says_how_many() -> None:
     said = vstatics("synth", "box", *ASKED, "--dry-run")
     assert (said.status, said.out) == (0, "boxes  36\nfound  3\ntime   about a second\n")
     said = vstatics("synth", "box", *ASKED, "--dry-run", "-f", "json")
-    document = json.loads(said.out)
+    document = said.json
     assert 0 < document.pop("seconds") < 10
     assert 0 <= document.pop("compile_seconds") < 10
     assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
@@ -229,8 +229,8 @@ def test_a_dry_run_says_what_it_compiled(monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_all_of_it_is_as_the_schema_says() -> None:
     check = Draft202012Validator(schemas()["box"]).validate
-    check(json.loads(vstatics("synth", "box", *ASKED, "-f", "json").out))
-    check(json.loads(vstatics("synth", "box", *ASKED, "-f", "json", "--dry-run").out))
+    check(json_answer("synth", "box", *ASKED))
+    check(json_answer("synth", "box", *ASKED, "--dry-run"))
     for line in vstatics("synth", "box", *ASKED, "-f", "jsonl").out.splitlines():
         check(json.loads(line))
 
@@ -258,7 +258,7 @@ def test_a_directory_has_all_boxes_as_cases() -> None:
 def test_json_of_a_directory_is_told_too() -> None:
     said = vstatics("synth", "box", *ASKED, "-o", "found/", "-f", "json", "-q")
     assert (said.status, said.err) == (0, "")
-    assert json.loads(said.out) == json.loads(Path("found/boxes.json").read_text("utf-8"))
+    assert said.json == json.loads(Path("found/boxes.json").read_text("utf-8"))
 
 
 def test_boxes_of_an_earlier_search_go_and_other_files_stay() -> None:
