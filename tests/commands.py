@@ -68,6 +68,21 @@ class Said(NamedTuple):
         """The document on stdout."""
         return json.loads(self.out)
 
+    def is_wrong_use(self, *words: str) -> bool:
+        """Return whether the call is rejected: status 2, all words on stderr, an empty stdout."""
+        return (self.status, self.out) == (2, "") and self._reports(words)
+
+    def fails(self, *words: str) -> bool:
+        """Return whether the call fails: status 1, all words on stderr."""
+        return self.status == 1 and self._reports(words)
+
+    def gives_nothing(self, *words: str) -> bool:
+        """Return whether the call fails without a result: status 1, an empty stdout."""
+        return self.out == "" and self.fails(*words)
+
+    def _reports(self, words: tuple[str, ...]) -> bool:
+        return all(word in self.err for word in words)
+
 
 def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
     """Call a command within this process; an exception passes through.

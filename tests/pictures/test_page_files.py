@@ -71,8 +71,7 @@ def test_cases_of_a_directory_have_their_pages(folder: Path, count: list[int]) -
     shown = [one for one in names(folder / "out") if not one.startswith(".")]
     assert shown == [f"{name}{n}.svg" for name in ("box", "gear") for n in ("-2", "-3", "")]
     said = vstatics("plot", "box.yaml", "box-2.yaml", "-k", "efficiency", "-o", "out/")
-    assert said.status == 1
-    assert "out/box-2.svg: error: is page 2 of out/box.svg: expected another name" in said.err
+    assert said.fails("out/box-2.svg: error: is page 2 of out/box.svg: expected another name")
     count[0] = 1
     said = vstatics("plot", "box-2.yaml", "box.yaml", "-k", "efficiency", "-o", "new/")
     assert said.status == 0
@@ -118,5 +117,4 @@ def test_a_width_has_its_unit(width: str, points: float) -> None:
 )
 def test_a_width_that_is_none_is_told_with_what_is_expected(width: str, why: str) -> None:
     said = vstatics("plot", UMDM, "-k", "efficiency", "-o", "-", "--width", width)
-    assert said.status == 2
-    assert f"Invalid value for '--width': read `{width}`, {why}" in said.err
+    assert said.is_wrong_use(f"Invalid value for '--width': read `{width}`, {why}")

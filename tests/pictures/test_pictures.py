@@ -165,8 +165,7 @@ def test_a_picture_goes_through_a_pipe() -> None:
 
 def test_another_suffix_is_wrong_use(tmp_path: Path) -> None:
     said = vstatics("plot", CASES / "umdm.yaml", "-k", "plan", "-o", tmp_path / "plan.bmp")
-    assert said.status == 2
-    assert "expected .svg .png .pdf" in said.err
+    assert said.is_wrong_use("expected .svg .png .pdf")
 
 
 @pytest.mark.parametrize("gear", ["9", "0", "9" * 5000])
@@ -174,15 +173,13 @@ def test_an_unknown_gear_is_told_with_those_that_there_are(gear: str, tmp_path: 
     said = vstatics(
         "plot", CASES / "umdm.yaml", "-k", "plan", "--gear", gear, "-o", tmp_path / "a.svg"
     )
-    assert said.status == 2
-    assert f"no gear '{gear}'; gears are 1, 2, 3, 4, R" in said.err
+    assert said.is_wrong_use(f"no gear '{gear}'; gears are 1, 2, 3, 4, R")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_case_without_a_plan_says_so(tmp_path: Path) -> None:
     said = vstatics("plot", CASES / "wheel-hub.yaml", "-k", "plan", "-o", tmp_path / "a.svg")
-    assert said.status == 1
-    assert "wheel-hub.yaml: error: a kinematic plan shows" in said.err
+    assert said.fails("wheel-hub.yaml: error: a kinematic plan shows")
 
 
 def test_without_matplotlib_the_command_names_the_extra(
@@ -190,8 +187,7 @@ def test_without_matplotlib_the_command_names_the_extra(
 ) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)  # noqa: ARG005
     said = vstatics("plot", CASES / "umdm.yaml", "-k", "plan", "-o", tmp_path / "a.svg")
-    assert said.status == 1
-    assert 'a picture needs the package matplotlib: pip install "vstatics[plot]"' in said.err
+    assert said.fails('a picture needs the package matplotlib: pip install "vstatics[plot]"')
 
 
 @pytest.mark.parametrize("kind", OURS)

@@ -39,8 +39,7 @@ def test_what_excludes_one_another_is_named_as_where_it_was_given(folder: Path) 
     text = "case: box.yaml\nvary: [D.ratio=-4:-2]\nzip: true\nsample: 3\n"
     (folder / "sweep.yaml").write_text(text, encoding="utf-8")
     said = vstatics("sweep", "--file", "sweep.yaml")
-    assert said.status == 2
-    assert "`zip` and `sample` exclude one another." in said.err
+    assert said.is_wrong_use("`zip` and `sample` exclude one another.")
     (folder / "best.yaml").write_text("case: box.yaml\nvary: [D.ratio=2]\n", encoding="utf-8")
     said = vstatics("sweep", "--file", "best.yaml", "--best", "3")
     assert "--best needs --min or --max: the best by what?" in said.err

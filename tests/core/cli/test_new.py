@@ -42,7 +42,7 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
     assert (said.status, file.read_text(encoding="utf-8")) == (1, "mine")
     assert "is there already" in said.err
     said = vstatics("new", "--template", "ravigneau")
-    assert (said.status, "did you mean `ravigneaux`?" in said.err) == (2, True)
+    assert said.is_wrong_use("did you mean `ravigneaux`?")
 
 
 def test_another_suffix_tells_how_such_a_file_is_made(tmp_path: Path) -> None:

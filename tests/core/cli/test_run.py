@@ -20,7 +20,7 @@ def test_many_listings_follow_one_another_without_the_bad_one() -> None:
 @pytest.mark.parametrize("form", ["listing", "json", "csv"])
 def test_a_bad_case_alone_prints_nothing_on_stdout(form: str) -> None:
     said = vstatics("run", "bad.yaml", "-f", form)
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     said = vstatics("run", "bad.yaml", "nowhere.dat", "-f", form)
     assert said.status == 1
     assert bool(said.out) == (form != "listing")

@@ -78,7 +78,7 @@ def test_too_many_combinations_are_refused() -> None:
     without = {"--at-most": "--combinations", "--exponent": "--duty and a CSV of points"}
     for option, other in without.items():
         said = vstatics("summary", case, option, 9)
-        assert (said.status, f"{option}: without {other}" in said.err) == (2, True)
+        assert said.is_wrong_use(f"{option}: without {other}")
 
 
 def test_that_there_are_none_is_said() -> None:

@@ -94,8 +94,7 @@ def test_a_case_without_inertias_has_no_table() -> None:
 
 def test_a_torque_that_is_none_is_refused() -> None:
     said = vstatics("summary", BOX, "--output-torque", "3 kg")
-    assert (said.status, said.out) == (2, "")
-    assert "read '3 kg', expected a torque in N*m, bare or with its unit" in said.err
+    assert said.is_wrong_use("read '3 kg', expected a torque in N*m, bare or with its unit")
 
 
 @pytest.mark.parametrize(

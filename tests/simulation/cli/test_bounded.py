@@ -54,8 +54,7 @@ def is_right(found: Any) -> None:
 
 def test_a_limit_ends_a_run_with_what_was_calculated() -> None:
     said = vstatics("simulate", "long.yaml", "--limit", "0.1", "-o", "out.json")
-    assert said.status == 1
-    assert "--limit 0.1 s" in said.err
+    assert said.fails("--limit 0.1 s")
     found = document()
     assert "--limit 0.1 s" in found["stopped"]
     is_right(found)

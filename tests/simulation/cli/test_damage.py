@@ -83,5 +83,4 @@ def test_a_case_that_tells_no_strength(more: list[str]) -> None:
 @pytest.mark.parametrize("more", [["--method", "tarasik"], ["-o", "run.csv"]])
 def test_what_tells_no_damage(more: list[str]) -> None:
     found = vstatics("simulate", "run.yaml", "--damage", *more)
-    assert found.status == 2
-    assert "--damage is" in found.err
+    assert found.is_wrong_use("--damage is")

@@ -118,14 +118,13 @@ def test_other_commands_say_that_it_is_a_scenario() -> None:
     other = ["simulate", SCENARIO]
     for command in (["run"], ["flow"], ["summary"], ["convert", "--to", "yaml"], other):
         said = vstatics(*command, SCENARIO, *["x.yaml"] * (command[0] == "convert"))
-        assert said.status == 1
-        assert "error: this is a scenario, expected a case; simulate, plot" in said.err
+        assert said.fails("error: this is a scenario, expected a case; simulate, plot")
         assert said.err.count("error:") == 1
 
 
 def test_a_run_has_no_single_gear(tmp_path: Path) -> None:
     said = vstatics("plot", SCENARIO, "--kind", "shift", "--gear", "2", "-o", tmp_path / "a.svg")
-    assert (said.status, "--gear: a run goes through all gears" in said.err) == (2, True)
+    assert said.is_wrong_use("--gear: a run goes through all gears")
 
 
 def test_what_is_wrong_with_a_scenario_is_told_at_its_place(tmp_path: Path) -> None:

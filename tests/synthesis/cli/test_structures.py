@@ -32,7 +32,7 @@ def structures(*options: object) -> list[dict[str, object]]:
 
 def refused(*words: object) -> str:
     said = vstatics("synth", *words)
-    assert (said.status, said.out) == (2, "")
+    assert said.is_wrong_use()
     return said.err.split("Error: ")[1].rstrip()
 
 

@@ -73,8 +73,7 @@ def test_the_case_that_is_written_has_the_ratios(tmp_path: Path) -> None:
 )
 def test_wrong_use(options: tuple[str, ...], message: str) -> None:
     answer = said(*options)
-    assert answer.status == 2
-    assert message in answer.err
+    assert answer.is_wrong_use(message)
 
 
 def test_no_teeth() -> None:

@@ -133,8 +133,7 @@ def test_a_case_in_json(tmp_path: Path) -> None:
 
 def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
     answer = vstatics("torsion", "dump", MZKT)
-    assert answer.status == 1
-    assert "there is no `dump`, expected the links of `J1` to `J5`" in answer.err
+    assert answer.fails("there is no `dump`, expected the links of `J1` to `J5`")
     file = tmp_path / "case.yaml"
     file.write_text(VAZ[: VAZ.index("dump:")], "utf-8")
     answer = vstatics("torsion", "dump", file)
@@ -143,17 +142,15 @@ def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
 
 def test_what_is_wrong_in_a_case_is_told_with_its_place() -> None:
     answer = said(text=VAZ.replace("J1: [engine]", "J1: [engin]"))
-    assert answer.status == 1
-    assert "did you mean `engine`?" in answer.err
+    assert answer.fails("did you mean `engine`?")
 
 
 @pytest.mark.parametrize("options", [["--gear", "7"], ["--rate", "0"], ["-f", "png"]])
 def test_wrong_use(options: list[str]) -> None:
     answer = said(*options)
-    assert (answer.status, answer.out) == (2, "")
+    assert answer.is_wrong_use()
 
 
 def test_a_file_of_numbers_has_no_gears() -> None:
     answer = said("--gear", "1", text="{J1: 1, J2: 1}")
-    assert answer.status == 2
-    assert "--gear is for a case, but <stdin> has numbers alone" in answer.err
+    assert answer.is_wrong_use("--gear is for a case, but <stdin> has numbers alone")

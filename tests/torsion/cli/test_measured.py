@@ -93,7 +93,7 @@ def test_tables_for_people() -> None:
 )
 def test_wrong_use(options: list[str]) -> None:
     answer = said(*options)
-    assert (answer.status, answer.out) == (2, "")
+    assert answer.is_wrong_use()
 
 
 def test_a_mistyped_device_gets_the_nearest_one() -> None:
@@ -103,8 +103,7 @@ def test_a_mistyped_device_gets_the_nearest_one() -> None:
 
 def test_a_gear_that_is_tied_up_is_told_with_its_place() -> None:
     answer = said("identify", "--gear", "stuck", "--omega", "1", text=STUCK)
-    assert (answer.status, answer.out) == (1, "")
-    assert "<stdin>:5:19: error: gear stuck: tied up" in answer.err
+    assert answer.gives_nothing("<stdin>:5:19: error: gear stuck: tied up")
 
 
 def test_a_case_without_anything_elastic_is_told() -> None:
@@ -115,8 +114,7 @@ mechanisms: {D: {first: 1, second: 2, ratio: 3}}
 gears: {1: []}
 """
     answer = said("damping", "--gear", "1", "--decrements", "D=.1", text=text)
-    assert answer.status == 1
-    assert "<stdin>:4:9: error: gear 1: nothing elastic joins inertias" in answer.err
+    assert answer.fails("<stdin>:4:9: error: gear 1: nothing elastic joins inertias")
 
 
 SWING = """\
@@ -185,5 +183,4 @@ def test_records_that_tell_nothing(rows: list[tuple[float, float]], message: str
 )
 def test_one_way_to_tell_what_was_measured(more: list[str]) -> None:
     found = swinging([(0, 1), (1, 2)], *more)
-    assert found.status == 2
-    assert "expected --omega (and --decrement), --peaks with --period, or" in found.err
+    assert found.is_wrong_use("expected --omega (and --decrement), --peaks with --period, or")

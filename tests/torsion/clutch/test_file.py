@@ -72,8 +72,7 @@ def test_units_are_read() -> None:
 )
 def test_what_is_wrong_is_told_with_its_place(old: str, new: str, message: str) -> None:
     answer = said(GOOD.replace(old, new))
-    assert (answer.status, answer.out) == (1, "")
-    assert message in answer.err
+    assert answer.gives_nothing(message)
 
 
 def test_all_that_is_wrong_is_told_in_one_run() -> None:
@@ -85,8 +84,7 @@ def test_numbers_too_large_for_a_torque_are_an_error_of_the_file() -> None:
     answer = said(
         GOOD.replace("3362", "1e308").replace("71.3e-5", "1e308").replace("81.7", "1e308")
     )
-    assert answer.status == 1
-    assert "<stdin>:1:1: error: numbers so large or so small" in answer.err
+    assert answer.fails("<stdin>:1:1: error: numbers so large or so small")
 
 
 def test_the_command_shows_a_table_for_people() -> None:
@@ -141,5 +139,4 @@ def test_wrong_use(options: list[str]) -> None:
 
 def test_a_mistyped_command_of_the_group_gets_the_nearest_one() -> None:
     answer = vstatics("torsion", "dmup", "dump.yaml")
-    assert answer.status == 2
-    assert "there is no command `dmup`; did you mean `dump`?" in answer.err
+    assert answer.is_wrong_use("there is no command `dmup`; did you mean `dump`?")

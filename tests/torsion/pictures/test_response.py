@@ -130,7 +130,7 @@ def test_orders_of_another_link_do_not_fire() -> None:
 def test_another_link_must_be_one(tmp_path: Path) -> None:
     file = CASES / "moskvich412.yaml"
     result = vstatics("plot", file, "-k", "response", "--at", "wheel", "-o", tmp_path / "a.svg")
-    assert (result.status, "no link 'wheel'; did you mean `wheels`?" in result.err) == (2, True)
+    assert result.is_wrong_use("no link 'wheel'; did you mean `wheels`?")
 
 
 def test_a_link_that_stands_has_no_response(tmp_path: Path) -> None:
@@ -142,5 +142,4 @@ def test_a_link_that_stands_has_no_response(tmp_path: Path) -> None:
         encoding="utf-8",
     )
     result = vstatics("plot", file, "-k", "response", "--at", "c", "-o", tmp_path / "a.svg")
-    assert result.status == 1
-    assert "error: no response in gear one: link c stands still" in result.err
+    assert result.fails("error: no response in gear one: link c stands still")

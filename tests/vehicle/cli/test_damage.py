@@ -101,8 +101,7 @@ def test_records_that_are_none(record: str, message: str) -> None:
 def test_a_case_that_tells_no_strength() -> None:
     Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
     found = vstatics("damage", "case.yaml", "record.csv")
-    assert found.status == 1
-    assert "the case has no `fatigue`" in found.err
+    assert found.fails("the case has no `fatigue`")
 
 
 def test_rayleigh() -> None:
@@ -149,8 +148,7 @@ def test_resize() -> None:
 )
 def test_wrong_use(words: str, message: str) -> None:
     found = vstatics("damage", *words.split())
-    assert found.status == 2
-    assert message in found.err
+    assert found.is_wrong_use(message)
 
 
 def test_a_rigid_device_has_no_life_under_random_torques(tmp_path: Path) -> None:

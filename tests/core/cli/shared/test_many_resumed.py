@@ -154,7 +154,7 @@ def test_the_language_counts_for_listings_only() -> None:
     assert resumed("--lang", "ru")[0] == ["tied"]
     vstatics("run", *CASES, "-o", "out")
     said = vstatics("run", *CASES, "-o", "out", "--resume", "--lang", "ru")
-    assert (said.status, '--lang was "en", is "ru"' in said.err) == (2, True)
+    assert said.is_wrong_use('--lang was "en", is "ru"')
 
 
 def test_results_of_another_build_are_calculated_again_with_a_word() -> None:
@@ -242,4 +242,4 @@ def test_results_of_other_allowed_messages_are_no_results() -> None:
     assert vstatics(*call, "--allow", "w414").status == 0
     assert vstatics(*call, "--allow", "W414", "--resume").status == 0
     said = vstatics(*call, "--resume")
-    assert (said.status, "--allow was" in said.err) == (2, True)
+    assert said.is_wrong_use("--allow was")

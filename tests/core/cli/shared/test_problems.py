@@ -57,8 +57,7 @@ def test_a_warning_is_printed_unless_quiet_and_fails_if_strict(command: str) -> 
 @pytest.mark.parametrize("case", ["bad.yaml", "tied.yaml"])
 def test_errors_are_printed_whoever_is_quiet(command: str, case: str) -> None:
     said = vstatics(*READING[command], "-q", case)
-    assert said.status == 1
-    assert "error: " in said.err
+    assert said.fails("error: ")
     assert "warning" not in said.err
 
 
@@ -106,8 +105,7 @@ def test_errors_of_a_text_are_told_without_its_warnings() -> None:
     for call in (["convert", "-", "-", "--to", "json"], ["run", "-"]):
         assert "warning: " in vstatics(*call, stdin=deck.encode()).err
         quiet = vstatics(*call, "-q", stdin=deck.encode())
-        assert quiet.status == 1
-        assert "error: " in quiet.err
+        assert quiet.fails("error: ")
         assert "warning: " not in quiet.err
 
 
@@ -144,8 +142,7 @@ def test_what_a_run_that_was_not_strict_has_done_is_no_proof_for_one_that_is() -
     call = ["run", WARNED, "-f", "json", "-o", "out/"]
     assert vstatics(*call).status == 0
     said = vstatics(*call, "--resume", "--strict")
-    assert said.status == 2
-    assert "--strict was false, is true" in said.err
+    assert said.is_wrong_use("--strict was false, is true")
     assert vstatics(*call, "--strict").status == 1
     assert vstatics(*call, "--resume", "--strict").status == 1
 

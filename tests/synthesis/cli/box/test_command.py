@@ -88,7 +88,7 @@ def boxes(*options: object) -> list[dict[str, object]]:
 
 def refused(*options: object) -> str:
     said = vstatics("synth", "box", *options)
-    assert (said.status, said.out) == (2, "")
+    assert said.is_wrong_use()
     return said.err.split("Error: ")[1].rstrip()
 
 
@@ -360,8 +360,7 @@ def test_pieces_that_are_not_asked_for_are_not_lost(
 ) -> None:
     stopped(searched, "found")
     said = vstatics("synth", "box", *ASKED, *options, "-o", "found")
-    assert (said.status, said.out) == (1, "")
-    assert told in said.err
+    assert said.gives_nothing(told)
     assert len(names(Path("found.parts"))) == 5  # three pieces, the lock, what is searched
 
 
@@ -375,8 +374,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("vstatics.synthesis.boxes.batches.work.MOST_FOUND_BOXES", 3)
     said = vstatics("synth", "box", *ASKED)
-    assert (said.status, said.out) == (1, "")
-    assert "more than 3 boxes are found: expected a smaller --tolerance" in said.err
+    assert said.gives_nothing("more than 3 boxes are found: expected a smaller --tolerance")
 
 
 # wrong use
@@ -450,8 +448,7 @@ def test_packages_that_are_missing_are_told_before(
 ) -> None:
     hide(package, monkeypatch)
     said = vstatics("synth", "box", *ASKED, *options)
-    assert (said.status, said.out) == (1, "")
-    assert f"needs the package {package}: pip install" in said.err
+    assert said.gives_nothing(f"needs the package {package}: pip install")
 
 
 def hide(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -485,8 +482,7 @@ def test_without_the_extra_for_pictures_a_directory_has_all_but_the_pictures(
 def test_files_that_no_search_wrote_are_not_touched(tmp_path: Path) -> None:
     (tmp_path / "box-0999.yaml").write_text("mine")
     said = vstatics("synth", "box", *ASKED, "-o", f"{tmp_path}/")
-    assert said.status == 2
-    assert "box-0999.yaml is not as a search wrote it, so it may be yours" in said.err
+    assert said.is_wrong_use("box-0999.yaml is not as a search wrote it, so it may be yours")
     assert [file.name for file in tmp_path.iterdir()] == ["box-0999.yaml"]
 
 
