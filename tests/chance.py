@@ -34,6 +34,8 @@ def some(cases: Sequence[Each]) -> Sequence[Each]:
     return cases[:: count(3, 1)]
 
 
-def fast_and_slow(fast: Iterable[object], slow: Iterable[object]) -> list[Any]:
-    """Return parameters of a test of which the second part runs only with the slow tests."""
-    return [*fast, *(pytest.param(each, marks=pytest.mark.slow) for each in slow)]
+def with_marked(
+    plain: Iterable[object], others: Iterable[object], mark: pytest.MarkDecorator
+) -> list[Any]:
+    """Return parameters of a test: plain ones, then others that carry a mark."""
+    return [*plain, *(pytest.param(each, marks=mark) for each in others)]

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.chance import count, fast_and_slow, seeded
+from tests.chance import count, seeded, with_marked
 from tests.commands import json_answer, vstatics
 from tests.core.flow.worked import only, sides
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
@@ -194,7 +194,7 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
 
 @pytest.mark.parametrize(
     "seed",
-    fast_and_slow(range(60), range(60, count(60, 200))),
+    with_marked(range(60), range(60, count(60, 200)), pytest.mark.slow),
 )
 def test_every_loop_between_the_mechanisms_of_one_set_is_marked(seed: int) -> None:
     """Wheels on one carrier, each written with any of those before it; one link is held.

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.chance import fast_and_slow, seeded
+from tests.chance import seeded, with_marked
 from tests.commands import json_answer, vstatics
 from tests.core.statics.batches import with_numbers
 from tests.trains import no_losses, random_train
@@ -109,7 +109,7 @@ def test_without_mesh_losses_torques_go_in_line_with_the_load(seed: int) -> None
         assert none == pytest.approx(2 * half - whole, abs=1e-9 * (1 + np.nanmax(np.abs(whole))))
 
 
-@pytest.mark.parametrize("seed", fast_and_slow(range(4), range(4, 12)))
+@pytest.mark.parametrize("seed", with_marked(range(4), range(4, 12), pytest.mark.slow))
 def test_next_to_nothing_is_nearly_nothing(seed: int) -> None:
     """And plans for arrays do as each variant alone."""
     rng = seeded(seed)

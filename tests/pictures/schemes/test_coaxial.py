@@ -12,7 +12,7 @@ import networkx as nx
 import pytest
 
 import vstatics
-from tests.chance import count, fast_and_slow, seeded
+from tests.chance import count, seeded, with_marked
 from tests.commands import CASES
 from tests.installed import needs
 from tests.pictures.measured import measured
@@ -44,7 +44,7 @@ CROSSED = {"umdm": 2}
 """A group of four planets on one carrier."""
 IN_ROWS = {"tarasik-truck"}
 """Links that go on in another row are drawn in two pieces."""
-every_case = pytest.mark.parametrize("name", fast_and_slow(FAST, SLOW))
+every_case = pytest.mark.parametrize("name", with_marked(FAST, SLOW, pytest.mark.slow))
 Line = tuple[float, float, float, float]
 
 
@@ -245,7 +245,7 @@ def drawn(case: Transmission) -> tuple[bytes, str]:
 
 
 @needs("synthesis")
-@pytest.mark.parametrize("seed", fast_and_slow(range(4), range(4, 40)))
+@pytest.mark.parametrize("seed", with_marked(range(4), range(4, 40), pytest.mark.slow))
 def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
     from vstatics.synthesis import box_is_planar
 

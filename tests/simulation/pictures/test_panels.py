@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from tests.chance import fast_and_slow
+from tests.chance import with_marked
 from tests.commands import CASES, vstatics
 from vstatics import load_scenario, solve
 from vstatics.pictures import pages
@@ -32,7 +32,7 @@ SLOW = {
     "8hp70-upshift": "vehicle_acceleration",
     "tarasik-truck": "vehicle_acceleration",
 }
-NAMES = fast_and_slow(QUICK, SLOW)
+NAMES = with_marked(QUICK, SLOW, pytest.mark.slow)
 
 
 class Shown(NamedTuple):

@@ -10,7 +10,7 @@ from itertools import permutations
 import numpy as np
 import pytest
 
-from tests.chance import fast_and_slow
+from tests.chance import with_marked
 from tests.oracle import schemes as oracle
 from tests.synthesis.oracle.test_schemes import GROUPS, all_codes, is_connected, is_sound, least
 from vstatics.core.tables.answer import plain_data
@@ -70,7 +70,7 @@ def listed(search: StructureSearch) -> list[Row]:
     return sorted(found)
 
 
-@pytest.mark.parametrize("search", fast_and_slow(SMALL, THREE_SETS), ids=str)
+@pytest.mark.parametrize("search", with_marked(SMALL, THREE_SETS, pytest.mark.slow), ids=str)
 def test_schemes_of_up_to_three_sets_are_all_of_them(search: StructureSearch) -> None:
     """Each with the least code of its class, each once, ascending."""
     assert rows(search) == listed(search)

@@ -12,7 +12,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import vstatics
-from tests.chance import fast_and_slow
+from tests.chance import with_marked
 from tests.commands import CASES
 from tests.pictures.drawn import texts
 from tests.pictures.schemes.axes.boxes import (
@@ -216,7 +216,7 @@ def test_everything_that_a_case_has_is_in_its_picture(
     assert roles == {"input", "output"}
 
 
-@pytest.mark.parametrize("seed", fast_and_slow(range(6), range(100, 130)))
+@pytest.mark.parametrize("seed", with_marked(range(6), range(100, 130), pytest.mark.slow))
 def test_boxes_made_by_chance_can_be_built(seed: int) -> None:
     case = countershaft_box(random.Random(seed))  # noqa: S311 - no secret
     root = svg_of(case)
