@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from random import Random
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
+import pytest
 
 Each = TypeVar("Each")
 FRESH = os.environ.get("VSTATICS_TEST_SEED", "")
@@ -31,3 +32,10 @@ def count(usual: int, nightly: int) -> int:
 def some(cases: Sequence[Each]) -> Sequence[Each]:
     """Every third case, all of them by `make nightly`."""
     return cases[:: count(3, 1)]
+
+
+def with_marked(
+    plain: Iterable[object], others: Iterable[object], mark: pytest.MarkDecorator
+) -> list[Any]:
+    """Return parameters of a test: plain ones, then others that carry a mark."""
+    return [*plain, *(pytest.param(each, marks=mark) for each in others)]

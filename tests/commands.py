@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import json
 import os
 import pty
 import re
@@ -11,7 +12,7 @@ import subprocess
 import sys
 import termios
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from click.testing import CliRunner
 
@@ -20,6 +21,7 @@ from vstatics.core.cli import main
 
 ROOT = Path(__file__).parents[1]
 CASES = ROOT / "cases"
+BAD_FILES = ROOT / "tests/bad"
 MZKT = CASES / "mzkt7922.dat"
 SHIPPED = sorted(path for path in CASES.iterdir() if path.is_file())
 """All cases that come with the program; a folder beside them has scenarios."""
@@ -61,6 +63,26 @@ class Said(NamedTuple):
         """Everything that was printed."""
         return self.out + self.err
 
+    @property
+    def json(self) -> Any:
+        """The document on stdout."""
+        return json.loads(self.out)
+
+    def is_wrong_use(self, *words: str) -> bool:
+        """Return whether the call is rejected: status 2, all words on stderr, an empty stdout."""
+        return (self.status, self.out) == (2, "") and self._reports(words)
+
+    def fails(self, *words: str) -> bool:
+        """Return whether the call fails: status 1, all words on stderr."""
+        return self.status == 1 and self._reports(words)
+
+    def gives_nothing(self, *words: str) -> bool:
+        """Return whether the call fails without a result: status 1, an empty stdout."""
+        return self.out == "" and self.fails(*words)
+
+    def _reports(self, words: tuple[str, ...]) -> bool:
+        return all(word in self.err for word in words)
+
 
 def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
     """Call a command within this process; an exception passes through.
@@ -72,6 +94,11 @@ def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
         main, [str(one) for one in arguments], input=stdin, catch_exceptions=False
     )
     return Said(result.exit_code, result.stdout_bytes.decode(), ID.sub("", result.stderr))
+
+
+def json_answer(*arguments: object, stdin: bytes = b"") -> Any:
+    """Call a command with `-f json`, and return the document that it prints."""
+    return vstatics(*arguments, "-f", "json", stdin=stdin).json
 
 
 def environment(**variables: str) -> dict[str, str]:

@@ -16,8 +16,8 @@ def end(process: Any) -> tuple[int, str]:
     return process.returncode, said
 
 
-def names(folder: Path) -> list[str]:
-    """What is in a folder."""
+def names(folder: Path = Path()) -> list[str]:
+    """Return the sorted names in a folder, by default the current one; empty if it is missing."""
     return sorted(path.name for path in folder.iterdir()) if folder.is_dir() else []
 
 

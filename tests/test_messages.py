@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 from tests import message_page as page
-from tests.commands import ROOT, vstatics
+from tests.commands import ROOT, json_answer, vstatics
 from tests.installed import ANNEXES, missing
 from tests.rooms import PACKAGE, modules, nodes
 from vstatics.core import readers
@@ -33,9 +33,8 @@ gears: {low: [B], free: []}
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("box.yaml").write_text(CASE, encoding="utf-8")
+def _files(folder: Path) -> None:
+    (folder / "box.yaml").write_text(CASE, encoding="utf-8")
 
 
 @cache
@@ -111,7 +110,7 @@ def test_an_example_tells_its_message(one: ExplainedMessage) -> None:
     Path("example.yaml").write_text(str(one.example), encoding="utf-8")
     if missing(ANNEXES) and one.id not in ids_in_code():
         pytest.skip("it is a message of an annex that is not installed")
-    records = json.loads(vstatics("check", "example.yaml", "-f", "json").out)
+    records = json_answer("check", "example.yaml")
     assert one.id in {record["id"] for record in records}
     severities = {record["severity"] for record in records if record["id"] == one.id}
     assert severities == {one.severity}
@@ -128,12 +127,12 @@ def test_an_id_is_explained_without_a_case() -> None:
 
 
 def test_all_ids_are_an_array_in_json() -> None:
-    told = json.loads(vstatics("check", "--explain", "all", "-f", "json").out)
+    told = json_answer("check", "--explain", "all")
     assert {one["id"] for one in told} == ids_in_code()
     assert {tuple(one) for one in told} == {("id", "severity", "cause", "cure", "example")}
     two = vstatics("check", "--explain", "n318, w201", "-f", "json").out
     assert [one["id"] for one in json.loads(two)] == ["N318", "W201"]
-    [one] = json.loads(vstatics("check", "--explain", "E006", "-f", "json").out)
+    [one] = json_answer("check", "--explain", "E006")
     assert (one["severity"], one["example"]) == ("error", None)
 
 
@@ -149,8 +148,7 @@ def test_all_ids_are_an_array_in_json() -> None:
 )
 def test_what_cannot_be_explained_is_wrong_use(options: tuple[str, ...], why: str) -> None:
     said = vstatics("check", *options)
-    assert (said.status, said.out) == (2, "")
-    assert why in said.err
+    assert said.is_wrong_use(why)
 
 
 def test_no_two_ids_say_the_same() -> None:
@@ -162,9 +160,9 @@ def test_no_two_ids_say_the_same() -> None:
 def test_a_message_ends_with_its_id() -> None:
     said = CliRunner().invoke(main, ["check", "box.yaml"]).stderr
     assert re.search(r"^box\.yaml:4:\d+: warning: .* \[W201\]$", said, re.MULTILINE)
-    made = json.loads(vstatics("run", "box.yaml", "-f", "json").out)
+    made = json_answer("run", "box.yaml")
     assert [text[-7:] for text in made["messages"]] == [" [W201]", " [W414]"]
-    records = json.loads(vstatics("check", "box.yaml", "-f", "json").out)
+    records = json_answer("check", "box.yaml")
     assert {one["id"] for one in records} == {"W201", "W414"}
     assert not any("[W" in one["message"] for one in records)
 
@@ -183,8 +181,8 @@ def test_a_warning_is_allowed_by_option_and_by_key(command: str) -> None:
 
 def test_an_allowed_message_is_in_no_document_and_makes_nothing_fail() -> None:
     allowed = ("--allow", "W201", "--allow", "W414")
-    assert json.loads(vstatics("run", "box.yaml", "-f", "json", *allowed).out)["messages"] == []
-    assert json.loads(vstatics("check", "box.yaml", "-f", "json", *allowed).out) == []
+    assert json_answer("run", "box.yaml", *allowed)["messages"] == []
+    assert json_answer("check", "box.yaml", *allowed) == []
     assert vstatics("run", "box.yaml", "--strict").status == 1
     assert vstatics("run", "box.yaml", "--strict", *allowed).status == 0
 
@@ -209,8 +207,7 @@ def test_what_cannot_be_allowed_is_wrong_use_and_in_the_case_an_error(
     identity: str, why: str
 ) -> None:
     said = vstatics("run", "box.yaml", "--allow", identity)
-    assert (said.status, said.out) == (2, "")
-    assert f"Invalid value for '--allow': {why}" in said.err
+    assert said.is_wrong_use(f"Invalid value for '--allow': {why}")
     Path("box.yaml").write_text(f"{CASE}allow: [W201, {identity}]\n", encoding="utf-8")
     said = vstatics("run", "box.yaml")
     assert said.status == 1

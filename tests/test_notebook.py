@@ -26,13 +26,10 @@ SHOWN = {
 }
 
 
-def test_the_notebook_shows_what_it_says(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
-) -> None:
+def test_the_notebook_shows_what_it_says(folder: Path, request: pytest.FixtureRequest) -> None:
     skip_without(*used_in(NOTEBOOK.read_text(encoding="utf-8")))
     for extra in ("matplotlib", "pandas", "sympy", "xarray", "scipy", "numba"):
         pytest.importorskip(extra)
-    monkeypatch.chdir(tmp_path)
     document = json.loads(NOTEBOOK.read_text(encoding="utf-8"))
     names: dict[str, Any] = {}
     ran = 0
@@ -44,7 +41,7 @@ def test_the_notebook_shows_what_it_says(
                 assert texts(found) == texts(cell["outputs"]), "".join(cell["source"])
             cell["outputs"], cell["execution_count"] = found, ran
     assert ran > 20
-    assert list(tmp_path.iterdir()) == []
+    assert list(folder.iterdir()) == []
     if request.config.getoption("--regenerate"):
         written = json.dumps(document, indent=1, ensure_ascii=False) + "\n"
         NOTEBOOK.write_text(written, encoding="utf-8")

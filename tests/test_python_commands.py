@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import inspect
 import io
-import json
 import re
 import subprocess
 import sys
@@ -20,12 +19,9 @@ from tests.commands import BAD, CASES, NEUTRAL, ROOT, TIED_UP
 from tests.installed import ANNEXES, HERE, needs, skip_without
 from vstatics.core.annexes import COMMANDS
 
+pytestmark = pytest.mark.usefixtures("folder")
+
 WRITTEN = "written.json"
-
-
-@pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -41,7 +37,7 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 )
 def test_check_tells_what_the_command_tells(text: str) -> None:
     Path("box.yaml").write_text(text, encoding="utf-8")
-    told = json.loads(commands.vstatics("check", "box.yaml", "-f", "json").out)
+    told = commands.json_answer("check", "box.yaml")
     found = vstatics.check("box.yaml")
     assert [(one.id, one.message) for one in found] == [(one["id"], one["message"]) for one in told]
 
@@ -180,7 +176,7 @@ def test_compare_tells_what_the_command_tells() -> None:
         Path(name).mkdir()
         vstatics.save(one, f"{name}.yaml")
         assert commands.vstatics("run", f"{name}.yaml", "-o", f"{name}/{WRITTEN}").status == 0
-    told = json.loads(commands.vstatics("compare", "new", "old", "-f", "json").out)
+    told = commands.json_answer("compare", "new", "old")
     found = vstatics.compare("new", "old")
     assert (found.same, found.changed, found.added, found.gone) == (0, 1, 0, 0)
     assert [one.path for one in found.cases[0].case] == [
@@ -277,7 +273,7 @@ def test_an_exercise_is_that_of_the_command(seed: int | None) -> None:
     made = vstatics.exercise(vstatics.solve(vstatics.example("zf-8hp70")), "R", seed=seed)
     asked = ["explain", str(CASES / "zf-8hp70.yaml"), "--gear", "R"]
     asked += [] if seed is None else ["--seed", str(seed)]
-    told = json.loads(commands.vstatics(*asked, "--solution", "-f", "json").out)
+    told = commands.json_answer(*asked, "--solution")
     assert made.document() == told
     assert [one._asdict() for one in made.blanks] == told["blanks"]
     for form in ("text", "markdown", "latex"):

@@ -24,10 +24,10 @@ from typing import NamedTuple
 import click
 import pytest
 
+from tests.commands import ROOT
 from tests.installed import HERE, missing, needs, skip_without, used_in
 from vstatics.core.cli import main
 
-ROOT = Path(__file__).parents[1]
 DOCUMENTS = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("**/*.md"))]
 NAMES = [str(document.relative_to(ROOT)) for document in DOCUMENTS]
 FENCE = re.compile(

@@ -19,13 +19,12 @@ from typing import NamedTuple
 
 import pytest
 
-from tests.commands import ID
+from tests.commands import ID, ROOT
 from tests.installed import ANNEXES, needs
 from vstatics.core.annexes import picture_kinds
 from vstatics.core.cli.new import TEMPLATES
 from vstatics.core.extras import EXTRAS, __version__
 
-ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 DUMPED = "{J1: 3, J2: .06, J3: .4, J4: .4, J5: 12, E: 71e-5, M_C0: 1020, M_phi: 1080, omega1: 135}"

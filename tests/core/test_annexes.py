@@ -50,8 +50,7 @@ def test_a_part_of_a_missing_annex_has_a_plain_message(
     monkeypatch.setattr("vstatics.core.annexes.annexes", lambda: others)
     file = "scenarios/tarasik-box" if missing == "simulation" else "tarasik-box"
     said = commands.vstatics(*words, CASES / f"{file}.yaml")
-    assert said.status == 1
-    assert message in said.err
+    assert said.fails(message)
 
 
 def test_every_command_has_a_place_of_its_own_and_a_module_in_its_annex() -> None:

@@ -32,7 +32,7 @@ def test_an_example_is_copied_as_a_template(tmp_path: Path) -> None:
         assert target.read_bytes() == (CASES / f"{name}.yaml").read_bytes()
     assert commands.vstatics("check", tmp_path / "scenarios/tarasik-box.yaml").status == 0
     said = commands.vstatics("new", tmp_path / "x.yaml", "-t", "zf-8hp7")
-    assert (said.status, "did you mean `zf-8hp70`?" in said.err) == (2, True)
+    assert said.is_wrong_use("did you mean `zf-8hp70`?")
 
 
 def test_the_citation_is_of_this_version() -> None:

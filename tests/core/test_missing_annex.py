@@ -54,8 +54,7 @@ def test_data_of_a_missing_annex_is_refused_and_not_lost(tmp_path: Path) -> None
     file = tmp_path / "car.yaml"
     file.write_text(CASE)
     converted = commands.vstatics("convert", file, "-", "--to", "json")
-    assert (converted.status, converted.out) == (1, "")
-    assert f"car.yaml:4:1: error: {MESSAGE}" in converted.err
+    assert converted.gives_nothing(f"car.yaml:4:1: error: {MESSAGE}")
     with pytest.raises(CaseError, match=MESSAGE):
         loads(CASE.partition("vehicle")[0]).replace(vehicle=3)
 

@@ -9,10 +9,7 @@ numbers follow from the tooth counts by hand.
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
-from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -23,6 +20,7 @@ from tests.oracle.gears import OracleGear, flow_of, solve, solve_gear
 from tests.oracle.linear import exact, sign
 from tests.oracle.losses import Trial, admissible_sets, probed_sign, published_sign
 from tests.oracle.systems import Values, mechanism_column
+from tests.shipped import PRINTED
 from tests.trains import is_regular, no_losses, random_train, regular_trains, shown, trains
 from vstatics.core.model.transmission import (
     Gear,
@@ -33,7 +31,6 @@ from vstatics.core.model.transmission import (
 )
 
 pytestmark = pytest.mark.slow  # nothing in them is the program's own
-PUBLISHED = Path(__file__).parents[1] / "published" / "mzkt7922.json"
 BIG = 700
 """Trains in a seeded run; together they have over 2000 mechanisms."""
 
@@ -55,13 +52,6 @@ def mzkt(*, coast: bool = False, idle: IdleConvention = "published") -> Transmis
     )
 
 
-@pytest.fixture(scope="module")
-def published() -> dict[str, Any]:
-    """The printed results, with their two corrections."""
-    document: dict[str, Any] = json.loads(PUBLISHED.read_text(encoding="utf-8"))
-    return document
-
-
 def columns(gears: list[OracleGear]) -> dict[str, list[Values]]:
     """Tables of the listing, gear by gear."""
     return {
@@ -74,28 +64,28 @@ def columns(gears: list[OracleGear]) -> dict[str, list[Values]]:
 
 
 @pytest.mark.parametrize("table", ["W", "WSAT", "WFRI", "AMLG", "AMLGP"])
-def test_published_tables(published: dict[str, Any], table: str) -> None:
+def test_published_tables(table: str) -> None:
     for number, values in enumerate(columns(solve(mzkt()))[table]):
-        printed = [row[number] for row in published[table]]
+        printed = [row[number] for row in PRINTED[table]]
         assert len(values) == len(printed)
         for value, expected in zip(values, printed, strict=True):
             assert value is not None
             assert abs(value - exact(expected)) <= Fraction(5, 10**4), (table, number + 1)
 
 
-def test_published_efficiency_and_signs(published: dict[str, Any]) -> None:
+def test_published_efficiency_and_signs() -> None:
     gears = solve(mzkt())
-    for gear, expected in zip(gears, published["ETA"], strict=True):
+    for gear, expected in zip(gears, PRINTED["ETA"], strict=True):
         assert gear.efficiency is not None
         assert abs(gear.efficiency - exact(expected)) <= Fraction(5, 10**4)
     signs = [list(row) for row in zip(*(gear.power_sign for gear in gears), strict=True)]
-    assert signs == published["IX"]  # the idle sign that was printed as -1 is put right there
+    assert signs == PRINTED["IX"]  # the idle sign that was printed as -1 is put right there
 
 
-def test_published_matrix(published: dict[str, Any]) -> None:
+def test_published_matrix() -> None:
     case = mzkt()
     for k, mechanism in enumerate(case.mechanisms):
-        printed = [exact(row[len(case.shift_elements) + k]) for row in published["AJK"]]
+        printed = [exact(row[len(case.shift_elements) + k]) for row in PRINTED["AJK"]]
         assert mechanism_column(case.links, mechanism, exact(mechanism.ratio)) == printed
 
 

@@ -10,6 +10,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.commands import CASES, vstatics
+from tests.processes import names
 from vstatics import ReadError, load, solve
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.style import Style
@@ -17,13 +18,6 @@ from vstatics.pictures.flow import efficiency
 from vstatics.pictures.plotting import plot
 
 UMDM = CASES / "umdm.yaml"
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder, the current one."""
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
 
 
 @pytest.fixture
@@ -38,10 +32,6 @@ def count(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
     monkeypatch.setattr(efficiency, "draw", draw)
     return wanted
-
-
-def names(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
 
 
 def wide(svg: str) -> float:
@@ -81,8 +71,7 @@ def test_cases_of_a_directory_have_their_pages(folder: Path, count: list[int]) -
     shown = [one for one in names(folder / "out") if not one.startswith(".")]
     assert shown == [f"{name}{n}.svg" for name in ("box", "gear") for n in ("-2", "-3", "")]
     said = vstatics("plot", "box.yaml", "box-2.yaml", "-k", "efficiency", "-o", "out/")
-    assert said.status == 1
-    assert "out/box-2.svg: error: is page 2 of out/box.svg: expected another name" in said.err
+    assert said.fails("out/box-2.svg: error: is page 2 of out/box.svg: expected another name")
     count[0] = 1
     said = vstatics("plot", "box-2.yaml", "box.yaml", "-k", "efficiency", "-o", "new/")
     assert said.status == 0
@@ -128,5 +117,4 @@ def test_a_width_has_its_unit(width: str, points: float) -> None:
 )
 def test_a_width_that_is_none_is_told_with_what_is_expected(width: str, why: str) -> None:
     said = vstatics("plot", UMDM, "-k", "efficiency", "-o", "-", "--width", width)
-    assert said.status == 2
-    assert f"Invalid value for '--width': read `{width}`, {why}" in said.err
+    assert said.is_wrong_use(f"Invalid value for '--width': read `{width}`, {why}")

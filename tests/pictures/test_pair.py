@@ -147,7 +147,7 @@ def test_other_formats_have_both_too(form: str, tmp_path: Path) -> None:
 
 def test_three_cases_need_a_directory_and_two_may_have_one(tmp_path: Path) -> None:
     said = vstatics("plot", ONE, OTHER, ONE, "-k", "stick", "-o", tmp_path / "a.svg")
-    assert (said.status, "one case or two: expected a directory" in said.err) == (2, True)
+    assert said.is_wrong_use("one case or two: expected a directory")
     assert vstatics("plot", ONE, OTHER, "-k", "efficiency", "-o", f"{tmp_path}/out/").status == 0
     assert {path.name for path in (tmp_path / "out").glob("*.svg")} == {
         "simpson.svg",
@@ -160,7 +160,7 @@ def test_a_case_without_a_picture_is_named(tmp_path: Path) -> None:
     from tests.vehicle.pictures.cars import box
 
     said = vstatics("plot", ONE, CASES / "wheel-hub.yaml", "-k", "plan", "-o", tmp_path / "a.svg")
-    assert (said.status, "wheel-hub.yaml: error: a kinematic plan" in said.err) == (1, True)
+    assert said.fails("wheel-hub.yaml: error: a kinematic plan")
     both = [PairedCase("a", box([2.0])), PairedCase("b", box([2.0], vehicle=None))]
     with pytest.raises(ReadError, match="no `vehicle`"):
         pair_pages(both, "traction", "svg", Style())

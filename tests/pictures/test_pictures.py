@@ -18,7 +18,8 @@ from tests.chance import some
 from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
 from tests.pictures.drawn import WITHOUT_PLAN
 from tests.pictures.schemes.test_schemes import ring
-from vstatics import CaseError, Results, load, solve
+from tests.shipped import shipped_results
+from vstatics import CaseError, Results, solve
 from vstatics.pictures import drawn_kinds, module_of, picture, render
 from vstatics.pictures.drawing.files import FORMATS, Format, settings_of
 from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE, Style
@@ -30,13 +31,9 @@ NAMES = [path.name for path in SHIPPED]
 QUICK = ("mzkt7922.dat", "power-split.yaml")
 
 
-def result(name: str) -> Results:
-    return solve(load(CASES / name))
-
-
 @pytest.fixture(scope="module")
 def umdm() -> Results:
-    return result("umdm.yaml")
+    return shipped_results("umdm.yaml")
 
 
 def overlaps(results: Results, kind: str, style: Style, motion: Motion | None = None) -> list[str]:
@@ -80,7 +77,7 @@ STYLES = (Style(), Style("ru", dark=True))
 @pytest.mark.parametrize("kind", OURS)
 @pytest.mark.parametrize(("name", "style"), list(zip(QUICK, STYLES, strict=True)))
 def test_no_label_covers_another(name: str, style: Style, kind: str) -> None:
-    assert overlaps(result(name), kind, style) == []
+    assert overlaps(shipped_results(name), kind, style) == []
 
 
 @pytest.mark.slow
@@ -89,7 +86,7 @@ def test_no_label_covers_another(name: str, style: Style, kind: str) -> None:
 def test_no_label_covers_another_in_any_shipped_case(name: str, kind: str) -> None:
     if has_picture(kind, name):
         style = STYLES[NAMES.index(name) % len(STYLES)]
-        assert overlaps(result(name), kind, style) == []
+        assert overlaps(shipped_results(name), kind, style) == []
 
 
 @pytest.mark.parametrize(
@@ -105,7 +102,7 @@ def test_no_label_covers_another_in_any_shipped_case(name: str, kind: str) -> No
 )
 def test_letters_of_a_narrow_page_stay_on_it(kind: str, name: str) -> None:
     column = Style("ru", width=85 * POINTS_PER_MILLIMETRE)
-    assert overlaps(result(name), kind, column) == []
+    assert overlaps(shipped_results(name), kind, column) == []
 
 
 @pytest.mark.slow
@@ -168,8 +165,7 @@ def test_a_picture_goes_through_a_pipe() -> None:
 
 def test_another_suffix_is_wrong_use(tmp_path: Path) -> None:
     said = vstatics("plot", CASES / "umdm.yaml", "-k", "plan", "-o", tmp_path / "plan.bmp")
-    assert said.status == 2
-    assert "expected .svg .png .pdf" in said.err
+    assert said.is_wrong_use("expected .svg .png .pdf")
 
 
 @pytest.mark.parametrize("gear", ["9", "0", "9" * 5000])
@@ -177,15 +173,13 @@ def test_an_unknown_gear_is_told_with_those_that_there_are(gear: str, tmp_path: 
     said = vstatics(
         "plot", CASES / "umdm.yaml", "-k", "plan", "--gear", gear, "-o", tmp_path / "a.svg"
     )
-    assert said.status == 2
-    assert f"no gear '{gear}'; gears are 1, 2, 3, 4, R" in said.err
+    assert said.is_wrong_use(f"no gear '{gear}'; gears are 1, 2, 3, 4, R")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_case_without_a_plan_says_so(tmp_path: Path) -> None:
     said = vstatics("plot", CASES / "wheel-hub.yaml", "-k", "plan", "-o", tmp_path / "a.svg")
-    assert said.status == 1
-    assert "wheel-hub.yaml: error: a kinematic plan shows" in said.err
+    assert said.fails("wheel-hub.yaml: error: a kinematic plan shows")
 
 
 def test_without_matplotlib_the_command_names_the_extra(
@@ -193,8 +187,7 @@ def test_without_matplotlib_the_command_names_the_extra(
 ) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)  # noqa: ARG005
     said = vstatics("plot", CASES / "umdm.yaml", "-k", "plan", "-o", tmp_path / "a.svg")
-    assert said.status == 1
-    assert 'a picture needs the package matplotlib: pip install "vstatics[plot]"' in said.err
+    assert said.fails('a picture needs the package matplotlib: pip install "vstatics[plot]"')
 
 
 @pytest.mark.parametrize("kind", OURS)

@@ -7,19 +7,15 @@ all to the digit: other encodings, YAML, JSON, and its own report as a deck.
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.commands import CASES, MZKT, vstatics
+from tests.shipped import PRINTED
 
-PUBLISHED = json.loads(
-    (Path(__file__).parents[1] / "published" / "mzkt7922.json").read_text(encoding="utf-8")
-)
 COUNTS = {
     "AJK": 48,
     "W": 36,
@@ -107,7 +103,7 @@ WAYS: dict[str, Callable[[], bytes]] = {
 
 
 def test_there_are_264_numbers() -> None:
-    counts = {table: sum(map(len, rows_of(PUBLISHED, table))) for table in COUNTS}
+    counts = {table: sum(map(len, rows_of(PRINTED, table))) for table in COUNTS}
     assert counts == COUNTS
     assert sum(counts.values()) == 264
 
@@ -119,16 +115,16 @@ def test_every_digit_is_the_published_one(way: str, lang: str) -> None:
     assert (said.status, said.err) == (0, "")
     tables = printed(said.out)
     for table in COUNTS:
-        expected = [[as_printed(table, n) for n in row] for row in rows_of(PUBLISHED, table)]
+        expected = [[as_printed(table, n) for n in row] for row in rows_of(PRINTED, table)]
         assert tables[table] == expected, table
 
 
 @pytest.mark.parametrize("way", WAYS)
 def test_double_precision_is_within_half_a_unit(way: str) -> None:
     said = vstatics("run", "-", "-f", "json", stdin=WAYS[way]())
-    document = json.loads(said.out)
+    document = said.json
     for table in COUNTS:
-        pairs = zip(rows_of(document, table), rows_of(PUBLISHED, table), strict=True)
+        pairs = zip(rows_of(document, table), rows_of(PRINTED, table), strict=True)
         for got, expected in pairs:
             assert got == pytest.approx(expected, rel=0, abs=HALF_A_UNIT), table
 
@@ -140,7 +136,7 @@ def test_a_report_of_a_report_is_the_same_report() -> None:
 
 def test_the_idle_sign_differs_from_print_in_one_place_only() -> None:
     """D1 moves in gears 5 and 6 alike and carries nothing, yet -1 is printed in gear 6."""
-    sign = PUBLISHED["idle"]
+    sign = PRINTED["idle"]
     assert [sign[key] for key in ("table", "row", "gears", "printed")] == ["IX", 1, [6], -1]
-    assert PUBLISHED["IX"][0][4:] == [1, 1]
-    assert PUBLISHED["AMLG"][5][4:] == [0, 0]
+    assert PRINTED["IX"][0][4:] == [1, 1]
+    assert PRINTED["AMLG"][5][4:] == [0, 0]

@@ -13,7 +13,6 @@ entry of table 4; `-+` is lost in (26) to (28). Each is noted where it is used.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from fractions import Fraction
 from math import copysign
@@ -687,7 +686,7 @@ def of_ports(*ports: str) -> dict[str, dict[str, Any]]:
         *("--ports", asked, "-f", "json"),
     )
     assert said.status == 0
-    blocks = json.loads(said.out)["ports"]
+    blocks = said.json["ports"]
     own = {"TH": "T-carrier", "T6": "T-ring 6", "T4": "T-sun 4", "T7": "T-ring 7"}
     own["F"] = "F-sun 1-sun 4"
     return {

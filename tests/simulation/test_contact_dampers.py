@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_closed_forms import links
 from vstatics.core.errors import CaseError
@@ -195,7 +195,7 @@ def random_chain(rng: Random) -> Chain:
 
 @pytest.mark.parametrize(
     "seed",
-    [*range(4), *(pytest.param(n, marks=pytest.mark.slow) for n in range(4, count(60, 600)))],
+    with_marked(range(4), range(4, count(60, 600)), pytest.mark.slow),
 )
 def test_random_gears_with_play_agree_with_events_of_scipy(seed: int) -> None:
     chain = random_chain(seeded(seed))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterator
@@ -148,7 +147,7 @@ def check_answer(*command: str) -> None:
     said = vstatics(*command, "-f", "json")
     assert process_time() - begun < 10
     if said.status == 0:
-        document = json.loads(said.out)
+        document = said.json
         assert document.get("stopped") is None
         assert all(map(math.isfinite, floats(document)))
         return

@@ -90,6 +90,7 @@ torques: {wheels: {road: {mass: 1 t, radius: 500 mm, rolling: %s}}}
 """
 
 
+@pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
     ("rolling", "message"),
     [
@@ -106,9 +107,9 @@ torques: {wheels: {road: {mass: 1 t, radius: 500 mm, rolling: %s}}}
     ],
 )
 def test_a_scenario_has_it(
-    rolling: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    rolling: str,
+    message: str,
 ) -> None:
-    monkeypatch.chdir(tmp_path)
     Path("case.yaml").write_text("inertias: {wheels: 250}\n", encoding="utf-8")
     text = SCENARIO.replace("{inertias: {wheels: 250}}", "case.yaml", 1) % rolling
     Path("run.yaml").write_text(text, encoding="utf-8")

@@ -93,9 +93,8 @@ def write(folder: Path, road: str) -> None:
     )
 
 
-def test_from_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    write(tmp_path, "{mass: 9000, radius: {free: .48, by_torque: 3e-6}, rolling: .015}")
+def test_from_a_file(folder: Path) -> None:
+    write(folder, "{mass: 9000, radius: {free: .48, by_torque: 3e-6}, rolling: .015}")
     said = vstatics("simulate", "s.yaml", "--out", "vehicle_speed", "-f", "csv")
     assert said.status == 0, said.err
     head, first, *_ = (line.split(",") for line in said.out.splitlines())
@@ -115,10 +114,9 @@ def test_from_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     ],
 )
 def test_a_radius_that_cannot_be_is_told_at_its_place(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, radius_key: str, what: str
+    folder: Path, radius_key: str, what: str
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    write(tmp_path, f"{{mass: 9000, radius: {radius_key}, slope: -.05}}")
+    write(folder, f"{{mass: 9000, radius: {radius_key}, slope: -.05}}")
     said = vstatics("simulate", "s.yaml")
     assert said.status == 1
     assert said.err.startswith("s.yaml:4:")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.simulation.test_closed_forms import links, run
 from vstatics.core.errors import CaseError
 from vstatics.core.model.springs import Spring, between
@@ -253,7 +253,7 @@ def test_random_chains_agree_with_an_independent_integrator(seed: int) -> None:
 
 @pytest.mark.parametrize(
     "seed",
-    [*range(2), *(pytest.param(n, marks=pytest.mark.slow) for n in range(2, count(8, 100)))],
+    with_marked(range(2), range(2, count(8, 100)), pytest.mark.slow),
 )
 def test_the_energy_of_random_chains_with_friction_closes(seed: int) -> None:
     rng = seeded(100 + seed)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.simulation.control.written import simulated
 from vstatics.simulation.record.motion import Event
 
@@ -132,7 +132,7 @@ def random_pair(rng: Random) -> Lossy:
 
 @pytest.mark.parametrize(
     "seed",
-    [*range(4), *(pytest.param(n, marks=pytest.mark.slow) for n in range(4, count(12, 300)))],
+    with_marked(range(4), range(4, count(12, 300)), pytest.mark.slow),
 )
 def test_a_random_gear_sticks_and_moves_when_an_integrator_says_so(seed: int) -> None:
     pair = random_pair(seeded(seed))

@@ -92,10 +92,9 @@ def test_what_is_wrong_is_told_with_its_place(text: str, place: str, words: str)
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+def folder(folder: Path) -> Path:
+    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    return folder
 
 
 @pytest.mark.parametrize(

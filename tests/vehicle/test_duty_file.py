@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
-from tests.commands import vstatics
+from tests.commands import json_answer, vstatics
 from tests.core.summary.capacities import CASE, LOW
 
 
@@ -33,9 +32,7 @@ def test_what_is_wrong_with_a_duty_cycle_is_told_with_its_place(
     file = tmp_path / "duty.yaml"
     file.write_text(duty.replace(': {low: 1, "7": 2}', ':\n  "7": 2\n  low: 1'))
     said = vstatics("summary", "-", "--duty", file, stdin=CASE.encode())
-    assert (said.status, said.out) == (1, "")
-    assert message in said.err
-    assert str(file) in said.err
+    assert said.gives_nothing(message, str(file))
 
 
 def test_shares_of_time_need_a_load(tmp_path: Path) -> None:
@@ -43,8 +40,7 @@ def test_shares_of_time_need_a_load(tmp_path: Path) -> None:
     file.write_text("time: {low: 1}")
     text = CASE.replace("load: {speed: 1000 rpm, torque: 200 N*m}\n", "").replace("300 N*m", "1.5")
     said = vstatics("summary", "-", "--duty", file, stdin=text.encode())
-    assert said.status == 1
-    assert "expected a load with speed and torque" in said.err
+    assert said.fails("expected a load with speed and torque")
 
 
 def test_a_duty_cycle_is_shown_alone_and_of_two_cases(tmp_path: Path) -> None:
@@ -55,7 +51,7 @@ def test_a_duty_cycle_is_shown_alone_and_of_two_cases(tmp_path: Path) -> None:
     assert "in all   1.000        .993" in said.out
     both = vstatics("summary", file, file, "--duty", duty)
     assert "efficiency of the duty cycle" in both.out
-    made = json.loads(vstatics("summary", file, "--duty", duty, "-f", "json").out)
+    made = json_answer("summary", file, "--duty", duty)
     assert made["duty"]["efficiency"] == pytest.approx(0.25 * LOW + 0.75)
 
 

@@ -17,6 +17,8 @@ from vstatics import CaseError
 from vstatics.core import elements
 from vstatics.core.arguments import naming
 
+pytestmark = pytest.mark.usefixtures("folder")
+
 ANNEXES: dict[str, Any] = {
     name: import_module(f"vstatics.{name}")
     for name in ("torsion", "simulation", "synthesis")
@@ -62,10 +64,7 @@ def arguments_of(function: Any) -> list[str]:
 
 @pytest.mark.parametrize("wrong", WRONG.values(), ids=WRONG)
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_no_fault_of_python_leaves_a_function(
-    name: str, wrong: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
+def test_no_fault_of_python_leaves_a_function(name: str, wrong: Any) -> None:
     try:
         FUNCTIONS[name](wrong)
     except (vstatics.VstaticsError, OSError, ValueError):
@@ -194,11 +193,6 @@ def test_python_is_told_of_arguments_not_of_options(call: Any, said: str) -> Non
 def _cycle(trace: str) -> None:
     Path("trace.csv").write_text(trace, encoding="utf-8")
     vstatics.cycle(CASE.replace(vehicle=vstatics.Vehicle(1000, 0.3)), "trace.csv")
-
-
-@pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
 
 
 def test_an_option_that_is_no_argument_stays_one() -> None:

@@ -8,7 +8,7 @@ from tests.commands import BAD, LOCKED, NEUTRAL, TIED_UP
 
 
 @pytest.fixture
-def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def files(folder: Path) -> Path:
     """A folder, the current one, with a case of each kind."""
     for name, text in {
         "neutral.yaml": NEUTRAL,
@@ -19,6 +19,5 @@ def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
             "N: {}", "both: {engaged: [A, B]}"
         ),
     }.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder

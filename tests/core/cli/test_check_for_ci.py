@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 from urllib.parse import unquote
@@ -11,7 +10,7 @@ from xml.etree import ElementTree as ET
 import pytest
 import yaml
 
-from tests.commands import ROOT, vstatics
+from tests.commands import ROOT, json_answer, vstatics
 from tests.installed import needs
 
 pytestmark = pytest.mark.usefixtures("files")
@@ -22,7 +21,7 @@ FILES = ("bad.yaml", "neutral.yaml", "tied.yaml", "none.yaml")
 @pytest.fixture
 def records() -> list[dict[str, str]]:
     """The problems as JSON tells them."""
-    found: list[dict[str, str]] = json.loads(vstatics("check", *FILES, "-f", "json").out)
+    found: list[dict[str, str]] = json_answer("check", *FILES)
     assert {one["severity"] for one in found} == {"error", "warning"}
     return found
 
@@ -77,7 +76,7 @@ def test_sarif_has_results_and_the_rules_that_occur(records: list[dict[str, str]
     absolute = [Path("my boxes", file).absolute() for file in FILES]
     said = vstatics("check", *absolute, "-f", "sarif")
     assert said.status == 1
-    made = json.loads(said.out)
+    made = said.json
     assert made["version"] == "2.1.0"
     [run] = made["runs"]
     rules = [rule["id"] for rule in run["tool"]["driver"]["rules"]]
@@ -120,7 +119,7 @@ def test_junit_fails_by_warnings_only_with_strict(records: list[dict[str, str]])
 @pytest.mark.parametrize(("name", "form"), [("x.sarif", "sarif"), ("x.xml", "junit")])
 def test_a_suffix_tells_the_format(name: str, form: str) -> None:
     said = vstatics("check", "bad.yaml", "-o", name)
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     assert Path(name).read_text("utf-8") == vstatics("check", "bad.yaml", "-f", form).out
 
 
@@ -149,8 +148,8 @@ def test_a_case_that_several_scenarios_name_is_told_of_once() -> None:
     """But in JUnit, where each file has its own verdict."""
     names = ("8hp70-upshift", "8hp70-downshift")
     scenarios = [ROOT / "cases/scenarios" / f"{name}.yaml" for name in names]
-    alone = json.loads(vstatics("check", ROOT / "cases/driveline-8hp70.yaml", "-f", "json").out)
-    found = json.loads(vstatics("check", *scenarios, "-f", "json").out)
+    alone = json_answer("check", ROOT / "cases/driveline-8hp70.yaml")
+    found = json_answer("check", *scenarios)
     of_case = [one["line"] for one in found if one["file"].endswith("driveline-8hp70.yaml")]
     assert of_case == [one["line"] for one in alone]
     assert of_case

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import click
 import pytest
 
-from tests.commands import CASES, MZKT, Said, vstatics
+from tests.commands import CASES, MZKT, Said, json_answer, vstatics
+from tests.shipped import PRINTED
 from vstatics.core.cli import main, with_languages
 
 COMMANDS = ["run", "check", "convert", "compare"]
-REFERENCE = json.loads(
-    (Path(__file__).parents[2] / "published" / "mzkt7922.json").read_text(encoding="utf-8")
-)
 
 
 @pytest.mark.usefixtures("files")
@@ -47,7 +44,7 @@ def test_status_is_that_of_the_case(command: str, case: str, status: int, words:
 @pytest.mark.usefixtures("files")
 def test_a_gear_tied_up_does_not_stop_the_others() -> None:
     """In its low gear the differential has the ratio 1 - u = 3.5."""
-    document = json.loads(vstatics("run", "tied.yaml", "-f", "json").out)
+    document = json_answer("run", "tied.yaml")
     assert document["ratio"] == [None, pytest.approx(3.5)]
     assert document["messages"][0].startswith("error: gear both: tied up")
 
@@ -80,7 +77,7 @@ def test_a_gear_tied_up_does_not_stop_the_others() -> None:
 )
 def test_wrong_use_is_2_and_says_how(arguments: str) -> None:
     said = vstatics(*arguments.split())
-    assert (said.status, said.out) == (2, "")
+    assert said.is_wrong_use()
     assert said.err.startswith("Usage: ")
     assert "\nError: " in said.err
 
@@ -88,9 +85,9 @@ def test_wrong_use_is_2_and_says_how(arguments: str) -> None:
 @pytest.mark.usefixtures("files")
 def test_many_cases_go_on_after_a_bad_one() -> None:
     said = vstatics("run", MZKT, "bad.yaml", "neutral.yaml", "-f", "json")
-    first, failed, last = json.loads(said.out)
+    first, failed, last = said.json
     assert said.status == 1
-    assert first["ETA"] == pytest.approx(REFERENCE["ETA"], abs=0.5e-3)
+    assert first["ETA"] == pytest.approx(PRINTED["ETA"], abs=0.5e-3)
     assert set(failed) == {"file", "case", "errors"}
     assert failed["case"] == "bad.yaml"
     assert "bad.yaml:3:" in failed["errors"][0]
@@ -139,20 +136,18 @@ def test_a_command_in_one_language_names_those_in_several() -> None:
     for line in ("cycle car.yaml trace.csv", "torsion modes box.yaml", "simulate run.yaml"):
         said = vstatics(*line.split(), "--lang", "ru")
         words = f"and {with_languages()[-1]} have it."
-        assert (said.status, words in said.err) == (2, True)
+        assert said.is_wrong_use(words)
 
 
 @pytest.mark.parametrize(("typed", "meant"), [("rnu", "run"), ("sumary", "summary")])
 def test_a_mistyped_command_gets_the_nearest_one(typed: str, meant: str) -> None:
     said = vstatics(typed, MZKT)
-    assert said.status == 2
-    assert f"there is no command `{typed}`; did you mean `{meant}`?" in said.err
+    assert said.is_wrong_use(f"there is no command `{typed}`; did you mean `{meant}`?")
 
 
 def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder() -> None:
     said = vstatics("run", MZKT.with_suffix(".dta"))
-    assert said.status == 1
-    assert "did you mean `mzkt7922.dat`?" in said.err
+    assert said.fails("did you mean `mzkt7922.dat`?")
     far = vstatics("run", MZKT.with_name("gears.dat"))
     assert (far.status, "did you mean" in far.err) == (1, False)
 
@@ -176,11 +171,11 @@ def test_a_link_to_what_is_not_there_is_no_misspelling(tmp_path: Path) -> None:
 )
 def test_wrong_use_is_told_by_the_option_that_was_typed(line: str, words: str) -> None:
     said = vstatics(*line.replace("differential.yaml", str(CASES / "differential.yaml")).split())
-    assert (said.status, words in said.err) == (2, True)
+    assert said.is_wrong_use(words)
 
 
 @pytest.mark.parametrize("group", [[], ["torsion"], ["damage"], ["synth"]])
 def test_a_group_alone_shows_its_help(group: list[str]) -> None:
     said = vstatics(*group)
-    assert (said.status, said.out) == (2, "")
+    assert said.is_wrong_use()
     assert said.err == vstatics(*group, "--help").out

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import vstatics as library
-from tests.commands import CASES, MZKT, NEUTRAL, vstatics
+from tests.commands import CASES, MZKT, NEUTRAL, json_answer, vstatics
 
 FORMS = ("csv", "json", "jsonl", "parquet")
 SWEPT = ("csv", "jsonl", "npz", "parquet")
@@ -63,7 +63,7 @@ def test_a_result_that_cannot_be_read_is_told_and_counted_in_every_format(tmp_pa
         assert said.out.endswith("1 same, 0 changed, 0 added, 0 gone, 2 unreadable\n")
         assert "no JSON" in next(one for one in said.out.splitlines() if "locked" in one)
         assert said.err.splitlines()[-1].endswith("differ in 2 places")
-    document = json.loads(vstatics("compare", *both, "-f", "json").out)
+    document = json_answer("compare", *both)
     assert (document["same"], document["unreadable"]) == (1, 2)
     states = {one["name"]: (one["state"], len(one.get("errors", ()))) for one in document["cases"]}
     assert states == {
@@ -142,10 +142,7 @@ def test_a_deviation_of_rounding_noise_is_none() -> None:
 def test_a_result_of_another_command_is_named() -> None:
     Path("x.json").write_text(vstatics("summary", "neutral.yaml", "-f", "json").out, "utf-8")
     said = vstatics("compare", "x.json", "x.json")
-    assert (said.status, "result 1 is one of summary; expected a result of" in said.err) == (
-        1,
-        True,
-    )
+    assert said.fails("result 1 is one of summary; expected a result of")
 
 
 def test_what_is_no_result_is_told_by_what_it_is() -> None:
@@ -162,9 +159,7 @@ def test_what_is_no_result_is_told_by_what_it_is() -> None:
     for words, text in told.items():
         Path("x.json").write_text(text, "utf-8")
         said = vstatics("compare", "x.json", "x.json")
-        assert said.status == 1
-        assert words in said.err
-        assert "expected a result of `vstatics run` (listing, JSON" in said.err
+        assert said.fails(words, "expected a result of `vstatics run` (listing, JSON")
 
 
 def test_a_case_that_is_there_again_is_named() -> None:
@@ -180,8 +175,7 @@ def test_a_case_that_is_there_again_is_named() -> None:
 def test_a_directory_that_is_not_there_is_named(tmp_path: Path) -> None:
     for named in ((tmp_path, "goldn"), ("goldn", tmp_path)):
         said = vstatics("compare", *named)
-        assert said.status == 2
-        assert "goldn: no such file or directory" in said.err
+        assert said.is_wrong_use("goldn: no such file or directory")
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -240,10 +234,9 @@ def test_a_table_is_left_out_by_name_or_alias(name: str) -> None:
 def test_a_table_that_is_none_gets_the_nearest_name() -> None:
     file = results("x.csv", "neutral.yaml")
     said = vstatics("compare", file, file, "--leave-out", "losess")
-    assert said.status == 2
-    assert "did you mean `losses`?" in said.err
+    assert said.is_wrong_use("did you mean `losses`?")
     said = vstatics("compare", file, file, "--leave-out", "losses,ratio")
-    assert (said.status, "give each of them by itself" in said.err) == (2, True)
+    assert said.is_wrong_use("give each of them by itself")
 
 
 # sweeps
@@ -290,7 +283,7 @@ def test_sweeps_are_compared_in_every_format_and_in_directories() -> None:
         sweep(f"{folder}/a.csv", values)
         results(f"{folder}/b.json", "neutral.yaml")
     sweep("golden/c.npz")
-    [case] = json.loads(vstatics("compare", "new/a.csv", "golden/a.csv", "-f", "json").out)["cases"]
+    [case] = json_answer("compare", "new/a.csv", "golden/a.csv")["cases"]
     assert [case["numbers"][0][key] for key in ("table", "row", "gear", "expected", "actual")] == [
         "D.ratio", "variant 2", None, -4.0, -5.0
     ]  # fmt: skip
@@ -309,11 +302,11 @@ def test_one_file_that_cannot_be_read_fails_in_every_format(broken: int) -> None
     Path(names[broken]).write_text("{", encoding="utf-8")
     suite = ET.fromstring(vstatics("compare", *names, "-f", "junit").out)[0]  # noqa: S314 - our own
     assert (suite.get("tests"), suite.get("failures")) == ("1", "1")
-    document = json.loads(vstatics("compare", *names, "-f", "json").out)
+    document = json_answer("compare", *names)
     assert (document["unreadable"], document["same"]) == (1, 0)
     for form in ("text", "markdown"):
         said = vstatics("compare", *names, "-f", form)
-        assert (said.status, "no JSON" in said.err) == (1, True)
+        assert said.fails("no JSON")
 
 
 def test_mechanisms_of_a_deck_are_not_elements_of_a_drawing_by_their_place() -> None:
@@ -322,7 +315,7 @@ def test_mechanisms_of_a_deck_are_not_elements_of_a_drawing_by_their_place() -> 
     vstatics("convert", case, "box.dat")  # a deck keeps no description
     assert vstatics("convert", "box.dat", "box.yaml").status == 0
     names = results("deck.json", "box.yaml"), results("drawn.json", case)
-    document = json.loads(vstatics("compare", *names, "-f", "json").out)
+    document = json_answer("compare", *names)
     torques = [one for one in document["cases"][0]["numbers"] if one["table"] == "AMLG"]
     assert torques
     assert not [one for one in torques if one["deviation"] is not None]
@@ -334,7 +327,7 @@ def test_an_empty_line_of_a_sweep_is_none_and_a_workbook_is_told() -> None:
     Path("b.csv").write_text(text.replace("\n", "\n\n", 2), encoding="utf-8")
     assert lines("b.csv", name) == []
     said = vstatics("compare", results("a.xlsx", "neutral.yaml"), name)
-    assert (said.status, "a workbook; expected a result of `vstatics run`" in said.err) == (1, True)
+    assert said.fails("a workbook; expected a result of `vstatics run`")
 
 
 def test_of_many_numbers_of_a_sweep_some_of_each_column_are_told() -> None:
@@ -346,8 +339,7 @@ def test_of_many_numbers_of_a_sweep_some_of_each_column_are_told() -> None:
 
 def test_a_sweep_is_no_result() -> None:
     said = vstatics("compare", sweep("a.csv"), results("x.csv", "neutral.yaml"))
-    assert said.status == 2
-    assert "a.csv is a sweep, x.csv is not: expected two of a kind" in said.err
+    assert said.is_wrong_use("a.csv is a sweep, x.csv is not: expected two of a kind")
 
 
 @pytest.mark.parametrize(

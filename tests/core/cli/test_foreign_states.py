@@ -97,7 +97,7 @@ def seen() -> dict[str, tuple[int, int]]:
     return {name: (entry.st_mode, entry.st_size) for name, entry in status.items()}
 
 
-def refused(command: StatedCommand, name: str, words: str) -> None:
+def assert_refused(command: StatedCommand, name: str, words: str) -> None:
     """A command names what is wrong at once, and touches nothing."""
     before = seen()
     for more in ((), ("--resume",)):
@@ -110,11 +110,11 @@ def refused(command: StatedCommand, name: str, words: str) -> None:
     assert (Path("canary").read_bytes(), Path("canary").stat().st_mtime_ns) == (CANARY, 10**18)
 
 
-def refused_in_places(command: StatedCommand, places: Iterable[tuple[str, Hostile]]) -> None:
+def assert_refused_in_places(command: StatedCommand, places: Iterable[tuple[str, Hostile]]) -> None:
     for name, hostile in places:
         Path(command.folder).mkdir()
         hostile(Path(command.folder, name))
-        refused(command, name, FILES[hostile])
+        assert_refused(command, name, FILES[hostile])
         remove(command)
 
 
@@ -123,13 +123,13 @@ def test_what_is_no_state_file_is_refused_by_name(command: StatedCommand) -> Non
     """Each kind of it in one place, a link as the first file, which is the lock if there is one."""
     choose = seeded(46)
     others = [(choose.choice(command.names), hostile) for hostile in FILES if hostile is not link]
-    refused_in_places(command, [(command.names[0], link), *choose.sample(others, 2)])
+    assert_refused_in_places(command, [(command.names[0], link), *choose.sample(others, 2)])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
 def test_whatever_is_no_state_file_is_refused_anywhere(command: StatedCommand) -> None:
-    refused_in_places(command, product(command.names, FILES))
+    assert_refused_in_places(command, product(command.names, FILES))
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_whatever_is_no_state_file_is_refused_anywhere(command: StatedCommand) -
 def test_what_is_no_folder_of_a_state_is_refused_by_name(command: StatedCommand) -> None:
     for hostile, words in FOLDERS.items():
         hostile(Path(command.folder))
-        refused(command, command.folder, words)
+        assert_refused(command, command.folder, words)
         remove(command)
 
 

@@ -10,7 +10,7 @@ import pytest
 import yaml
 from click import Context
 
-from tests.commands import MZKT, NEUTRAL, on_terminal, vstatics
+from tests.commands import MZKT, NEUTRAL, json_answer, on_terminal, vstatics
 from vstatics.core.cli import main
 
 ATTACK = "\x1b[2J\x1b]0;title\x07\x9b31m\x7f\u202e\u2066\u2028"
@@ -21,13 +21,14 @@ CASE = f"{ATTACK}.yaml"
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A case with a name of that kind, a good one, a result of it, and a folder."""
-    monkeypatch.chdir(tmp_path)
     Path(CASE).write_text(NEUTRAL, encoding="utf-8")
-    Path("box.yaml").write_text(NEUTRAL, encoding="utf-8")
-    Path("box.json").write_text(vstatics("run", "box.yaml", "-f", "json").out, encoding="utf-8")
-    Path(f"{ATTACK}.d").mkdir()
+    (folder / "box.yaml").write_text(NEUTRAL, encoding="utf-8")
+    (folder / "box.json").write_text(
+        vstatics("run", "box.yaml", "-f", "json").out, encoding="utf-8"
+    )
+    (folder / f"{ATTACK}.d").mkdir()
 
 
 def is_safe(*arguments: str, stdin: str = "") -> str:
@@ -248,9 +249,9 @@ def test_a_duty_file_is_told_escaped() -> None:
 
 
 def test_json_stays_the_same_json_and_csv_stays_data() -> None:
-    documents = json.loads(vstatics("run", CASE, "nowhere.yaml", "-f", "json").out)
+    documents = json_answer("run", CASE, "nowhere.yaml")
     assert documents[1]["case"] == "nowhere.yaml"
-    failed = json.loads(vstatics("run", f"no{CASE}", "box.yaml", "-f", "json").out)[0]
+    failed = json_answer("run", f"no{CASE}", "box.yaml")[0]
     assert failed["case"] == f"no{CASE}"
     assert ATTACK in vstatics("run", CASE, "box.yaml", "-f", "csv").out
 

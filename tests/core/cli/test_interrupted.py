@@ -41,10 +41,9 @@ SIGNALS = {signal.SIGINT: 130, signal.SIGTERM: 143}
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A case, and a pipe at which a command waits."""
-    monkeypatch.chdir(tmp_path)
-    Path("box.yaml").write_text(NEUTRAL, encoding="utf-8")
+    (folder / "box.yaml").write_text(NEUTRAL, encoding="utf-8")
     os.mkfifo("pipe")
 
 

@@ -14,7 +14,7 @@ import pyarrow.parquet as pq  # type: ignore[import-untyped]
 import pytest
 
 from tests.chance import FRESH, count, seeded
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.mutated_results import tried
 
 CASE = CASES / "simpson.yaml"
@@ -95,9 +95,7 @@ def test_results_and_boxes_nested_too_deeply_are_reported_so(tmp_path: Path) -> 
     file.write_text('{"searched": 1, "boxes": ' + "[" * 100_000, encoding="utf-8")
     for words in (("compare", file, file), ("plot", "-k", "boxes", file, "-o", tmp_path / "a.svg")):
         told = vstatics(*words)
-        assert told.status == 1
-        assert "deep.json: error: " in told.err
-        assert "can be read: nested too deeply" in told.err
+        assert told.fails("deep.json: error: ", "can be read: nested too deeply")
 
 
 @pytest.mark.parametrize(
@@ -120,9 +118,7 @@ def test_arrays_that_are_no_table_are_told(
         ("plot", "-k", "map", file, "-o", tmp_path / "a.svg"),
     ):
         told = vstatics(*words)
-        assert told.status == 1
-        assert said in told.err
-        assert "own.npz" in told.err
+        assert told.fails(said, "own.npz")
 
 
 def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> None:
@@ -140,12 +136,11 @@ def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> Non
         begin = time.process_time()
         told = vstatics("sweep", CASE, "--variants", file, "--out", "ratio", "--dry-run")
         assert time.process_time() - begin < 5
-        assert told.status == 1
-        assert said in told.err
+        assert told.fails(said)
 
 
 def _result(**changes: Any) -> str:
-    made = json.loads(vstatics("run", CASE, "-f", "json").out)
+    made = json_answer("run", CASE)
     return json.dumps(made | changes)
 
 
@@ -158,14 +153,13 @@ def test_a_ratio_of_0_is_compared(tmp_path: Path) -> None:
             "compare", tmp_path / f"{one}.json", tmp_path / f"{other}.json", "-f", "json"
         )
         assert told.status == 1
-        assert json.loads(told.out)["changed"] == 1
+        assert told.json["changed"] == 1
 
 
 def test_a_sweep_without_status_is_told(tmp_path: Path) -> None:
     pq.write_table(pa.table({"variant": [0, 1], "P1.ratio": [-2.0, -3.0]}), tmp_path / "a.parquet")
     told = vstatics("compare", tmp_path / "a.parquet", tmp_path / "a.parquet")
-    assert told.status == 1
-    assert "the column `status` is missing" in told.err
+    assert told.fails("the column `status` is missing")
 
 
 @pytest.mark.parametrize("name", ["case", "step", "ratio", "column"])
@@ -177,7 +171,7 @@ def test_a_column_of_a_sweep_may_have_the_name_of_a_table(tmp_path: Path, name: 
     said = vstatics("compare", *files)
     assert "1 of 2 variants, 1 of 2 columns differ" in said.out
     assert f"{name:10}  variant 1  2.000 -> 2.500  +25.00 %" in said.out
-    [one] = json.loads(vstatics("compare", *files, "-f", "json").out)["cases"]
+    [one] = json_answer("compare", *files)["cases"]
     assert [(one["table"], one["row"]) for one in one["numbers"]] == [(name, "variant 1")]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import shlex
 from pathlib import Path
@@ -22,7 +21,7 @@ def test_a_template_is_a_case_without_faults(name: str, tmp_path: Path) -> None:
     assert file.read_text(encoding="utf-8") == template(name)
     said = vstatics("run", file, "-f", "json")
     assert (said.status, said.err) == (0, "")
-    document = json.loads(said.out)
+    document = said.json
     assert not any(ratio is None for ratio in document["ratio"])
     assert document["case"]["elements"]
 
@@ -43,7 +42,7 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
     assert (said.status, file.read_text(encoding="utf-8")) == (1, "mine")
     assert "is there already" in said.err
     said = vstatics("new", "--template", "ravigneau")
-    assert (said.status, "did you mean `ravigneaux`?" in said.err) == (2, True)
+    assert said.is_wrong_use("did you mean `ravigneaux`?")
 
 
 def test_another_suffix_tells_how_such_a_file_is_made(tmp_path: Path) -> None:

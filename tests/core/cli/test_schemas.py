@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
-from tests.commands import BAD, CASES, ROOT, SHIPPED, TIED_UP, vstatics
+from tests.commands import BAD, CASES, ROOT, SHIPPED, TIED_UP, json_answer, vstatics
 from tests.installed import ANNEXES, needs
 from vstatics.core.cli.schemas import schemas, text
 
@@ -62,7 +62,7 @@ def test_what_changed_between_results_fits(tmp_path: Path) -> None:
     (tmp_path / "new/other.json").write_bytes((tmp_path / "new/box.json").read_bytes())
     (tmp_path / "new/broken.json").write_text("{", encoding="utf-8")
     (tmp_path / "old/broken.json").write_text("{", encoding="utf-8")
-    written = json.loads(vstatics("compare", tmp_path / "new", tmp_path / "old", "-f", "json").out)
+    written = json_answer("compare", tmp_path / "new", tmp_path / "old")
     assert {one["state"] for one in written["cases"]} == {"changed", "added", "unreadable"}
     assert [*validator("compare").iter_errors(written)] == []
     written["cases"][0]["state"] = "other"
@@ -77,7 +77,7 @@ def test_no_schema_is_left_over() -> None:
 @pytest.mark.parametrize("command", OF_COMMAND)
 @pytest.mark.parametrize("cases", [SHIPPED[:4], pytest.param(SHIPPED[4:], marks=pytest.mark.slow)])
 def test_what_is_written_of_shipped_cases_fits(command: str, cases: list[Path]) -> None:
-    written = json.loads(vstatics(command, *cases, "-f", "json").out)
+    written = json_answer(command, *cases)
     assert len(written) == len(cases)
     assert complaints(command, written) == []
     assert complaints(command, written[0]) == []
@@ -88,7 +88,7 @@ def test_gears_without_results_and_cases_in_error_fit(command: str, tmp_path: Pa
     for name, case in (("tied.yaml", TIED_UP), ("bad.yaml", BAD)):
         (tmp_path / name).write_text(case, encoding="utf-8")
     given = [tmp_path / "tied.yaml", tmp_path / "bad.yaml"]
-    written = json.loads(vstatics(command, *given, "-f", "json").out)
+    written = json_answer(command, *given)
     assert complaints(command, written) == []
     assert written[1].keys() == {"file", "case", "errors"}
     for line in vstatics(command, *given, "-f", "jsonl").out.splitlines():
@@ -100,7 +100,7 @@ def test_solutions_of_exercises_fit() -> None:
     exercise = validator("exercise")
     for cases, seed in (([CASES / "simpson.yaml"], ()), (SHIPPED[:2], ("--seed", "3"))):
         asked = "explain", *cases, "--gear", "1", "--solution", *seed, "-f", "json"
-        written = json.loads(vstatics(*asked).out)
+        written = vstatics(*asked).json
         assert [*exercise.iter_errors(written)] == []
         one = written if isinstance(written, dict) else written[0]
         one["blanks"][0]["value"] = None
@@ -111,13 +111,13 @@ def test_what_a_summary_is_asked_for_fits(tmp_path: Path) -> None:
     duty = tmp_path / "duty.yaml"
     duty.write_text("energy: {'1': 1, '2': 2}\n", encoding="utf-8")
     asked = ("summary", CASES / "simpson.yaml", "--combinations", "--duty", duty, "-f", "json")
-    written = json.loads(vstatics(*asked).out)
+    written = vstatics(*asked).json
     assert {"duty", "combinations"} <= written.keys()
     assert complaints("summary", written) == []
 
 
 def test_results_of_today_without_their_file_fit() -> None:
-    written = json.loads(vstatics("run", CASES / "simpson.yaml", "-f", "json").out)
+    written = json_answer("run", CASES / "simpson.yaml")
     del written["file"]
     assert complaints("run", written) == []
 
@@ -146,7 +146,7 @@ def _of_first_gear(change: dict[str, Any]) -> Callable[[Any], None]:
 def test_a_wrong_document_does_not_fit(
     command: str, spoil: Callable[[Any], None], several: bool
 ) -> None:
-    right = json.loads(vstatics(command, CASES / "simpson.yaml", "-f", "json").out)
+    right = json_answer(command, CASES / "simpson.yaml")
     wrong = copy.deepcopy(right)
     spoil(wrong)
     assert complaints(command, [right, wrong] if several else wrong) != []

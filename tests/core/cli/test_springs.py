@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from itertools import product
 from pathlib import Path
 
 import pytest
 
 import vstatics as library
-from tests.commands import vstatics
+from tests.commands import json_answer, vstatics
 from tests.core.readers.named.test_springs import ISSUE
 from vstatics.core.readers.results import read_results
 
@@ -151,7 +150,7 @@ def test_the_twists_of_springs_stand_in_the_listing(cases: Path) -> None:
 
 
 def test_rows_of_a_case_with_springs_have_names(cases: Path) -> None:
-    made = json.loads(vstatics("run", cases / "box.yaml", "-f", "json").out)
+    made = json_answer("run", cases / "box.yaml")
     assert made["rows"]["AMLG"] == ["C", "B", "set", "axle", "damper", "shaft", "mount", "Mx"]
     listing = vstatics("run", cases / "box.yaml").out
     assert "  3.600   1.000  | shaft\n" in listing

@@ -74,7 +74,7 @@ def document(case: Path | str = MZKT) -> dict[str, Any]:
 
 def numbers(said: Said) -> list[tuple[object, ...]]:
     """Table, row, gear, expected and actual of each number that differs."""
-    [case] = json.loads(said.out)["cases"]
+    [case] = said.json["cases"]
     return [tuple(number.values())[:5] for number in case["numbers"]]
 
 

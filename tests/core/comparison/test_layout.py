@@ -10,7 +10,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from tests.commands import CASES, NEUTRAL, vstatics
+from tests.commands import CASES, NEUTRAL, json_answer, vstatics
 
 ZF = (CASES / "zf-8hp70.yaml").read_text("utf-8")
 TEETH = 86
@@ -147,8 +147,7 @@ def test_directories_are_compared_file_by_file(two: tuple[Path, Path]) -> None:
     assert (said.status, said.out) == (0, "1 same, 0 changed, 0 added, 0 gone\n")
     (two[0] / "same.json").write_text("{", "utf-8")
     said = vstatics("compare", *two)
-    assert said.status == 1
-    assert "no JSON" in said.err
+    assert said.fails("no JSON")
 
 
 def test_formats_of_results_are_mixed_by_their_stems(two: tuple[Path, Path]) -> None:
@@ -176,7 +175,7 @@ def test_junit_has_a_failure_for_each_that_is_not_the_same(two: tuple[Path, Path
 
 
 def test_json_tells_every_case(two: tuple[Path, Path]) -> None:
-    made = json.loads(vstatics("compare", *two, "-f", "json").out)
+    made = json_answer("compare", *two)
     states = {one["name"]: one["state"] for one in made["cases"]}
     assert states == {
         "deep/zf": "changed", "only-new": "added", "only-old": "gone", "same": "same",

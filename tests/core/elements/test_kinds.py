@@ -89,7 +89,9 @@ def far_from_one(internal: Mapping[str, Fraction]) -> bool:
     )
 
 
-def turns_as_willis_says(element: Mapping[str, Any], internal: Mapping[str, Fraction]) -> None:
+def assert_turns_as_willis_says(
+    element: Mapping[str, Any], internal: Mapping[str, Fraction]
+) -> None:
     """Check a set with any link held, solved at its meshes and as three-link mechanisms.
 
     `internal` are the speeds of its wheels on a standing carrier, see `willis`.
@@ -111,7 +113,7 @@ def turns_as_willis_says(element: Mapping[str, Any], internal: Mapping[str, Frac
         ideal = {**element, "mesh_efficiency": NO_LOSS}
         if element["kind"] == "bevel":  # one mechanism, with an efficiency of its own
             ideal = {**element, "efficiency": 1}
-        _conserves_power(set_case(ideal, members, losses=losses))
+        _assert_power_is_conserved(set_case(ideal, members, losses=losses))
 
 
 @given(teeth=simple_teeth())
@@ -119,10 +121,10 @@ def turns_as_willis_says(element: Mapping[str, Any], internal: Mapping[str, Frac
 def test_without_losses_in_the_whole_case_power_is_conserved(teeth: Teeth) -> None:
     for losses in LOSSES:
         case = set_case(planetary(teeth), "SRC", losses=losses, mesh_efficiency=NO_LOSS)
-        _conserves_power(case)
+        _assert_power_is_conserved(case)
 
 
-def _conserves_power(document: Mapping[str, Any]) -> None:
+def _assert_power_is_conserved(document: Mapping[str, Any]) -> None:
     """Without losses the output torque is the ratio, and nothing is missing."""
     results = solved(document)
     assert results.efficiency == pytest.approx(1, rel=1e-11)
@@ -152,7 +154,7 @@ def wheels_of(kind: str, wheels: Sequence[str], teeth: Teeth) -> dict[str, Any]:
 @EXAMPLES
 def test_planetary_set(teeth: Teeth) -> None:
     """(w_s - w_c)/(w_r - w_c) = -z_r/z_s."""
-    turns_as_willis_says(
+    assert_turns_as_willis_says(
         planetary(teeth), {"S": Fraction(1), "R": Fraction(-teeth["sun"], teeth["ring"])}
     )
 
@@ -202,7 +204,7 @@ def test_a_planetary_set_needs_no_teeth_of_the_planet() -> None:
 @EXAMPLES
 def test_set_with_meshed_planets(teeth: Teeth) -> None:
     """(w_s - w_c)/(w_r - w_c) = +z_r/z_s."""
-    turns_as_willis_says(
+    assert_turns_as_willis_says(
         double_planet(teeth), {"S": Fraction(1), "R": Fraction(teeth["sun"], teeth["ring"])}
     )
 
@@ -241,7 +243,7 @@ def test_set_with_stepped_planets(wheels: Sequence[str], data: st.DataObject) ->
     teeth = data.draw(stepped_teeth(wheels))
     internal = stepped_internal(wheels, teeth)
     assume(far_from_one(internal))
-    turns_as_willis_says(wheels_of("stepped", wheels, teeth), internal)
+    assert_turns_as_willis_says(wheels_of("stepped", wheels, teeth), internal)
 
 
 @pytest.mark.slow
@@ -277,7 +279,7 @@ def test_ravigneaux_set(wheels: Sequence[str], data: st.DataObject) -> None:
     used = {key: value for key, value in teeth.items() if key in (*wheels, "short", "long")}
     internal = {LETTERS[wheel]: of_long_planet[wheel] for wheel in wheels}
     assume(far_from_one(internal))
-    turns_as_willis_says(wheels_of("ravigneaux", wheels, used), internal)
+    assert_turns_as_willis_says(wheels_of("ravigneaux", wheels, used), internal)
 
 
 @given(teeth=ravigneaux_teeth())
@@ -352,7 +354,7 @@ def groups(draw: st.DrawFn) -> tuple[dict[str, Any], dict[str, Fraction]]:
 def test_group_of_planets(group: tuple[dict[str, Any], dict[str, Fraction]]) -> None:
     element, internal = group
     assume(far_from_one(internal))
-    turns_as_willis_says(element, internal)
+    assert_turns_as_willis_says(element, internal)
 
 
 @given(teeth=simple_teeth())
@@ -375,7 +377,9 @@ def test_a_group_of_one_planet_with_one_rim_is_a_planetary_set(teeth: Teeth) -> 
 def test_bevel_differential(teeth: Teeth) -> None:
     """(w_left - w_c)/(w_right - w_c) = -z_right/z_left."""
     element = {"kind": "bevel", "left": "L", "right": "R", "carrier": "C", "teeth": dict(teeth)}
-    turns_as_willis_says(element, {"L": Fraction(1), "R": Fraction(-teeth["left"], teeth["right"])})
+    assert_turns_as_willis_says(
+        element, {"L": Fraction(1), "R": Fraction(-teeth["left"], teeth["right"])}
+    )
 
 
 def test_a_bevel_differential_without_teeth_is_open() -> None:

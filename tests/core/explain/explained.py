@@ -10,15 +10,14 @@ from typing import Any
 
 import pytest
 
-from tests.commands import CASES
-from vstatics import load, solve
+from tests.shipped import shipped_results
 from vstatics.core.explain import Explanation, explain_gear
 from vstatics.core.explain.sums import System, in_numbers
 from vstatics.core.tables.answer import plain_data
 
 
 def explained(name: str, gear: str) -> Explanation:
-    results = solve(load(CASES / name))
+    results = shipped_results(name)
     return explain_gear(results, gear)
 
 

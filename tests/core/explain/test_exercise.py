@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tests.chance import seeded
-from tests.commands import CASES, MZKT, vstatics
+from tests.commands import CASES, MZKT, json_answer, vstatics
 from vstatics import Gear, Load, ShiftElement, exercise, load, loads, solve
 from vstatics.core.elements import Element, transmission
 from vstatics.core.elements.drawing import Drawing
@@ -35,9 +35,7 @@ DRAWN = (
 
 
 def solution(case: str, *options: str) -> dict[str, Any]:
-    made: dict[str, Any] = json.loads(
-        vstatics("explain", case, "--solution", "-f", "json", *options).out
-    )
+    made: dict[str, Any] = json_answer("explain", case, "--solution", *options)
     return made
 
 
@@ -56,7 +54,7 @@ def test_a_blank_has_the_value_that_run_gives(
     assert [one["number"] for one in made["blanks"]] == [*range(1, len(made["blanks"]) + 1)]
     written = tmp_path / "case.json"
     written.write_text(json.dumps(made["case"]), encoding="utf-8")
-    result = json.loads(vstatics("run", str(written), "-f", "json").out)
+    result = json_answer("run", str(written))
     place = result["gears"].index(gear)
     case_of_result = load(written)
     rows = result.get("rows") or rows_of(case_of_result)
@@ -218,7 +216,7 @@ def test_elements_of_a_drawn_box_have_the_margins_of_the_given_one(given: Load |
 def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
     case = SHOWN[0]
     said = vstatics("explain", str(CASES / "simpson.yaml"), "--worksheet")
-    assert (said.status, "of one gear, expected one of 1, 2, 3, R" in said.err) == (2, True)
+    assert said.is_wrong_use("of one gear, expected one of 1, 2, 3, R")
     only = ("explain", str(CASES / "wolfrom.yaml"), "--solution")
     assert vstatics(*only).out == vstatics(*only, "--gear", "drive").out != ""
     assert vstatics("explain", case, "--seed", "3").status == 2

@@ -90,8 +90,7 @@ def test_a_gear_that_drives_a_freewheel_backward_has_no_solution() -> None:
 
 def test_a_gear_that_is_not_there_is_wrong_use() -> None:
     said = vstatics("explain", CASES / "ford-model-t.yaml", "--gear", "hihg")
-    assert said.status == 2
-    assert "no gear 'hihg'; did you mean `high`?" in said.err
+    assert said.is_wrong_use("no gear 'hihg'; did you mean `high`?")
 
 
 DRAGGED = b"""\

@@ -10,6 +10,7 @@ import pytest
 
 from tests.commands import CASES
 from tests.core.explain.explained import explained
+from tests.shipped import shipped_results
 from vstatics import Results, exercise, load, solve
 from vstatics.core.explain import explain_gear
 from vstatics.core.explain.given import given
@@ -94,7 +95,7 @@ def test_the_rule_holds_when_coasting_too() -> None:
 
 
 def test_coasting_turns_the_signs() -> None:
-    results = solve(load(CASES / "mzkt7922.dat"), coast=True)
+    results = shipped_results("mzkt7922.dat", coast=True)
     [first, _, third] = explain_gear(results, 1).signs
     assert (first.sign, third.sign) == (-1, -1)
     assert first.why == "coasting, power leaves by the first link"

@@ -8,7 +8,7 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import CASES, vstatics
-from vstatics import load, solve
+from tests.shipped import shipped_results
 from vstatics.core.explain import Explanation, explain_gear, typeset
 
 MATH = re.compile(r"(?<!\\)\$(.+?)(?<!\\)\$")
@@ -28,7 +28,7 @@ def value(formula: str, numbers: dict[str, float]) -> float:
 
 
 def gears(name: str) -> list[Explanation]:
-    results = solve(load(CASES / f"{name}.yaml"))
+    results = shipped_results(f"{name}.yaml")
     return [explain_gear(results, gear.name) for gear in results.case.gears]
 
 

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
-from tests.commands import NEUTRAL, vstatics
+from tests.commands import NEUTRAL, json_answer
 
 
 def test_json_has_the_numbers_of_the_library(tmp_path: Path) -> None:
     file = tmp_path / "case.yaml"
     file.write_text(NEUTRAL, encoding="utf-8")
-    [neutral, low] = json.loads(vstatics("flow", file, "-f", "json").out)["gears"]
+    [neutral, low] = json_answer("flow", file)["gears"]
     assert (neutral["ideal"], neutral["note"]) == (None, "torques do not balance")
     # the differential has -2.5 and .96, its second link is held: the third gives .9714
     assert low["lossy"]["leaving"] == pytest.approx(3.4 / 3.5)

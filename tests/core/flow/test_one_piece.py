@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from tests.commands import SHIPPED, vstatics
+from tests.commands import SHIPPED, json_answer
 from tests.core.flow.worked import only, solved
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.core.flow.power import flows
@@ -67,7 +66,7 @@ def test_json_lists_what_a_convention_divides(tmp_path: Path) -> None:
         "gears: {direct: {engaged: [C]}}\n",
         encoding="utf-8",
     )
-    [gear] = json.loads(vstatics("flow", file, "-f", "json").out)["gears"]
+    [gear] = json_answer("flow", file)["gears"]
     assert [(one["kind"], one["name"]) for one in gear["by_convention"]] == [
         ("link", "ring"),
         ("element", "C"),

@@ -10,14 +10,13 @@ second half and the carrier.
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from tests.chance import count, seeded
-from tests.commands import vstatics
+from tests.chance import count, seeded, with_marked
+from tests.commands import json_answer, vstatics
 from tests.core.flow.worked import only, sides
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.flow.circulation import CommonLinks, Loop, Node
@@ -105,7 +104,7 @@ def test_a_deck_says_so_as_text_and_as_json(tmp_path: Path) -> None:
     file = tmp_path / "case.dat"
     file.write_text(DECK, encoding="utf-8")
     assert DOUBT in vstatics("flow", file).out
-    [gear] = json.loads(vstatics("flow", file, "-f", "json").out)["gears"]
+    [gear] = json_answer("flow", file)["gears"]
     assert [loop["note"] for loop in gear["lossy"]["loops"]] == [DOUBT]
     assert gear["ideal"]["loops"][0]["power"] == pytest.approx(1.26 / 1.54)
     assert gear["ideal"]["doubtful"] == gear["ideal"]["circulating"]
@@ -195,7 +194,7 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
 
 @pytest.mark.parametrize(
     "seed",
-    [*range(60), *(pytest.param(n, marks=pytest.mark.slow) for n in range(60, count(60, 200)))],
+    with_marked(range(60), range(60, count(60, 200)), pytest.mark.slow),
 )
 def test_every_loop_between_the_mechanisms_of_one_set_is_marked(seed: int) -> None:
     """Wheels on one carrier, each written with any of those before it; one link is held.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 
@@ -10,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from tests.commands import SHIPPED, vstatics
+from tests.commands import SHIPPED, json_answer
 from tests.core.flow.worked import only, sides, solved
 from tests.trains import regular_trains, trains
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
@@ -147,7 +146,7 @@ def test_the_table_and_json_show_it_with_kilowatts(tmp_path: Path) -> None:
     assert rows["teeth"][1:4] == ["1.000", "1.000", "10.001"]
     assert rows["short-long"][1:4] == ["1.000", ".980", "9.801"]
     assert rows["short-long"][4] == ".01960"
-    [gear] = json.loads(vstatics("flow", file, "-f", "json").out)["gears"]
+    [gear] = json_answer("flow", file)["gears"]
     shown = {one["mesh"]: (one["power"], one["loss"]) for one in gear["lossy"]["teeth"]}
     assert shown["short-long"] == pytest.approx((0.98, 0.0196))
     assert shown[""][0] == pytest.approx(1)

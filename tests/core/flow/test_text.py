@@ -50,5 +50,4 @@ def test_the_command_shows_one_gear_by_name_or_number(tmp_path: Path) -> None:
     assert by_name.out.startswith("gear low ")
     assert vstatics("flow", "-", "--gear", "2", stdin=file.read_bytes()).out == by_name.out
     wrong = vstatics("flow", file, "--gear", "lwo")
-    assert (wrong.status, wrong.out) == (2, "")
-    assert "no gear 'lwo'; did you mean `low`?" in wrong.err
+    assert wrong.is_wrong_use("no gear 'lwo'; did you mean `low`?")

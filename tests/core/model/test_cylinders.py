@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
@@ -49,7 +48,7 @@ def test_results_of_cases_that_differ_in_them_alone_are_the_same(tmp_path: Path)
     for name, number in (("a", 4), ("b", 6)):
         (tmp_path / f"{name}.json").write_text(write_json(PAIR.replace(cylinders=number)))
         said = vstatics("run", tmp_path / f"{name}.json", "-f", "json")
-        assert json.loads(said.out)["case"]["cylinders"] == number
+        assert said.json["case"]["cylinders"] == number
         (tmp_path / f"{name}-result.json").write_text(said.out, encoding="utf-8")
     said = vstatics("compare", tmp_path / "a-result.json", tmp_path / "b-result.json")
     told = "a: 1 change of the case; no number differs\n  case        cylinders  6 -> 4\n"

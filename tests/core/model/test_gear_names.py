@@ -6,6 +6,7 @@ import pytest
 
 from tests.commands import CASES, MZKT, vstatics
 from tests.installed import HERE
+from tests.shipped import shipped_results
 from vstatics import (
     Gear,
     Results,
@@ -14,7 +15,7 @@ from vstatics import (
     solve,
 )
 
-EIGHT = solve(load(CASES / "zf-8hp70.yaml"))
+EIGHT = shipped_results("zf-8hp70.yaml")
 
 
 def box(*names: str) -> Results:

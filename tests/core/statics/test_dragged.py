@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from fractions import Fraction
 
@@ -10,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.chance import count, generator, seeded
-from tests.commands import vstatics
+from tests.commands import json_answer, vstatics
 from tests.core.statics.batches import KINDS, disagreements, efficiencies, plainly, ratios
 from tests.core.statics.test_drag import with_drag
 from tests.oracle.drag import solve_gear
@@ -102,7 +101,7 @@ gears:
 
 
 def test_every_answer_says_that_it_is_dragged() -> None:
-    said = json.loads(vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=CASE).out)
+    said = json_answer("run", "-", "--from", "yaml", stdin=CASE)
     assert (said["dragged"], said["locked"], said["ETA"]) == ([True], [False], [None])
     assert [text.count("dragged") for text in said["messages"]] == [1]
     assert said["AMLGP_Nm"][-1] == pytest.approx([-6.0927835], rel=1e-7)

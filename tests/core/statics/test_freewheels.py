@@ -352,8 +352,7 @@ def test_a_gear_that_is_tied_up_is_none_of_the_freewheels_fault() -> None:
 def test_the_command_line_fails_for_a_conflict() -> None:
     written = named.write_yaml(pair()).encode()
     said = vstatics("run", "-", "--from", "yaml", stdin=written)
-    assert said.status == 1
-    assert "gear 1: conflict: freewheel L can neither" in said.err
+    assert said.fails("gear 1: conflict: freewheel L can neither")
     checked = vstatics("check", "-", "--from", "yaml", stdin=written)
     assert checked.status == 1
     assert "freewheels in conflict" in checked.out

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from tests.chance import seeded
-from tests.commands import vstatics
+from tests.chance import seeded, with_marked
+from tests.commands import json_answer, vstatics
 from tests.core.statics.batches import with_numbers
 from tests.trains import no_losses, random_train
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, loads, solve
@@ -33,7 +32,7 @@ OUT = -2 * 2 / 0.97 - 5
 
 
 def test_the_output_gives_all_drag() -> None:
-    said = json.loads(vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=CASE).out)
+    said = json_answer("run", "-", "--from", "yaml", stdin=CASE)
     assert (said["dragged"], said["ETA"], said["power_balance"]) == ([True], [None], [None])
     assert said["AMLGP"] == [[None]] * 3
     assert said["losses"] == [[None]] * 2
@@ -110,9 +109,7 @@ def test_without_mesh_losses_torques_go_in_line_with_the_load(seed: int) -> None
         assert none == pytest.approx(2 * half - whole, abs=1e-9 * (1 + np.nanmax(np.abs(whole))))
 
 
-@pytest.mark.parametrize(
-    "seed", [*range(4), *(pytest.param(n, marks=pytest.mark.slow) for n in range(4, 12))]
-)
+@pytest.mark.parametrize("seed", with_marked(range(4), range(4, 12), pytest.mark.slow))
 def test_next_to_nothing_is_nearly_nothing(seed: int) -> None:
     """And plans for arrays do as each variant alone."""
     rng = seeded(seed)
@@ -160,7 +157,7 @@ gears:
 
 def test_the_torque_that_holds_a_speed_is_told() -> None:
     """The motor turns itself against its drag: nothing goes through the set."""
-    said = json.loads(vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=HELD).out)
+    said = json_answer("run", "-", "--from", "yaml", stdin=HELD)
     assert said["AMWZP_Nm"] == [[None], [2], [None]]
     assert said["AMWZ_Nm"] == [[None], [0], [None]]
     assert said["AMWZP"] == said["AMWZ"] == [[None]] * 3

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 
-from tests.commands import CASES
 from tests.core.statics.differential import train
 from tests.core.statics.test_status import FAULTY
+from tests.shipped import shipped_results
 from tests.strategies import transmissions
-from vstatics import Gear, Mechanism, Transmission, load, solve
+from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.statics import diagnosis
 from vstatics.core.statics.diagnosis import is_uncertain, regular_gears
 
@@ -30,7 +30,7 @@ def test_a_gear_at_fault_is_not_usual(name: str) -> None:
 
 
 def test_all_gears_of_the_published_example_are_usual() -> None:
-    assert all(regular_gears(solve(load(CASES / "mzkt7922.dat"))))
+    assert all(regular_gears(shipped_results("mzkt7922.dat")))
 
 
 def test_a_torque_that_statics_leaves_open_is_not_usual() -> None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.commands import CASES, SHIPPED
+from tests.commands import SHIPPED
 from tests.oracle.cases import NASTY
+from tests.shipped import shipped_results
 from vstatics import Mechanism, Results, Transmission, load, solve
 from vstatics.core.model.transmission import Gear, ShiftElement
 from vstatics.core.statics.roles import mechanism_roles, roles
@@ -20,7 +21,7 @@ def by_name(results: Results, gear: str) -> dict[str, str]:
 
 def test_a_set_that_only_holds_is_one_piece_and_not_idle() -> None:
     """Ford 10R80, gear 1: P1 stands and carries 3.696 on the carrier, as issue 16 has it."""
-    results = solve(load(CASES / "ford-10r80.yaml"))
+    results = shipped_results("ford-10r80.yaml")
     assert results["torques", "P1.carrier", "1"] == pytest.approx(-3.696, abs=5e-4)
     assert by_name(results, "1") == {"P1": "one piece", "P2": "idle", "P3": "idle", "P4": ""}
     assert mechanism_roles(results.gear("1")) == ["one piece", "idle", "idle", ""]

@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.commands import CASES
 from tests.core.statics.batches import chain
 from tests.core.statics.differential import texts, train
 from tests.oracle import gears as oracle
 from tests.oracle.cases import NASTY
-from vstatics import Gear, load, solve
+from tests.shipped import shipped_results
+from vstatics import Gear, solve
 
 
 @pytest.mark.parametrize(
@@ -34,7 +34,7 @@ def test_a_sign_is_turned_also_in_a_train_too_large_to_try_all_signs(name: str) 
 
 def test_a_gear_locked_by_friction_keeps_its_ideal_numbers() -> None:
     """A train of u = 1.004 driven from its slow end; without losses u/(u - 1) = 251."""
-    results = solve(load(CASES / "self-locking.yaml"))
+    results = shipped_results("self-locking.yaml")
     assert results.ratio == pytest.approx([251, 1 / 251])
     assert results.efficiency[0] == pytest.approx(1 / 6)
     assert list(results.locked) == [False, True]
@@ -44,7 +44,7 @@ def test_a_gear_locked_by_friction_keeps_its_ideal_numbers() -> None:
     assert texts(results) == [
         "warning: locked by friction: no directions of power agree with the losses"
     ]
-    coasting = solve(load(CASES / "self-locking.yaml"), coast=True)
+    coasting = shipped_results("self-locking.yaml", coast=True)
     assert coasting.locked[0]
     assert "locked by friction when coasting" in texts(coasting)[0]
 

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import vstatics
+from tests.commands import CASES
 from tests.core.statics.batches import ARRAYS, random_case, same
 from vstatics import distribution_matrix, solve
-
-CASES = Path(__file__).parents[3] / "cases"
 
 
 def test_no_variants_give_empty_results() -> None:

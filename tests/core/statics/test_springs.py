@@ -52,7 +52,7 @@ ALIKE = (
 )
 
 
-def agree(with_springs: Transmission, with_mechanisms: Transmission) -> None:
+def assert_agree(with_springs: Transmission, with_mechanisms: Transmission) -> None:
     """Both have the same results, by the names of devices."""
     one, other = solve(with_springs), solve(with_mechanisms)
     for name in ALIKE:
@@ -66,7 +66,7 @@ def agree(with_springs: Transmission, with_mechanisms: Transmission) -> None:
 
 def test_a_shaft_is_a_mechanism_of_ratio_1() -> None:
     pair = Mechanism(3, 4, 0, 1.0, name="shaft")
-    agree(SHAFT, replace(SHAFT, springs=(), mechanisms=[*SHAFT.mechanisms, pair]))
+    assert_agree(SHAFT, replace(SHAFT, springs=(), mechanisms=[*SHAFT.mechanisms, pair]))
 
 
 def test_a_spring_to_the_housing_is_a_support() -> None:
@@ -75,7 +75,7 @@ def test_a_spring_to_the_housing_is_a_support() -> None:
     mount = Spring(between(3), compliance=1.5e-2, name="mount")
     sprung = Transmission(3, [], [axle], [Gear()], output=2, springs=[mount])
     held = Mechanism(3, 0, 0, 1.0, name="mount")
-    agree(sprung, replace(sprung, springs=(), mechanisms=[axle, held]))
+    assert_agree(sprung, replace(sprung, springs=(), mechanisms=[axle, held]))
     assert by_device(solve(sprung), solve(sprung).torques)["mount"] == pytest.approx([1 - 41 / 11])
 
 
@@ -91,13 +91,13 @@ def test_a_spring_of_any_row_is_the_loss_free_mechanism_of_that_row(
         for number, one in enumerate(case.mechanisms)
     ]
     case = replace(case, mechanisms=bare)
-    agree(on_springs(case, chosen), case)
+    assert_agree(on_springs(case, chosen), case)
 
 
 @settings(max_examples=count(12, 90))
 @given(trains(gears=2))
 def test_a_train_may_be_of_springs_alone(case: Transmission) -> None:
-    agree(on_springs(case), no_losses(case))
+    assert_agree(on_springs(case), no_losses(case))
 
 
 def test_freewheels_find_their_state_beside_springs() -> None:
@@ -106,7 +106,7 @@ def test_freewheels_find_their_state_beside_springs() -> None:
         SHAFT, shift_elements=[wheel, SHAFT.shift_elements[1]], gears=[Gear(), Gear([2])]
     )
     pair = Mechanism(3, 4, 0, 1.0, name="shaft")
-    agree(case, replace(case, springs=(), mechanisms=[*case.mechanisms, pair]))
+    assert_agree(case, replace(case, springs=(), mechanisms=[*case.mechanisms, pair]))
     assert solve(case).holds.tolist() == [[True, False], [False, True]]
     assert solve(case).ratio == pytest.approx([3.5, 1])
 

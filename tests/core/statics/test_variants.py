@@ -20,6 +20,7 @@ import pytest
 
 import vstatics
 from tests.chance import count, generator, seeded, some
+from tests.commands import CASES, SHIPPED
 from tests.core.statics.batches import (
     ARRAYS,
     KINDS,
@@ -56,7 +57,6 @@ from vstatics.core.model.transmission import IdleConvention
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics import variants
 
-CASES = sorted((Path(__file__).parents[3] / "cases").glob("*.*"))
 CONVENTIONS: list[tuple[bool, IdleConvention]] = [
     (False, "exact"),
     (True, "exact"),
@@ -69,7 +69,7 @@ CONVENTIONS: list[tuple[bool, IdleConvention]] = [
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", some(CASES), ids=lambda path: path.name)
+@pytest.mark.parametrize("path", some(SHIPPED), ids=lambda path: path.name)
 def test_shipped_cases(path: Path) -> None:
     case = vstatics.load(path)
     rng = generator(1)
@@ -97,7 +97,7 @@ def test_trains_that_are_easily_wrong(name: str) -> None:
 @pytest.mark.parametrize("name", ["mzkt7922.dat", "power-split.yaml"])
 def test_variants_that_do_not_go_alike_run_on_arrays(name: str) -> None:
     """Ratios by up to a factor of 4, of any sign: of 1,500 variants few are left alone."""
-    case = vstatics.load(CASES[0].with_name(name))
+    case = vstatics.load(CASES / name)
     rng = generator(4)
     shape = (1500, len(case.mechanisms))
     factors = 4 ** rng.uniform(-1, 1, shape) * rng.choice((-1, 1), shape)
@@ -133,7 +133,7 @@ def test_many_random_trains(seed: int) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("path", "kind"),
-    [(path, kind) for n, path in enumerate(some(CASES)) for kind in KINDS[n % 8 :: 8]],
+    [(path, kind) for n, path in enumerate(some(SHIPPED)) for kind in KINDS[n % 8 :: 8]],
     ids=lambda one: getattr(one, "name", one),
 )
 def test_many_variants_of_shipped_cases(path: Path, kind: str) -> None:
@@ -180,7 +180,7 @@ def test_ratios_near_1() -> None:
 
 
 def test_efficiencies_of_1_among_others() -> None:
-    case = vstatics.load(CASES[0])
+    case = vstatics.load(SHIPPED[0])
     count = len(case.mechanisms)
     eta = np.full((3 * count, count), 0.96)
     for variant in range(3 * count):
@@ -349,7 +349,7 @@ def test_threads_may_solve_at_the_same_time(monkeypatch: pytest.MonkeyPatch) -> 
 @pytest.mark.slow
 @pytest.mark.parametrize("size", [5e-324, 1e-308, 1e-150, 1e-12, 1e12, 1e150, 1e308])
 def test_one_extreme_variant_harms_no_other(size: float) -> None:
-    case = vstatics.load(Path(__file__).parents[3] / "cases" / "two-stage.yaml")
+    case = vstatics.load(CASES / "two-stage.yaml")
     rng = generator(8)
     for place in (0, 3, 9):
         u = ratios(rng, case, 10, "ordinary")

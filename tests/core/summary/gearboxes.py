@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from tests.commands import CASES
-from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
+from tests.shipped import shipped_results
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.summary import Summary, summarize
 from vstatics.core.summary.extremes import Largest
 
 
 def summary_of(name: str) -> Summary:
-    return summarize(solve(load(CASES / name)))
+    return summarize(shipped_results(name))
 
 
 def assert_largest(line: Largest, value: float, gear: str) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 
 import pytest
@@ -79,14 +78,14 @@ def test_too_many_combinations_are_refused() -> None:
     without = {"--at-most": "--combinations", "--exponent": "--duty and a CSV of points"}
     for option, other in without.items():
         said = vstatics("summary", case, option, 9)
-        assert (said.status, f"{option}: without {other}" in said.err) == (2, True)
+        assert said.is_wrong_use(f"{option}: without {other}")
 
 
 def test_that_there_are_none_is_said() -> None:
     said = vstatics("summary", CASES / "zf-8hp70.yaml", "--combinations")
     assert "combinations of shift elements: none" in said.out
     made = vstatics("summary", CASES / "zf-8hp70.yaml", "--combinations", "-f", "json")
-    assert json.loads(made.out)["combinations"] == []
+    assert made.json["combinations"] == []
 
 
 def test_a_case_without_shift_elements_has_none() -> None:

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.commands import LOCKED, NEUTRAL, ROOT, vstatics
+from tests.commands import LOCKED, NEUTRAL, ROOT, json_answer, vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.summary import Summary, summarize
 
@@ -28,7 +28,7 @@ def test_steps_and_spread_are_those_of_the_published_ratios(zf: Summary) -> None
 
 
 def test_a_neutral_gear_has_no_step_and_is_no_neighbour() -> None:
-    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=NEUTRAL.encode()).out)
+    made = json_answer("summary", "-", stdin=NEUTRAL.encode())
     neutral, low = made["gears"]
     assert (neutral["ratio"], neutral["state"], low["state"]) == (None, "open", "")
     assert made["transitions"] == []
@@ -43,7 +43,7 @@ def test_a_neutral_gear_has_no_step_and_is_no_neighbour() -> None:
 
 
 def test_a_locked_gear_has_a_ratio_and_no_efficiency() -> None:
-    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=LOCKED.encode()).out)
+    made = json_answer("summary", "-", stdin=LOCKED.encode())
     [line] = made["gears"]
     assert line["ratio"] == pytest.approx(0.004 / 1.004)  # (u - 1)/u, driven from its slow end
     assert (line["efficiency"], line["state"]) == (None, "locked")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from dataclasses import replace
@@ -10,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import vstatics
+from tests.commands import json_answer, vstatics
 from tests.core.summary.capacities import CASE, case
 from tests.core.summary.gearboxes import assert_largest, differential, summary_of
 from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
@@ -69,7 +68,7 @@ def test_margins_are_shown() -> None:
     lines = [line.split() for line in said.out.splitlines()]
     assert ["C", "300.0", "2.100", "direct"] in lines
     assert ["B", "600.0", "1.200", "low"] in lines
-    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=CASE.encode()).out)
+    made = json_answer("summary", "-", stdin=CASE.encode())
     assert made["margins"][1] == {
         "element": "B",
         "capacity": 3.0,
@@ -103,7 +102,7 @@ def test_of_equal_values_the_first_gear_is_named() -> None:
 def test_with_a_load_the_gear_of_the_largest_torque_may_be_another() -> None:
     """In gear direct, of little torque, the load is a hundred times as large."""
     made = vstatics("summary", "-", "-f", "json", stdin=LOADED.encode())
-    found = json.loads(made.out)["largest"]
+    found = made.json["largest"]
     assert found["AMLG"][0] == {"row": "C", "value": pytest.approx(2.5 / 3.5), "gear": "direct"}
     brake, clutch = found["AMLG_Nm"][1], found["AMLG_Nm"][0]
     assert brake["value"] == pytest.approx(-2.5 * 100)

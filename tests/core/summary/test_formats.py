@@ -55,14 +55,12 @@ def test_latex_has_no_sign_that_it_would_take_for_a_command() -> None:
 
 def test_standard_input_is_one_case_only() -> None:
     said = vstatics("summary", "-", "-", stdin=NEUTRAL.encode())
-    assert said.status == 2
-    assert "standard input" in said.err
+    assert said.is_wrong_use("standard input")
 
 
 def test_a_case_in_error_gives_no_tables(tmp_path: object) -> None:
     said = vstatics("summary", f"{tmp_path}/none.yaml")
-    assert (said.status, said.out) == (1, "")
-    assert "none.yaml" in said.err
+    assert said.gives_nothing("none.yaml")
 
 
 @pytest.mark.parametrize("form", ["text", "markdown", "latex", "json"])

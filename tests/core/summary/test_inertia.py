@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 
 import pytest
 
-from tests.commands import CASES, MZKT, vstatics
+from tests.commands import CASES, MZKT, json_answer, vstatics
 from vstatics import Gear, Load, Mechanism, ShiftElement, Spring, Transmission, loads, solve
 from vstatics.core.model.transmission import SpeedOf
 from vstatics.core.summary import summarize
@@ -41,7 +40,7 @@ of the equations of motion with locked clutches, another program, which tells si
 
 
 def document(*arguments: object) -> dict[str, list[dict[str, float]]]:
-    made: dict[str, list[dict[str, float]]] = json.loads(vstatics(*arguments, "-f", "json").out)
+    made: dict[str, list[dict[str, float]]] = json_answer(*arguments)
     return made
 
 
@@ -95,8 +94,7 @@ def test_a_case_without_inertias_has_no_table() -> None:
 
 def test_a_torque_that_is_none_is_refused() -> None:
     said = vstatics("summary", BOX, "--output-torque", "3 kg")
-    assert (said.status, said.out) == (2, "")
-    assert "read '3 kg', expected a torque in N*m, bare or with its unit" in said.err
+    assert said.is_wrong_use("read '3 kg', expected a torque in N*m, bare or with its unit")
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from decimal import Decimal
 from pathlib import Path
@@ -11,7 +10,7 @@ import pytest
 from rich.console import Console
 
 import vstatics as library
-from tests.commands import MZKT, SHIPPED, vstatics
+from tests.commands import MZKT, SHIPPED, json_answer, vstatics
 from vstatics.core.summary.pretty import ASCII, DOTS, view
 
 FREEWHEEL = """
@@ -45,7 +44,7 @@ def gear_lines(text: str) -> list[str]:
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.name)
 def test_the_numbers_are_those_of_the_result(path: Path) -> None:
     text = shown(path)
-    document = json.loads(vstatics("run", path, "-f", "json").out)
+    document = json_answer("run", path)
     for name in ("ratio", "ETA"):
         for value in document[name]:
             assert value is None or shown_as(value) in text
@@ -129,7 +128,7 @@ def rows() -> dict[str, list[str]]:
 
 def test_steps_are_those_of_the_summary() -> None:
     """From low, 3.5, to direct, whatever the order in the case."""
-    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=STATES.encode()).out)
+    made = json_answer("summary", "-", stdin=STATES.encode())
     assert [one["step"] for one in made["gears"][:2]] == [pytest.approx(1), pytest.approx(3.5)]
     assert rows()["direct"][2:4] == ["1.000", "1.000"]
     assert rows()["low"][2:4] == ["3.500", "3.500"]

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from tests.chance import seeded
-from tests.commands import CASES
 from tests.core.summary.gearboxes import differential
 from tests.oracle.gears import solve_gear
+from tests.shipped import shipped_results
 from tests.trains import random_train
-from vstatics import Gear, Mechanism, Transmission, load, solve
+from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import loads
 from vstatics.core.statics.results import Results
@@ -50,7 +50,7 @@ def by_differences(results: Results) -> Floats:
 )
 def test_sensitivities_agree_with_finite_differences(name: str) -> None:
     """power-split has given speeds and further torques."""
-    results = solve(load(CASES / f"{name}.yaml"))
+    results = shipped_results(f"{name}.yaml")
     expected = by_differences(results)
     assert sensitivities(results) == pytest.approx(expected, abs=1e-6, rel=1e-5, nan_ok=True)
 

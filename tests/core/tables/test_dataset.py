@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-
 import numpy as np
 import pytest
 
@@ -19,7 +17,7 @@ SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in {".yaml", ".
 
 def test_every_cell_of_every_shipped_case_is_that_of_its_json() -> None:
     """By the names that JSON gives to rows and gears; numbers from 1 are names, too."""
-    written = json.loads(commands.vstatics("run", *SHIPPED, "-f", "json").out)
+    written = commands.json_answer("run", *SHIPPED)
     assert len(written) == len(SHIPPED) > 30
     cells = 0
     for path, one in zip(SHIPPED, written, strict=True):

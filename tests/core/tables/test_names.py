@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 
-from tests.commands import CASES, ROOT
+from tests.commands import ROOT
 from tests.core.elements.element_texts import loaded
-from vstatics import ReadError, Transmission, load, solve
+from tests.shipped import shipped_results
+from vstatics import ReadError, Transmission, solve
 from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.tables.dataframe import to_dataframe
 from vstatics.core.tables.names import row_named
@@ -104,7 +105,7 @@ def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> Non
     lost = losses.sum(axis=1) + table["drag_losses_kW"]
     found = table["input_power_kW"] - table["output_power_kW"]
     assert found.tolist() == pytest.approx(lost.tolist())
-    without = to_dataframe(solve(load(CASES / "simpson.yaml")))
+    without = to_dataframe(shipped_results("simpson.yaml"))
     assert not [name for name in without if re.search("_rpm|_Nm|_kW", str(name))]
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-
 import numpy as np
 import pytest
 
@@ -62,5 +60,5 @@ def test_the_listing_has_these_rows(aod: Results) -> None:
 
 def test_the_command_says_the_same(aod: Results) -> None:
     said = vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=AOD.encode())
-    assert json.loads(said.out)["rows"]["losses"] == ROWS["losses"]
-    assert json.loads(said.out)["losses"][0] == pytest.approx(aod.losses[:, 0])
+    assert said.json["rows"]["losses"] == ROWS["losses"]
+    assert said.json["losses"][0] == pytest.approx(aod.losses[:, 0])

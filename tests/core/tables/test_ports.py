@@ -6,8 +6,9 @@ import math
 
 import pytest
 
-from tests.commands import CASES, vstatics
-from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
+from tests.commands import vstatics
+from tests.shipped import shipped_results
+from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.tables.answer import plain_data
 from vstatics.core.tables.ports import port_tables, ports_grid
 
@@ -50,7 +51,7 @@ def test_no_power_comes_from_nowhere(torque: float) -> None:
     assert [port.way for _, port in held.rows] == (["in", "out"] if torque > 0 else ["out", "in"])
     overruns = torque > 0  # its first link runs behind its second one there
     assert any(port.way for _, port in free.rows) != overruns
-    [drive, driven] = port_tables(solve(load(CASES / "self-locking.yaml"), coast=True))
+    [drive, driven] = port_tables(shipped_results("self-locking.yaml", coast=True))
     assert [port.way for _, port in drive.rows] == ["", ""]
     assert {port.way for _, port in driven.rows} == {"in", "out"}
     [neutral] = port_tables(solve(case.replace(shift_elements=elements[1:], gears=gears[1:])))

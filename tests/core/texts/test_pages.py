@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import html
-import json
 import re
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 
 SYMBOLS = {
     *("eta", "first", "second", "third", "published", "null", "input", "output", "omega", "phi"),
@@ -58,7 +57,7 @@ def words_of(page: str) -> str:
 @pytest.mark.parametrize("command", ["run", "summary", "explain", "flow"])
 @pytest.mark.parametrize("form", [(), ("-f", "markdown"), ("-f", "latex")])
 def test_a_command_has_no_english_words(command: str, form: tuple[str, ...]) -> None:
-    known = of_case(json.loads(vstatics("run", SHOWN[0], "-f", "json").out))
+    known = of_case(json_answer("run", SHOWN[0]))
     known |= {"NAME", "ABCDE", "begin", "end", "tabular", "hline", "noindent", "textbf", "par"}
     known |= {"medskip", "textasciicircum", "bullet", "cdot", "footnotesize", "setlength"}
     known |= {

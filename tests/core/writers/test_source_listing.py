@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterable
@@ -13,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 
 from tests.chance import count, seeded
-from tests.commands import CASES, MZKT, NEUTRAL, SHIPPED, vstatics
+from tests.commands import CASES, MZKT, NEUTRAL, SHIPPED, json_answer, vstatics
 from tests.oracle import gears as oracle
 from tests.strategies import transmissions
 from tests.trains import is_regular, random_train
@@ -166,7 +165,7 @@ def test_each_shipped_case_is_told_or_has_its_own_numbers(case: Path, tmp_path: 
         assert all(re.match(where, line) for line in said.err.splitlines() if "error" in line)
         assert said.out == ""
         return
-    result = json.loads(vstatics("run", "-q", case, "-f", "json").out)
+    result = json_answer("run", "-q", case)
     speeds = rows(said.out, "(W(I,J),J=1,NP),I=1,KJG")
     torques = rows(said.out, "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1")
     ratios = [math.nan if ratio is None else ratio for ratio in result["ratio"]]
@@ -274,7 +273,7 @@ def test_a_gear_without_fields_is_refused_where_it_is(gear: str) -> None:
     line, what = WITHOUT_FIELD[gear]
     case = NEUTRAL.replace("gears: {N: {}, low: {engaged: [B]}}", f"gears:\n  N: {{}}\n  {gear}\n")
     said = vstatics("run", "-q", "-f", "source", "-", stdin=(LOAD + case).encode())
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     assert re.search(rf"<stdin>:{line - 1}:\d+: error: .*no field for {re.escape(what)};", said.err)
 
 
@@ -288,8 +287,7 @@ WITHOUT_FIELD_IN_PARTS = {
 def test_a_mechanism_without_fields_is_refused(part: str) -> None:
     case = LOAD + NEUTRAL.replace("efficiency: 0.96", part)
     said = vstatics("run", "-q", "-f", "source", "-", stdin=case.encode())
-    assert (said.status, said.out) == (1, "")
-    assert f"no field for {WITHOUT_FIELD_IN_PARTS[part]};" in said.err
+    assert said.gives_nothing(f"no field for {WITHOUT_FIELD_IN_PARTS[part]};")
 
 
 def test_the_drag_of_an_open_brake_is_refused_and_no_drag_is_not() -> None:
@@ -356,7 +354,7 @@ def test_a_case_without_fields_does_not_stop_the_others(tmp_path: Path) -> None:
     said = vstatics(
         "run", "-q", "-f", "source", CASES / "wheel-hub.yaml", MZKT, "-o", f"{tmp_path}/"
     )
-    assert (said.status, "outputs of single gears: right" in said.err) == (1, True)
+    assert said.fails("outputs of single gears: right")
     assert [path.name for path in tmp_path.glob("*.lst")] == ["mzkt7922.lst"]
 
 
@@ -374,10 +372,11 @@ def test_a_case_without_fields_does_not_stop_the_others(tmp_path: Path) -> None:
 )
 def test_it_is_a_listing_only(options: str, why: str) -> None:
     said = vstatics("run", MZKT, *options.split())
-    assert (said.status, why in said.err) == (2, True)
+    assert said.is_wrong_use(why)
 
 
 def test_springs_have_no_fields_there() -> None:
     said = vstatics("run", CASES / "moskvich412.yaml", "-f", "source")
-    assert (said.status, said.out) == (1, "")
-    assert "springs.first shaft: the published listing has no field for springs: first" in said.err
+    assert said.gives_nothing(
+        "springs.first shaft: the published listing has no field for springs: first"
+    )

@@ -13,22 +13,19 @@ def test_a_port_that_is_taken_is_told() -> None:
         taken.listen()
         port = str(taken.getsockname()[1])
         said = vstatics("serve", str(CASES / "simpson.yaml"), "--port", port)
-    assert (said.status, said.out) == (1, "")
-    assert f"port {port} can't be listened on: Address already in use" in said.err
+    assert said.gives_nothing(f"port {port} can't be listened on: Address already in use")
 
 
 def test_a_file_that_is_not_there_is_told() -> None:
     for words in (["serve"], ["report", "--watch"]):
         said = vstatics(*words, "gone.yaml")
-        assert (said.status, said.out) == (1, "")
-        assert "gone.yaml: error: can't be read: No such file or directory" in said.err
+        assert said.gives_nothing("gone.yaml: error: can't be read: No such file or directory")
 
 
 def test_what_can_not_be_saved_again_is_wrong_use() -> None:
     for words in (["serve", "-"], ["report", "--watch", "-"]):
         said = vstatics(*words)
-        assert said.status == 2
-        assert "expected a file" in said.err
+        assert said.is_wrong_use("expected a file")
 
 
 def test_a_page_is_written_or_served() -> None:

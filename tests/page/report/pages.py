@@ -125,7 +125,3 @@ def report(case: object, *options: object) -> str:
     said = vstatics("report", case, "-o", "-", *options)
     assert said.status == 0, said.err
     return said.out
-
-
-def output(*arguments: object) -> Any:
-    return json.loads(vstatics(*arguments, "-f", "json").out)

@@ -4,9 +4,9 @@ import re
 
 import pytest
 
-from tests.commands import CASES
-from tests.page.report.pages import Page, output
-from vstatics import load, solve
+from tests.commands import CASES, json_answer
+from tests.page.report.pages import Page
+from tests.shipped import shipped_results
 from vstatics.core.tables.quantities import QUANTITIES
 from vstatics.page.report.html_page import page
 from vstatics.page.report.material import gather
@@ -15,8 +15,8 @@ pytestmark = pytest.mark.usefixtures("without_pictures")
 
 
 def test_each_number_of_the_json_stands_on_the_page_with_all_digits() -> None:
-    document = output("run", CASES / "ford-6r80.yaml")
-    results = solve(load(CASES / "ford-6r80.yaml"))
+    document = json_answer("run", CASES / "ford-6r80.yaml")
+    results = shipped_results("ford-6r80.yaml")
     shown = Page(page(gather(results, has_marks=True)))
     on_page = {
         tuple(one.attributes.get(f"data-{key}") for key in ("result", "row", "gear")): number
@@ -37,7 +37,7 @@ def test_each_number_of_the_json_stands_on_the_page_with_all_digits() -> None:
 
 
 def test_a_page_that_stays_is_the_same_without_its_marks() -> None:
-    results = solve(load(CASES / "simpson.yaml"))
+    results = shipped_results("simpson.yaml")
     static, live = page(gather(results)), page(gather(results, has_marks=True))
     marks = r' data-result="[^"]*"(?: data-row="[^"]*")?(?: data-gear="[^"]*")? data-number="[^"]*"'
     assert "data-number" not in static

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, vstatics
+from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, json_answer, vstatics
 from tests.installed import needs
-from tests.page.report.pages import NASTY, NASTY_CASE, Page, number, output, report, value, write
-from vstatics import load, solve
+from tests.page.report.pages import NASTY, NASTY_CASE, Page, number, report, value, write
+from tests.shipped import shipped_results
 from vstatics.core.errors import CaseError
 from vstatics.core.tables.quantities import BY_NAME, QUANTITIES
 from vstatics.page.report.html_page import page
@@ -55,7 +55,7 @@ def nasty(nasty_text: str) -> Page:
 
 @pytest.mark.slow
 def test_the_page_carries_the_result(zf: Page) -> None:
-    expected = output("run", CASES / "zf-8hp70.yaml")
+    expected = json_answer("run", CASES / "zf-8hp70.yaml")
     assert {**zf.data, "file": "zf-8hp70.yaml"} == expected
 
 
@@ -118,7 +118,7 @@ def test_dots_tell_the_engaged_elements(zf: Page) -> None:
 
 @pytest.mark.slow
 def test_the_summary_is_rounded_to_what_the_page_shows(zf: Page) -> None:
-    given = output("summary", CASES / "zf-8hp70.yaml")
+    given = json_answer("summary", CASES / "zf-8hp70.yaml")
     table = zf.table("Ratios, steps")
     for line in given["gears"]:
         for name in ("ratio", "step", "efficiency"):
@@ -135,7 +135,7 @@ def test_the_summary_is_rounded_to_what_the_page_shows(zf: Page) -> None:
 
 @pytest.mark.slow
 def test_powers_are_those_of_the_flow(zf: Page) -> None:
-    for gear in output("flow", CASES / "zf-8hp70.yaml")["gears"]:
+    for gear in json_answer("flow", CASES / "zf-8hp70.yaml")["gears"]:
         table = zf.table(f"Power in gear {gear['gear']}")
         for heading, side in (("ideal", gear["ideal"]), ("with losses", gear["lossy"])):
             for node in side["throughput"]:
@@ -292,7 +292,7 @@ def test_a_duty_cycle_is_on_the_page_with_what_is_doubtful_about_it(tmp_path: Pa
     said = "warning: in 1 of 2 rows B carries up to 900 of 700 N*m"
     assert any(one.text.startswith(said) for one in shown.all("li"))
     table = shown.table("Largest over the duty cycle")
-    members = output("summary", case, "--duty", points, "--exponent", 6)["duty"]["members"]
+    members = json_answer("summary", case, "--duty", points, "--exponent", 6)["duty"]["members"]
     for name, cells in table.items():
         own = members[name]["equivalent_torque"]
         assert value(cells["equivalent, p = 6, N*m"]) == pytest.approx(own, abs=5e-4)
@@ -306,7 +306,7 @@ def test_a_duty_cycle_is_on_the_page_with_what_is_doubtful_about_it(tmp_path: Pa
 )
 def test_cases_of_every_kind_have_their_page(name: str) -> None:
     shown = Page(report(CASES / name))
-    assert {**shown.data, "file": name} == output("run", CASES / name)
+    assert {**shown.data, "file": name} == json_answer("run", CASES / name)
     assert shown.all("svg")
 
 
@@ -346,7 +346,7 @@ def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.M
         raise CaseError("E234", "nothing <moves>")
 
     monkeypatch.setattr("vstatics.pictures.paged.drawn.pages", refuse)
-    shown = Page(page(gather(solve(load(CASES / "differential.yaml")))))
+    shown = Page(page(gather(shipped_results("differential.yaml"))))
     assert any("not drawn. nothing <moves> [E234]" in one.text for one in shown.all("p"))
 
 

@@ -14,7 +14,8 @@ import pytest
 from tests.chance import count, seeded
 from tests.commands import vstatics
 from tests.page.serve.served import BOX, serving
-from tests.page.serve.test_saving import until, write
+from tests.page.serve.test_saving import write
+from tests.processes import wait_for
 from vstatics.core.cli.shared.cases import CaseOptions
 from vstatics.core.jobs import files
 from vstatics.page.cli import serve
@@ -48,7 +49,7 @@ def test_the_page_follows_its_file_whatever_it_becomes(tmp_path: Path) -> None:
             remove(served.file)
             become(served.file)
             begin = time.monotonic()
-            until(lambda: served.ask("shown").told["state"] == "error")
+            wait_for(lambda: served.ask("shown").told["state"] == "error")
             page = served.ask("").body.decode()
             assert said in page, kind
             assert "box.yaml" in page
@@ -56,7 +57,7 @@ def test_the_page_follows_its_file_whatever_it_becomes(tmp_path: Path) -> None:
             assert time.monotonic() - begin < SECONDS, kind
             remove(served.file)
             served.file.write_text(BOX, encoding="utf-8")
-            until(lambda: served.ask("shown").told["state"] == "good")
+            wait_for(lambda: served.ask("shown").told["state"] == "good")
             assert said not in served.ask("").body.decode()
             assert time.monotonic() - begin < SECONDS, kind
     assert served.file.read_text("utf-8") == BOX

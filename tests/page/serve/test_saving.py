@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import shutil
-import time
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ import vstatics
 from tests.chance import count, seeded
 from tests.commands import CASES
 from tests.page.serve.served import BOX, TOKEN, serving
+from tests.processes import wait_for
 from vstatics.core.cli.shared.cases import CaseOptions
 from vstatics.page.cli.serve import calculated
 from vstatics.page.serve.document_fields import Texts, documents_of
@@ -36,13 +36,6 @@ def numbers_of(told: dict[str, Any], name: str) -> dict[str, str]:
         for one in cells
         if f'data-result="{name}"' in one
     }
-
-
-def until(is_so: Any) -> None:
-    end = time.monotonic() + 10
-    while not is_so():
-        assert time.monotonic() < end
-        time.sleep(0.01)
 
 
 def test_what_is_tried_is_what_the_program_calculates_of_such_a_file(tmp_path: Path) -> None:
@@ -79,7 +72,7 @@ def test_a_file_in_error_is_told_with_its_place_and_takes_no_numbers(tmp_path: P
     with serving(write(tmp_path)) as served:
         wrong = BOX.replace("carrier, ratio", "carier, ratio")
         served.file.write_text(wrong, encoding="utf-8")
-        until(lambda: served.ask("shown").told["state"] == "error")
+        wait_for(lambda: served.ask("shown").told["state"] == "error")
         told = served.ask("shown").told
         line = wrong.split("\n")[4]
         assert told["errors"].startswith(f"{served.file}:5:{line.index('carier') + 1}: error: ")
@@ -90,14 +83,14 @@ def test_a_file_in_error_is_told_with_its_place_and_takes_no_numbers(tmp_path: P
         assert served.save({"P1.ratio": -3}).status == 422
         assert served.file.read_text("utf-8") == wrong
         write(tmp_path)
-        until(lambda: served.ask("shown").told["state"] == "good")
+        wait_for(lambda: served.ask("shown").told["state"] == "good")
 
 
 def test_a_page_can_begin_with_a_file_in_error_or_none(tmp_path: Path) -> None:
     with serving(tmp_path / "box.yaml") as served:
         assert b'data-state="error"' in served.ask("").body
         write(tmp_path)
-        until(lambda: served.ask("shown").told["state"] == "good")
+        wait_for(lambda: served.ask("shown").told["state"] == "good")
 
 
 def test_a_deck_is_shown_and_stays(tmp_path: Path) -> None:
@@ -220,16 +213,16 @@ def test_a_file_behind_a_link_that_others_replace_is_followed(tmp_path: Path) ->
         other = real.with_name("other")
         other.write_text(BOX.replace("-78/30", "-2"), encoding="utf-8")
         other.replace(real)
-        until(lambda: served.ask("shown").told["fields"]["P1.ratio"] == -2)
+        wait_for(lambda: served.ask("shown").told["fields"]["P1.ratio"] == -2)
         assert served.save({"P1.ratio": -3}).status == 200
         assert link.is_symlink()
         kept = real.read_bytes()
         assert b"ratio: -3," in kept
         real.unlink()
-        until(lambda: served.ask("shown").told["state"] == "error")
+        wait_for(lambda: served.ask("shown").told["state"] == "error")
         assert served.save({"P1.ratio": -4}).status == 422
         real.write_bytes(kept)
-        until(lambda: served.ask("shown").told["state"] == "good")
+        wait_for(lambda: served.ask("shown").told["state"] == "good")
 
 
 def test_a_file_that_can_not_be_written_says_so(

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from tests.commands import CASES
 from tests.pictures.test_charts_on_paper import in_van
+from tests.shipped import shipped_results
 from vstatics import load, solve
 from vstatics.pictures import drawn_kinds, render
 from vstatics.pictures.drawing.files import settings_of
@@ -20,7 +21,7 @@ from vstatics.pictures.drawing.svg import halo, told, written_as_svg
 SVG = "{http://www.w3.org/2000/svg}"
 STYLE = Style()
 SET = solve(in_van(load(CASES / "ravigneaux-gf4a.yaml")))
-SPRINGS = solve(load(CASES / "moskvich412.yaml"))
+SPRINGS = shipped_results("moskvich412.yaml")
 KINDS = [kind for kind in drawn_kinds() if kind != "shift"]
 OF_VIBRATION = [kind for kind, own in drawn_kinds().items() if own.shows == "vibration"]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from tests.commands import CASES
 from tests.pictures.drawn import texts, titled
 from tests.pictures.test_pictures import overlaps
-from vstatics import Gear, Mechanism, Transmission, load, solve
+from tests.shipped import shipped_results
+from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
@@ -17,7 +17,7 @@ from vstatics.pictures.flow.efficiency import draw, loss_shares
 def test_shares_of_losses_make_up_what_the_efficiency_lacks() -> None:
     for name in ("umdm.yaml", "zf-8hp70.yaml", "two-stage.yaml", "mzkt7922.dat"):
         for coast in (False, True):
-            results = solve(load(CASES / name), coast=coast)
+            results = shipped_results(name, coast=coast)
             _, shares = loss_shares(results, Style())
             kept = ~np.isnan(results.efficiency)
             np.testing.assert_allclose(1 - shares.sum(axis=0)[kept], results.efficiency[kept])

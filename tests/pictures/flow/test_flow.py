@@ -19,7 +19,8 @@ from matplotlib.path import Path as PlotPath
 from matplotlib.transforms import Bbox
 
 from tests.chance import some
-from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP
+from tests.commands import LOCKED, NEUTRAL, SHIPPED, TIED_UP
+from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
 from vstatics.core.flow.circulation import Node
 from vstatics.core.flow.power import flows
@@ -217,7 +218,7 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so(
     language: Literal["en", "ru"], words: str
 ) -> None:
     """Mechanisms that share planets, as the case says of itself."""
-    results = solve(load(CASES / "umdm-reduced.yaml"))
+    results = shipped_results("umdm-reduced.yaml")
     figure = picture(results, "flow", Style(language), [5])
     assert words in drawn(figure)
     assert_readable(figure)
@@ -226,7 +227,7 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so(
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_what_a_convention_divides_is_marked_and_named(language: Literal["en", "ru"]) -> None:
     """In gear 6 the clutch E holds P3 as one piece; C and D stand in series with it."""
-    results = solve(load(CASES / "zf-8hp70.yaml"))
+    results = shipped_results("zf-8hp70.yaml")
     words = {"en": "by convention", "ru": "условно"}[language]
     marked = {name for name, said in titles(results, 6, Style(language)).items() if words in said}
     ways = {"C → ring 3": False, "ring 3 → E": True, "E → ring 2": True, "ring 2 → P3": True}
@@ -259,7 +260,7 @@ def test_a_gear_without_power_says_so(deck: str, words: str) -> None:
 
 
 def test_one_gear_alone_is_as_large_as_it_needs_to_be() -> None:
-    results = solve(load(CASES / "simpson.yaml"))
+    results = shipped_results("simpson.yaml")
     everything, reverse = (picture(results, "flow", Style(), gears) for gears in ([], [4]))
     assert "gear R" in drawn(reverse)
     assert "gear 1" not in drawn(reverse)
@@ -287,7 +288,7 @@ def test_coasting_runs_from_the_output_to_the_input() -> None:
 
 def test_what_stands_in_series_without_loss_is_one_run() -> None:
     """From the input through the clutch C to ring 3 nothing branches: P4 is the next loss."""
-    [made, *_] = [made for _, made in layouts(solve(load(CASES / "zf-8hp70.yaml")))]
+    [made, *_] = [made for _, made in layouts(shipped_results("zf-8hp70.yaml"))]
     runs = {" ".join(map(str, box.cell.run)) for box in made.boxes}
     assert runs == {"input C ring 3", "P4", "output"}
 

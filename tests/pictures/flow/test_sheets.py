@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, SHIPPED, vstatics
+from tests.commands import CASES, SHIPPED, json_answer
 from tests.pictures.drawn import texts, titled
 from tests.pictures.flow.test_flow import in_rows
+from tests.shipped import shipped_results
 from vstatics import Results, load, loads, solve
 from vstatics.core.flow.power import flows
 from vstatics.pictures import pages, picture
@@ -147,7 +147,7 @@ def test_a_gear_by_itself_is_drawn() -> None:
 
 def test_the_sum_of_what_circulates_is_told_where_there_are_several_loops() -> None:
     case = CASES / "mercedes-9g.yaml"
-    answer = json.loads(vstatics("flow", case, "-f", "json").out)
+    answer = json_answer("flow", case)
     told = {gear["gear"]: gear["lossy"] for gear in answer["gears"]}
     results = solve(load(case))
     for number, gear in enumerate(results.case.gears, 1):
@@ -169,5 +169,5 @@ def test_differentials_whose_wheels_turn_alike_divide_by_their_ratio() -> None:
     assert "within friction" in said
     assert "convention" not in said
     assert "divided within friction, turns as one piece" in texts(figure)
-    direct = picture(solve(load(CASES / "ravigneaux-aod.yaml")), "flow", Style(), [3])
+    direct = picture(shipped_results("ravigneaux-aod.yaml"), "flow", Style(), [3])
     assert "divided by convention, turns as one piece" in texts(direct)

@@ -19,7 +19,8 @@ from matplotlib.text import Text
 from tests.chance import some
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.test_pictures import overlaps
-from vstatics import Results, load, loads, solve
+from tests.shipped import shipped_results
+from vstatics import loads, solve
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.labels import Segment
@@ -38,13 +39,9 @@ QUICK = ("mercedes-7g.yaml", "mzkt7922.dat", "ravigneaux-aod.yaml", "umdm.yaml",
 MOSTLY_SLOW = [pytest.param(name, marks=[pytest.mark.slow] * (name not in QUICK)) for name in DRAWN]
 
 
-def result(name: str) -> Results:
-    return solve(load(CASES / name))
-
-
 def test_positions_on_a_lever_follow_from_the_teeth() -> None:
     """Ravigneaux of 30, 36 and 72 teeth against its carrier: 72/30 : -72/36 : 1."""
-    results = result("ravigneaux-aod.yaml")
+    results = shipped_results("ravigneaux-aod.yaml")
     [lever] = levers(results.case)
     positions = {results.case.link_name(node.link): node.position for node in lever.nodes}
     assert positions == pytest.approx(
@@ -55,7 +52,7 @@ def test_positions_on_a_lever_follow_from_the_teeth() -> None:
 def test_the_mark_of_an_output_stands_over_that_of_a_point_at_the_same_place() -> None:
     """The second ring of a Wolfrom set turns once in 400 turns of the sun: nearly as the first."""
     for name, count in (("wolfrom.yaml", 1), ("ravigneaux-aod.yaml", 0)):
-        marks = picture(result(name), "lever", Style()).findobj(Polygon)
+        marks = picture(shipped_results(name), "lever", Style()).findobj(Polygon)
         over = [one for one in marks if to_hex(one.get_edgecolor()) == Style().paper]
         assert len(over) == count
         assert all(len({*map(tuple, one.get_xy())}) == 4 for one in over)  # a diamond
@@ -64,7 +61,7 @@ def test_the_mark_of_an_output_stands_over_that_of_a_point_at_the_same_place() -
 @pytest.mark.parametrize("name", NAMES)
 def test_speeds_are_linear_along_every_lever(name: str) -> None:
     """Willis: all speeds against the carrier are in the ratio of their positions."""
-    results = result(name)
+    results = shipped_results(name)
     speeds = np.hstack([np.zeros((len(results.case.gears), 1)), results.speeds])
     for lever in levers(results.case):
         low, high = lever.nodes[0], lever.nodes[-1]
@@ -78,7 +75,7 @@ def test_speeds_are_linear_along_every_lever(name: str) -> None:
 @pytest.mark.parametrize("merged", [False, True])
 def test_torques_on_a_lever_are_in_balance_like_forces(name: str, merged: bool) -> None:
     """Benford and Leising 1981: neither their sum nor their moment moves the lever."""
-    results = result(name)
+    results = shipped_results(name)
     drawn = levers(results.case, merged=merged)
     for number in range(1, len(results.case.gears) + 1):
         for lever, torques in zip(drawn, in_gear(results, number, drawn).torques, strict=True):
@@ -94,7 +91,7 @@ def test_two_sets_with_two_common_links_are_one_lever() -> None:
 
     From carrier 1 the ring is at 1, the sun at u1. Carrier 2 divides sun to ring 2 as 1 to -u2.
     """
-    case = result("simpson.yaml").case
+    case = shipped_results("simpson.yaml").case
     first, second = (one.ratio for one in case.mechanisms)
     [lever] = levers(case, merged=True)
     positions = {case.link_name(node.link): node.position for node in lever.nodes}
@@ -107,7 +104,7 @@ def test_two_sets_with_two_common_links_are_one_lever() -> None:
 
 def test_a_link_that_a_locked_set_holds_stands() -> None:
     """Issue 16: ZF 8HP70, gears 1, 2, R: A and B hold sun and ring of P1, so its carrier stands."""
-    results = result("zf-8hp70.yaml")
+    results = shipped_results("zf-8hp70.yaml")
     drawn = levers(results.case)
     [carrier] = [n for n in range(1, 9) if results.case.link_name(n) == "carrier 1"]
     held = [
@@ -119,7 +116,7 @@ def test_a_link_that_a_locked_set_holds_stands() -> None:
 
 
 def drawn_text(name: str, *gears: int) -> str:
-    return render(result(name), "lever", "svg", Style(), gears).decode()
+    return render(shipped_results(name), "lever", "svg", Style(), gears).decode()
 
 
 def test_a_set_that_is_locked_and_carries_the_reaction_is_one_piece() -> None:
@@ -134,7 +131,7 @@ def test_a_set_that_is_locked_and_carries_the_reaction_is_one_piece() -> None:
 def test_a_clutch_that_is_engaged_without_torque_says_so() -> None:
     # Ford 10R80: in gear 1 D joins the intermediate shaft, on which nothing acts, to sun 4
     # (M_D = 0 by the balance of the intermediate shaft); in gear 2 P4 is driven through it
-    whole = result("ford-10r80.yaml")
+    whole = shipped_results("ford-10r80.yaml")
     slack = [in_gear(whole, number, levers(whole.case)).is_slack("D") for number in (1, 2)]
     assert slack == [True, False]
     said = "engaged, without torque"
@@ -143,7 +140,7 @@ def test_a_clutch_that_is_engaged_without_torque_says_so() -> None:
 
 def test_brakes_are_grounds_clutches_ties_by_their_names() -> None:
     """8HP70, gear 1: A, B, C are engaged; two of them are brakes."""
-    results = result("zf-8hp70.yaml")
+    results = shipped_results("zf-8hp70.yaml")
     gear = in_gear(results, 1, levers(results.case))
     assert sorted(gear.grounds.values()) == ["A", "B"]
     assert [one.name for one in gear.ties if one.name] == ["C"]
@@ -161,12 +158,12 @@ def test_a_lever_that_shows_the_same_refers_to_the_gear_before() -> None:
 def test_no_text_of_levers_covers_another(name: str) -> None:
     is_other = NAMES.index(name) % 2 == 1
     style = Style("ru" if is_other else "en", merged=is_other)
-    assert overlaps(result(name), "lever", style) == []
+    assert overlaps(shipped_results(name), "lever", style) == []
 
 
 def test_a_wheel_that_is_part_of_the_axle_is_held_by_the_housing() -> None:
     """The hubs' rings are fixed, one by the housing as its link, one by a support (the case)."""
-    results = result("wheel-hub.yaml")
+    results = shipped_results("wheel-hub.yaml")
     drawn = levers(results.case)
     held = in_gear(results, 3, drawn).grounds
     assert [drawn[place].name for place, _ in held] == ["left hub", "right hub"]
@@ -185,7 +182,7 @@ def test_the_key_tells_what_occurs_and_nothing_else() -> None:
 def test_no_line_runs_through_a_text(name: str) -> None:
     """Names of ties are texts as others; only names of brakes have paper around their letters."""
     with settings_of(Style()):
-        results = result(name)
+        results = shipped_results(name)
         gears = [(n,) for n in range(1, len(results.case.gears) + 1)]
         for [figure] in each(results, Style(), gears):
             assert list(crossed(figure)) == []
@@ -222,14 +219,14 @@ def test_points_stand_at_their_ratios(name: str) -> None:
 
 def page(name: str) -> LeverPage:
     """Where the levers of a shipped case stand."""
-    found = page_of(result(name).case, Style())
+    found = page_of(shipped_results(name).case, Style())
     assert found is not None
     return found
 
 
 def routes_of(name: str) -> Iterator[list[LeverRoute]]:
     """The lines between levers in each gear."""
-    results, drawn = result(name), page(name)
+    results, drawn = shipped_results(name), page(name)
     for number in range(1, len(results.case.gears) + 1):
         yield routes(drawn, in_gear(results, number, drawn.levers).ties)
 
@@ -281,7 +278,7 @@ def test_a_freewheel_has_its_sign_where_it_holds() -> None:
 
 @pytest.mark.parametrize("titled", [True, False])
 def test_the_ratio_is_the_largest_text(titled: bool) -> None:
-    results = result("zf-8hp70.yaml")
+    results = shipped_results("zf-8hp70.yaml")
     figure = picture(results, "lever", Style(titled=titled), [3])
     found: list[Any] = figure.findobj(Text)
     largest = max(found, key=lambda text: text.get_fontsize())
@@ -305,16 +302,17 @@ def test_options_of_levers_and_of_stick_diagrams_serve_no_other_kind() -> None:
     said = vstatics("plot", CASES / "simpson.yaml", "-k", "lever", "--merge", "-o", "-")
     assert "P1 + P2" in said.out
     refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--merge", "-o", "-")
-    assert refused.status == 2
-    assert "--merge: only levers can be merged" in refused.err
+    assert refused.is_wrong_use("--merge: only levers can be merged")
     refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--wheels", "-o", "-")
-    assert (refused.status, "--wheels: only stick diagrams name them" in refused.err) == (2, True)
+    assert refused.is_wrong_use("--wheels: only stick diagrams name them")
 
 
 @pytest.mark.slow
 def test_long_titles_and_names_of_levers_stay_inside_the_figure() -> None:
     """Bold letters are wider, Cyrillic ones more so (issue 16)."""
-    case = result("simpson.yaml").case.replace(name="Трёхступенчатая коробка для проверки вёрстки")
+    case = shipped_results("simpson.yaml").case.replace(
+        name="Трёхступенчатая коробка для проверки вёрстки"
+    )
     style = Style("ru", merged=True)
     with settings_of(style):
         figure = picture(solve(case), "lever", style, [3])
@@ -328,9 +326,9 @@ def test_long_titles_and_names_of_levers_stay_inside_the_figure() -> None:
 
 def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:
     """8HP70: P1 to P4 as in every drawing of it; its driveline begins with the engine."""
-    case = result("zf-8hp70.yaml").case
+    case = shipped_results("zf-8hp70.yaml").case
     assert [lever.name for lever in ordered(case, levers(case))] == ["P1", "P2", "P3", "P4"]
-    driveline = result("driveline-8hp70.yaml").case
+    driveline = shipped_results("driveline-8hp70.yaml").case
     drawn = levers(driveline)
     first, *_, last = ordered(driveline, [*drawn, *shafts(driveline, drawn)])
     assert [driveline.link_name(one.nodes[0].link) for one in (first, last)] == [

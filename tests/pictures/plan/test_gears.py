@@ -13,8 +13,9 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from tests.commands import CASES, SHIPPED, vstatics
+from tests.commands import CASES, SHIPPED, json_answer
 from tests.pictures.drawn import WITHOUT_PLAN, WITHOUT_TWO_GEARS
+from tests.shipped import shipped_results
 from vstatics import Results, load, solve
 from vstatics.core.readers import loads
 from vstatics.pictures import pages
@@ -67,7 +68,7 @@ def told_panels(made: Sequence[bytes]) -> tuple[list[tuple[list[str], list[str]]
 
 def carrying(case: str) -> dict[str, dict[str, frozenset[str]]]:
     """By gear the elements that carry torque as the links they join, with their names."""
-    said = json.loads(vstatics("run", CASES / case, "-f", "json").out)
+    said = json_answer("run", CASES / case)
     joined = {
         name: frozenset(map(str, one["links"] if isinstance(one, dict) else one))
         for name, one in said["case"]["shift_elements"].items()
@@ -85,7 +86,7 @@ def carrying(case: str) -> dict[str, dict[str, frozenset[str]]]:
 @pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
     """A panel has two gears of different ratios at least."""
-    results = solve(load(CASES / name))
+    results = shipped_results(name)
     found, left_out = panels(results)
     shown = {gear for gears, _ in found for gear in gears}
     names = [gear.name for gear in results.case.gears]
@@ -106,7 +107,7 @@ def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
 )
 def test_gears_that_one_element_tells_apart_are_on_a_panel(name: str) -> None:
     """Boxes whose elements all carry torque where they are engaged, by the JSON."""
-    found, _ = panels(solve(load(CASES / name)))
+    found, _ = panels(shipped_results(name))
     by_gear = {gear: {*own.values()} for gear, own in carrying(name).items()}
     for (gear, one), (other, two) in combinations(by_gear.items(), 2):
         is_near = len(one - two) == len(two - one) == 1
@@ -148,7 +149,7 @@ def test_a_gear_on_no_panel_is_named() -> None:
 
 @pytest.mark.parametrize("name", WITHOUT_TWO_GEARS)
 def test_panels_of_one_gear_are_left_out(name: str) -> None:
-    results = solve(load(CASES / name))
+    results = shipped_results(name)
     assert plans(results) == []
     names = [gear.name for gear in results.case.gears]
     assert panels(results) == ([], names)

@@ -14,9 +14,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.commands import CASES, SHIPPED
+from tests.commands import SHIPPED
 from tests.pictures.drawn import WITHOUT_PLAN, titled
-from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
+from tests.shipped import shipped_results
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.plan.rays import KinematicPlan, plans
@@ -24,13 +25,9 @@ from vstatics.pictures.plan.rays import KinematicPlan, plans
 NAMES = [path.name for path in SHIPPED]
 
 
-def result(name: str) -> Results:
-    return solve(load(CASES / name))
-
-
 @pytest.fixture(scope="module")
 def umdm() -> Results:
-    return result("umdm.yaml")
+    return shipped_results("umdm.yaml")
 
 
 def links(results: Results, numbers: tuple[int, ...]) -> str:
@@ -96,7 +93,7 @@ def test_the_picture_draws_these_rays(umdm: Results) -> None:
 
 def test_a_link_has_its_colour_and_the_abscissa_reaches_as_far_as_the_gears() -> None:
     """Issue 16: one colour over all panels; T3 of the BelAZ, 1/i .168 and .250, was squeezed."""
-    lines = titled(picture(result("belaz7516.yaml"), "plan", Style()))
+    lines = titled(picture(shipped_results("belaz7516.yaml"), "plan", Style()))
     assert {one.get_color() for title, one in lines if title[:4] == "J5: "} == {Style().colour(4)}
     [ray] = [one.get_xydata() for title, one in lines if title == "J3: −2.030 + 12.12·(1/i)"]
     gears = [
@@ -108,7 +105,7 @@ def test_a_link_has_its_colour_and_the_abscissa_reaches_as_far_as_the_gears() ->
 
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in WITHOUT_PLAN])
 def test_speeds_on_a_vertical_are_those_of_its_gear(name: str) -> None:
-    results = result(name)
+    results = shipped_results(name)
     for plan in plans(results):
         assert_speeds_on_rays(results, plan)
 
@@ -124,7 +121,7 @@ def assert_speeds_on_rays(results: Results, plan: KinematicPlan) -> None:
 
 def test_three_degrees_of_freedom_have_a_plan_for_each_element() -> None:
     """MZKT 7922: elements 1 to 5 are in gears 1 3, 2 4, 5 6, 1 2 5 and 3 4 6 of the deck."""
-    found = {plan.engaged: [*plan.gears] for plan in plans(result("mzkt7922.dat"))}
+    found = {plan.engaged: [*plan.gears] for plan in plans(shipped_results("mzkt7922.dat"))}
     assert found == {
         ("T1",): [1, 3],
         ("F2",): [2, 4],
@@ -136,13 +133,13 @@ def test_three_degrees_of_freedom_have_a_plan_for_each_element() -> None:
 
 def test_only_a_plan_without_brakes_has_a_unit_point() -> None:
     """A train that turns as one piece moves a brake's link."""
-    has = {plan.engaged: plan.has_unit_point for plan in plans(result("mzkt7922.dat"))}
+    has = {plan.engaged: plan.has_unit_point for plan in plans(shipped_results("mzkt7922.dat"))}
     assert has == {("T1",): False, ("F2",): True, ("T3",): False, ("T4",): False, ("F5",): True}
 
 
 def test_four_degrees_of_freedom_have_a_plan_for_two_elements_in_common() -> None:
     """ZF 8HP: of its ten pairs of elements each is in two gears or three of the shift table."""
-    results = result("zf-8hp70.yaml")
+    results = shipped_results("zf-8hp70.yaml")
     names = [gear.name for gear in results.case.gears]
     found = {plan.engaged: {names[gear - 1] for gear in plan.gears} for plan in plans(results)}
     assert len(found) == 10
@@ -153,7 +150,7 @@ def test_four_degrees_of_freedom_have_a_plan_for_two_elements_in_common() -> Non
 def test_without_a_free_speed_there_is_no_plan() -> None:
     for name in WITHOUT_PLAN:
         with pytest.raises(CaseError, match="no gear of this case leaves anything free"):
-            plans(result(name))
+            plans(shipped_results(name))
 
 
 def test_a_freewheel_that_holds_makes_a_gear_like_a_brake() -> None:
@@ -185,7 +182,7 @@ def test_sets_in_series_have_a_plan_for_each_brake() -> None:
 
 def test_links_that_stand_all_over_a_plan_are_named() -> None:
     """Issue 16; A and B hold both wheels of the first set of the Ford 10R80, so it stands whole."""
-    results = result("ford-10r80.yaml")
+    results = shipped_results("ford-10r80.yaml")
     [first] = [plan for plan in plans(results) if plan.engaged == ("A", "B", "D")]
     assert [results.case.link_name(link) for link in first.standing] == [
         "sun 1-2",

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from itertools import combinations, pairwise
-from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -13,10 +12,13 @@ import networkx as nx
 import pytest
 
 import vstatics
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
+from tests.commands import CASES
 from tests.installed import needs
 from tests.pictures.measured import measured
+from tests.pictures.schemes.axes.boxes import of_class
 from tests.pictures.schemes.test_schemes import overlaps
+from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.core.elements import Drawing, Element, transmission
 from vstatics.core.elements.drawing import drawing_of
@@ -33,19 +35,16 @@ from vstatics.pictures.schemes.stick import stick_scheme
 from vstatics.pictures.schemes.titles import teeth_of
 
 SVG = "{http://www.w3.org/2000/svg}"
-SHIPPED = Path(__file__).parents[3] / "cases"
 FAST = ["zf-6hp26", "simpson-th400", "ravigneaux-aod", "wheel-hub"]
 OTHERS = ["driveline-8hp70", "dual-clutch-wheels", "moskvich412", "power-split", "toyota-p410"]
 OTHERS += ["two-stage", "moskvich-start"]
 """With several axes; springs alone."""
-SLOW = sorted({path.stem for path in SHIPPED.glob("*.yaml")} - {*FAST, *OTHERS})
+SLOW = sorted({path.stem for path in CASES.glob("*.yaml")} - {*FAST, *OTHERS})
 CROSSED = {"umdm": 2}
 """A group of four planets on one carrier."""
 IN_ROWS = {"tarasik-truck"}
 """Links that go on in another row are drawn in two pieces."""
-every_case = pytest.mark.parametrize(
-    "name", [*FAST, *(pytest.param(one, marks=pytest.mark.slow) for one in SLOW)]
-)
+every_case = pytest.mark.parametrize("name", with_marked(FAST, SLOW, pytest.mark.slow))
 Line = tuple[float, float, float, float]
 
 
@@ -109,7 +108,7 @@ def assert_connected(svg: bytes) -> None:
 @every_case
 def test_no_links_of_a_gearbox_cross_and_each_hangs_together(name: str) -> None:
     # gearboxes that exist are bodies of revolution one inside another
-    results = vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml"))
+    results = shipped_results(f"{name}.yaml")
     svg = render(results, "stick", "svg", Style())
     said = {text.get_text() for text in picture(results, "stick", Style()).texts}
     assert crossings(svg) == bridges(svg) == CROSSED.get(name, 0)
@@ -123,13 +122,9 @@ def test_no_links_of_a_gearbox_cross_and_each_hangs_together(name: str) -> None:
         assert " ".join(element.name.split()) in names
 
 
-def of_class(root: ET.Element, kind: str) -> list[ET.Element]:
-    return [one for one in root.iter() if one.get("class") == kind]
-
-
 @every_case
 def test_parts_in_svg_are_called_what_the_case_calls_them(name: str) -> None:
-    results = vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml"))
+    results = shipped_results(f"{name}.yaml")
     case = results.case
     root = ET.fromstring(render(results, "stick", "svg", Style()))  # noqa: S314 - our own
     [axis] = of_class(root, "axis")
@@ -158,7 +153,7 @@ def test_parts_in_svg_are_called_what_the_case_calls_them(name: str) -> None:
 @every_case
 def test_suns_are_below_their_planets_and_rings_above(name: str) -> None:
     # a link meets a set where its wire ends among the lines of its teeth
-    results = vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml"))
+    results = shipped_results(f"{name}.yaml")
     svg = render(results, "stick", "svg", Style())
     lines, root = wires(svg), ET.fromstring(svg)  # noqa: S314 - our own
     groups = {one.attrib["data-name"]: one for one in of_class(root, "mechanism")}
@@ -193,7 +188,7 @@ def test_suns_are_below_their_planets_and_rings_above(name: str) -> None:
 @every_case
 def test_a_half_section_is_no_wider_than_a_page(name: str) -> None:
     style = Style()
-    figure = picture(vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml")), "stick", style)
+    figure = picture(shipped_results(f"{name}.yaml"), "stick", style)
     assert 72 * figure.get_size_inches()[0] <= style.width + 0.1
     assert min(float(text.get_fontsize()) for text in figure.texts) >= 7
 
@@ -250,9 +245,7 @@ def drawn(case: Transmission) -> tuple[bytes, str]:
 
 
 @needs("synthesis")
-@pytest.mark.parametrize(
-    "seed", [*range(4), *(pytest.param(one, marks=pytest.mark.slow) for one in range(4, 40))]
-)
+@pytest.mark.parametrize("seed", with_marked(range(4), range(4, 40), pytest.mark.slow))
 def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
     from vstatics.synthesis import box_is_planar
 
@@ -300,7 +293,7 @@ def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:
 @pytest.mark.parametrize("names", [FAST, pytest.param(SLOW, marks=pytest.mark.slow)])
 def test_letters_can_be_read_beside_one_another(names: list[str], width: str, browser: Any) -> None:
     style = {"page": Style(), "half": HALF, "narrow": Style(width=320.0, wheels=True)}[width]
-    cases = [vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml")) for name in names]
+    cases = [shipped_results(f"{name}.yaml") for name in names]
     pages = measured(browser, [render(one, "stick", "svg", style, [1]) for one in cases])
     for name, page in zip(names, pages, strict=True):
         wider = 1.1 if (name, width) == ("ravigneaux-gf4a", "half") else 1.0  # signs would be lost
@@ -312,7 +305,7 @@ def test_letters_can_be_read_beside_one_another(names: list[str], width: str, br
 @pytest.mark.parametrize("width", [170.0, 85.0])
 def test_the_name_of_a_loose_carrier_is_clear_of_the_names_of_wheels(width: float) -> None:
     """Whole boxes of letters, with what hangs below the line; a rim's name fits in its wheel."""
-    results = vstatics.solve(vstatics.load(SHIPPED / "wolfrom.yaml"))
+    results = shipped_results("wolfrom.yaml")
     figure = picture(results, "stick", Style(width=width / 25.4 * 72, wheels=True))
     assert {"carrier", "planet2: 21"} <= {text.get_text() for text in figure.texts}
     assert overlaps(figure) == []
@@ -321,7 +314,7 @@ def test_the_name_of_a_loose_carrier_is_clear_of_the_names_of_wheels(width: floa
 @pytest.mark.parametrize("name", ["wilson-preselector", "zf-9hp48", "simpson-th400"])
 def test_signs_are_seen_where_names_of_wheels_have_no_room(name: str) -> None:
     """In a column of 85 mm wheels have their teeth alone, or it is wider; lines can be printed."""
-    results = vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml"))
+    results = shipped_results(f"{name}.yaml")
     style = Style("ru", wheels=True, width=85 / 25.4 * 72)
     figure = picture(results, "stick", style)
     assert overlaps(figure) == []
@@ -382,7 +375,7 @@ def test_what_joins_three_links_of_one_axis_is_drawn() -> None:
 
 
 def test_sets_stand_in_the_order_of_the_case_on_demand() -> None:
-    results = vstatics.solve(vstatics.load(SHIPPED / "simpson-th400.yaml"))
+    results = shipped_results("simpson-th400.yaml")
     figure = picture(results, "stick", Style(ordered=True))
     drawing = drawing_of(results.case)
     assert drawing is not None
@@ -413,7 +406,7 @@ def test_planes_of_a_set_are_in_one_order() -> None:
 
 
 def test_a_sun_is_below_its_planets_and_its_ring_above() -> None:
-    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    results = shipped_results("wheel-hub.yaml")
     figure = picture(results, "stick", Style(wheels=True))
     at = {text.get_text(): text.get_position()[1] for text in figure.texts}
     assert at["sun: 26"] < at["ring: 64"]

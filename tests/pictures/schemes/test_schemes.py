@@ -9,6 +9,8 @@ import pytest
 from matplotlib.figure import Figure
 
 import vstatics
+from tests.commands import CASES
+from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.elements.group import group_of
@@ -20,7 +22,6 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.scheme import scheme_of, scheme_state
 from vstatics.pictures.schemes.sets import section_of
 
-SHIPPED = Path(__file__).parents[3] / "cases"
 PAIRS = """\
 input: a
 output: k
@@ -83,21 +84,21 @@ def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
 
 
 def test_the_same_case_looks_the_same() -> None:
-    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    results = shipped_results("wheel-hub.yaml")
     for kind in ("stick", "structure"):
         once, again = (render(results, kind, "svg", Style()) for _ in range(2))
         assert once == again
 
 
 def test_stick_diagram_needs_elements() -> None:
-    results = vstatics.solve(vstatics.load(SHIPPED / "moskvich-start.yaml"))  # springs alone
+    results = shipped_results("moskvich-start.yaml")  # springs alone
     with pytest.raises(CaseError, match="needs elements"):
         picture(results, "stick", Style())
 
 
 def test_ravigneaux_set_has_its_small_sun_at_the_short_planets() -> None:
     # docs/elements.md: small sun with short, large sun and ring with long, short with long
-    case = vstatics.load(SHIPPED / "ravigneaux-aod.yaml")
+    case = vstatics.load(CASES / "ravigneaux-aod.yaml")
     drawing = drawing_of(case)
     assert drawing is not None
     section = section_of(group_of(drawing.elements[0]))
@@ -112,7 +113,7 @@ def test_ravigneaux_set_has_its_small_sun_at_the_short_planets() -> None:
 
 def test_each_wheel_of_the_umdm_is_in_the_plane_of_its_rim() -> None:
     # the meshes of cases/umdm.yaml
-    case = vstatics.load(SHIPPED / "umdm.yaml")
+    case = vstatics.load(CASES / "umdm.yaml")
     drawing = drawing_of(case)
     assert drawing is not None
     section = section_of(group_of(drawing.elements[0]))
@@ -135,7 +136,7 @@ def test_each_wheel_of_the_umdm_is_in_the_plane_of_its_rim() -> None:
 @pytest.mark.parametrize("kind", ["structure", "stick"])
 def test_third_gear_of_the_eight_speed_marks_its_three_elements(kind: str) -> None:
     # shift table of the ZF 8HP: gear 3 has B, C and E; A and D are open
-    results = vstatics.solve(vstatics.load(SHIPPED / "zf-8hp70.yaml"))
+    results = shipped_results("zf-8hp70.yaml")
     style = Style()
     colors = {
         text.get_text(): text.get_color() for text in picture(results, kind, style, [3]).texts
@@ -149,7 +150,7 @@ def test_third_gear_of_the_eight_speed_marks_its_three_elements(kind: str) -> No
 
 def test_freewheel_is_marked_where_it_holds() -> None:
     # the low roller clutch of the TH400 holds in drive, first gear, and overruns in second
-    results = vstatics.solve(vstatics.load(SHIPPED / "simpson-th400.yaml"))
+    results = shipped_results("simpson-th400.yaml")
     scheme = scheme_of(results.case)
     roller = [device.name for device in scheme.devices].index("low roller clutch")
     assert roller in scheme_state(scheme, state_of(results, 1)).engaged
@@ -159,7 +160,7 @@ def test_freewheel_is_marked_where_it_holds() -> None:
 def test_support_that_holds_is_not_pale() -> None:
     # cases/wheel-hub.yaml: in gear `both` the right wheel carries torque by the right hub, whose
     # ring the support holds; in gear `left` it hangs in the air
-    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    results = shipped_results("wheel-hub.yaml")
     scheme = scheme_of(results.case)
     support = [device.name for device in scheme.devices].index("support")
     assert support in scheme_state(scheme, state_of(results, 1)).idle
@@ -192,7 +193,7 @@ def test_gear_that_is_tied_up_says_so() -> None:
 def test_a_set_that_reacts_as_one_piece_is_marked_and_not_pale() -> None:
     # issue 16: Ford 10R80, gear 1: P1 stands between its brakes and carries 3.696 of the input
     # torque; P2 and P3 carry none
-    results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
+    results = shipped_results("ford-10r80.yaml")
     scheme = scheme_of(results.case)
     state = scheme_state(scheme, state_of(results, 1))
     named = {device.name: index for index, device in enumerate(scheme.devices)}
@@ -206,7 +207,7 @@ def test_a_set_that_reacts_as_one_piece_is_marked_and_not_pale() -> None:
 
 def test_ports_show_which_way_their_power_goes() -> None:
     # cases/power-split.yaml: MG1 and the right wheel take power (`vstatics flow`)
-    results = vstatics.solve(vstatics.load(SHIPPED / "power-split.yaml"))
+    results = shipped_results("power-split.yaml")
     scheme = scheme_of(results.case)
     ways = scheme_state(scheme, state_of(results, 1)).leaving
     assert {scheme.name(port.link): leaves for port, leaves in ways.items()} == {
@@ -220,7 +221,7 @@ def test_ports_show_which_way_their_power_goes() -> None:
 
 def test_wheels_have_their_names_and_teeth_on_request() -> None:
     # cases/wheel-hub.yaml
-    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    results = shipped_results("wheel-hub.yaml")
     bare, full = (
         {text.get_text() for text in picture(results, "stick", Style(wheels=wheels)).texts}
         for wheels in (False, True)
@@ -229,7 +230,7 @@ def test_wheels_have_their_names_and_teeth_on_request() -> None:
 
 
 def test_mechanisms_that_may_be_sets_have_a_stick_diagram_with_a_note() -> None:
-    results = vstatics.solve(vstatics.load(SHIPPED / "mzkt7922.dat"))
+    results = shipped_results("mzkt7922.dat")
     said = [text.get_text() for text in picture(results, "stick", Style()).texts]
     assert any("as planetary sets" in text for text in said)
     assert {"D1", "D2", "D3"} < set(said)

@@ -19,8 +19,10 @@ import pytest
 
 import vstatics
 from tests.chance import seeded, some
+from tests.commands import SHIPPED
 from tests.pictures.schemes.test_coaxial import SVG, Line, bridges, crossings, lines_of, touch
 from tests.pictures.schemes.test_schemes import PAIRS, overlaps, ring
+from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.core.errors import CaseError
 from vstatics.core.model.springs import between
@@ -30,8 +32,6 @@ from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 
-SHIPPED = Path(__file__).parents[3] / "cases"
-CASES = sorted(path for path in SHIPPED.glob("*") if path.is_file())
 FEW = {"mzkt7922.dat", "umdm.yaml", "wheel-hub.yaml", "power-split.yaml", "moskvich-start.yaml"}
 """Cases of each kind for the fast tests: a deck, shared planets, held links, axes, springs."""
 ONE_ROW = Style(width=inf)
@@ -39,7 +39,7 @@ every_case = pytest.mark.parametrize(
     "path",
     [
         pytest.param(path, id=path.name, marks=[] if path.name in FEW else pytest.mark.slow)
-        for path in CASES
+        for path in SHIPPED
     ],
 )
 
@@ -240,14 +240,14 @@ def pale_arms(results: Results, gear: int) -> set[str]:
 
 def test_arms_without_torque_are_pale() -> None:
     # Ford 10R80, gear 1; D is engaged, and nothing comes to it
-    results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
+    results = shipped_results("ford-10r80.yaml")
     pale = pale_arms(results, 1)
     assert {"P2 sun 1-2", "P2 input", "P3 carrier 1", "D sun 4", "D intermediate"} <= pale
     assert not [name for name in pale if name.startswith(("P1", "P4", "A", "B", "E"))]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", some(CASES), ids=lambda path: path.name)
+@pytest.mark.parametrize("path", some(SHIPPED), ids=lambda path: path.name)
 def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
     results = vstatics.solve(vstatics.load(path))
     for gear in range(1, len(results.case.gears) + 1):

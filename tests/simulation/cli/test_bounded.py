@@ -35,11 +35,10 @@ LONG, SHORT = "1e9", "2"
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("mass.yaml").write_text(CASE, encoding="utf-8")
+def _files(folder: Path) -> None:
+    (folder / "mass.yaml").write_text(CASE, encoding="utf-8")
     for name, duration in (("long.yaml", LONG), ("short.yaml", SHORT)):
-        Path(name).write_text(SCENARIO.replace("DURATION", duration), encoding="utf-8")
+        (folder / name).write_text(SCENARIO.replace("DURATION", duration), encoding="utf-8")
 
 
 def document() -> Any:
@@ -55,8 +54,7 @@ def is_right(found: Any) -> None:
 
 def test_a_limit_ends_a_run_with_what_was_calculated() -> None:
     said = vstatics("simulate", "long.yaml", "--limit", "0.1", "-o", "out.json")
-    assert said.status == 1
-    assert "--limit 0.1 s" in said.err
+    assert said.fails("--limit 0.1 s")
     found = document()
     assert "--limit 0.1 s" in found["stopped"]
     is_right(found)

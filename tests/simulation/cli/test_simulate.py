@@ -7,15 +7,15 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.core.cli.test_schemas import validator
+from tests.processes import names
 from vstatics.core.errors import Problem
 from vstatics.simulation import run as module
 
@@ -38,21 +38,16 @@ LOCKS = 0.410054006
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A folder with case and scenario, the current one."""
-    monkeypatch.chdir(tmp_path)
-    Path("box.yaml").write_text(CASE, encoding="utf-8")
-    Path("lock.yaml").write_text(SCENARIO, encoding="utf-8")
-
-
-def names() -> list[str]:
-    return sorted(path.name for path in Path().iterdir())
+    (folder / "box.yaml").write_text(CASE, encoding="utf-8")
+    (folder / "lock.yaml").write_text(SCENARIO, encoding="utf-8")
 
 
 def document(*options: str) -> Any:
     said = vstatics("simulate", "lock.yaml", "-f", "json", *options)
     assert (said.status, said.err) == (0, "")
-    found = json.loads(said.out)
+    found = said.json
     assert list(validator("simulation").iter_errors(found)) == []
     return found
 
@@ -77,10 +72,11 @@ def test_columns_that_are_asked_for_are_in_all_files() -> None:
 
 def test_columns_that_there_are_not_are_told_at_once() -> None:
     said = vstatics("simulate", "lock.yaml", "-f", "csv", "--out", "jerk[in], jerks[inn], work")
-    assert (said.status, said.out) == (1, "")
-    assert "--out:1:1: error: read `jerk[in]`, expected columns of accelerations" in said.err
-    assert "--out:1:17: error: there is no link `inn`" in said.err
-    assert "--out:1:23: error: read `work`" in said.err
+    assert said.gives_nothing(
+        "--out:1:1: error: read `jerk[in]`, expected columns of accelerations",
+        "--out:1:17: error: there is no link `inn`",
+        "--out:1:23: error: read `work`",
+    )
 
 
 def test_tables_for_people_fit_a_terminal() -> None:
@@ -154,15 +150,14 @@ def test_a_case_on_the_command_line_replaces_that_of_the_scenario() -> None:
     without = SCENARIO.partition("\n")[2]
     assert vstatics("simulate", "-", "box.yaml", stdin=without.encode()).status == 0
     said = vstatics("simulate", "-", stdin=without.encode())
-    assert (said.status, said.out) == (1, "")
-    assert "<stdin>:1:1: error: `case` is missing: the file of the case" in said.err
+    assert said.gives_nothing("<stdin>:1:1: error: `case` is missing: the file of the case")
 
 
 def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:
     wrong = SCENARIO.replace("brake: 120", "brakes: 120").replace("box.yaml", "box.yaml # x")
     Path("lock.yaml").write_text(wrong, encoding="utf-8")
     said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     assert said.err.startswith("lock.yaml:4:12: error: controls: read 'brakes', expected the name")
     Path("lock.yaml").write_text(SCENARIO.replace("box.yaml", "bax.yaml"), encoding="utf-8")
     said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
@@ -178,12 +173,12 @@ def test_start_speeds_that_contradict_each_other_are_told_in_the_scenario() -> N
     text = SCENARIO.replace("in: 500 rpm", "in: 500 rpm, ring: 100")
     Path("lock.yaml").write_text(text, encoding="utf-8")
     said = vstatics("simulate", "lock.yaml")
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     assert said.err.startswith("lock.yaml:3:")
     text = SCENARIO.replace("in: 500 rpm, ", "")
     Path("lock.yaml").write_text(text, encoding="utf-8")
     said = vstatics("simulate", "lock.yaml")
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     assert said.err.startswith("lock.yaml:3:")
 
 
@@ -202,7 +197,7 @@ def test_a_run_that_stops_leaves_what_it_has_with_a_mark(
     assert said.status == 1
     assert said.err == "lock.yaml: error: at 0.5 s brake neither sticks nor slips\n"
     if form == "json":
-        assert json.loads(said.out)["stopped"] == "at 0.5 s brake neither sticks nor slips [E608]"
+        assert said.json["stopped"] == "at 0.5 s brake neither sticks nor slips [E608]"
     assert said.out
 
 
@@ -214,8 +209,7 @@ def test_wrong_use() -> None:
     assert vstatics("simulate", "lock.yaml", "-o", "out.svg").status == 2
     assert vstatics("simulate", "-", "-").status == 2
     said = vstatics("simulate", "box.yaml")
-    assert (said.status, said.out) == (1, "")
-    assert "this is a case, expected a scenario" in said.err
+    assert said.gives_nothing("this is a case, expected a scenario")
 
 
 def test_a_scenario_is_checked_with_its_case() -> None:
@@ -230,10 +224,10 @@ def test_a_scenario_is_checked_with_its_case() -> None:
     text = SCENARIO.replace("in: 500 rpm, ", "")
     Path("lock.yaml").write_text(text, encoding="utf-8")
     said = vstatics("check", "lock.yaml")
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     assert said.err.startswith("lock.yaml:3:")
     Path("lock.yaml").write_text(SCENARIO.replace("120", "1e20"), encoding="utf-8")
-    [problem] = json.loads(vstatics("check", "lock.yaml", "-f", "json").out)
+    [problem] = json_answer("check", "lock.yaml")
     assert (problem["line"], problem["severity"]) == (4, "error")
 
 

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES
+from tests.shipped import shipped_results
 from tests.simulation.pictures.test_shift import run
-from vstatics import Results, load, load_scenario, solve
+from vstatics import Results, load_scenario, solve
 from vstatics.pictures import pages
 from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
@@ -81,7 +82,7 @@ def test_many_events_cover_nothing(browser: Any, count: int) -> None:
         for n, at in enumerate(time)
         for name in ("brake", "ring", "carrier")
     )
-    results = solve(load(CASES / "tarasik-set.yaml"))
+    results = shipped_results("tarasik-set.yaml")
     assert wrong(browser, results, run()._replace(events=events), Style()) == []
 
 

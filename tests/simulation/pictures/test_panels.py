@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -10,6 +9,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
+from tests.chance import with_marked
 from tests.commands import CASES, vstatics
 from vstatics import load_scenario, solve
 from vstatics.pictures import pages
@@ -32,7 +32,7 @@ SLOW = {
     "8hp70-upshift": "vehicle_acceleration",
     "tarasik-truck": "vehicle_acceleration",
 }
-NAMES = [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)]
+NAMES = with_marked(QUICK, SLOW, pytest.mark.slow)
 
 
 class Shown(NamedTuple):
@@ -78,7 +78,7 @@ def shown(request: pytest.FixtureRequest) -> Shown:
     out = ("--out", asked) if asked else ()
     said = vstatics("simulate", str(file), "-f", "json", *out)
     drawn = vstatics("plot", str(file), "--kind", "shift", "-o", "-").out
-    run = json.loads(said.out)
+    run = said.json
     return Shown(name, parsed(drawn), run)
 
 

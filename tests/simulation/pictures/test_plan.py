@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.pictures.drawn import texts
 from tests.pictures.plan.test_gears import DCT, panels, told_panels
 from vstatics import load, solve
@@ -32,7 +31,7 @@ def pages_of(picture: Path) -> list[bytes]:
 def test_a_run_has_the_panels_whose_elements_stick_for_a_while(name: str, tmp_path: Path) -> None:
     """An element sticks from one instant to the next where it has no slip at both."""
     scenario = CASES / "scenarios" / name
-    said = json.loads(vstatics("simulate", scenario, "-f", "json").out)
+    said = json_answer("simulate", scenario)
     turns = np.array(list(said["speeds"].values()))
     last = np.diff(said["time"]) > 0
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.commands import CASES
 from tests.pictures.drawn import titled
 from tests.pictures.test_pictures import overlaps
-from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
+from tests.shipped import shipped_results
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.line_styles import thing_look
 from vstatics.pictures.drawing.style import Style
@@ -31,7 +31,7 @@ LOCK = 34.906585 / 85.126799
 
 @pytest.fixture(scope="module")
 def results() -> Results:
-    return solve(load(CASES / "tarasik-set.yaml"))
+    return shipped_results("tarasik-set.yaml")
 
 
 def run(count: int = 20) -> Motion:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.simulation.control.written import written
 from tests.simulation.runs import random_run
 from vstatics import CaseError
@@ -346,7 +346,7 @@ def test_what_there_is_not_is_told() -> None:
 
 @pytest.mark.parametrize(
     "seed",
-    [*range(2), *(pytest.param(n, marks=pytest.mark.slow) for n in range(2, count(6, 40)))],
+    with_marked(range(2), range(2, count(6, 40)), pytest.mark.slow),
 )
 def test_changes_are_those_of_the_speeds_and_powers_are_work(seed: int) -> None:
     """Between instants v grows by (a0 + a1) h/2 - (j1 - j0) h^2/12: Euler and Maclaurin."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.chance import with_marked
 from tests.commands import CASES
 from tests.simulation.test_rolling_radius import CASE, ROAD
 from vstatics import load_scenario
@@ -18,7 +19,7 @@ from vstatics.simulation.scenario.parts import Scenario, Start
 
 QUICK = ("8l90-shifts", "gf4a-upshifts", "moskvich-start", "tarasik-box", "tarasik-set-lock")
 SLOW = ("8hp70-downshift", "8hp70-shifts", "tarasik-truck")
-NAMES = [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)]
+NAMES = with_marked(QUICK, SLOW, pytest.mark.slow)
 
 
 def motion_of(name: str) -> Motion:

@@ -11,8 +11,9 @@ import pytest
 
 from tests.commands import CASES, vstatics
 from tests.page.report.pages import Page, value
+from tests.shipped import shipped_results
 from tests.simulation.pictures.test_shift import LOCK, run
-from vstatics import load, solve
+from vstatics import load
 from vstatics.core.errors import Problem
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.grid import Column, Grid, Row, exact, text
@@ -52,14 +53,14 @@ def test_why_a_run_stopped_and_what_is_to_be_said_of_it_are_told() -> None:
 
 @pytest.mark.usefixtures("without_pictures")
 def test_a_case_alone_has_no_run(tmp_path: Path) -> None:
-    results = solve(load(CASES / "tarasik-set.yaml"))
+    results = shipped_results("tarasik-set.yaml")
     write_report(results, tmp_path / "case.html")
     assert "<h2>Run</h2>" not in (tmp_path / "case.html").read_text(encoding="utf-8")
 
 
 @pytest.mark.slow
 def test_a_page_of_a_run_has_both_pictures() -> None:
-    text = page(gather(solve(load(CASES / "tarasik-set.yaml")), motion=run()))
+    text = page(gather(shipped_results("tarasik-set.yaml"), motion=run()))
     section = text.partition("<h2>Run</h2>")[2].partition("<h2>")[0]
     assert section.count("<svg") == 2
     names = [name.partition("<")[0] for name in section.split("<figcaption>")[1:]]
@@ -72,7 +73,7 @@ def test_a_page_of_a_run_has_both_pictures() -> None:
 def test_what_a_scenario_says_of_itself_stands_at_the_top() -> None:
     """And leads to the run."""
     material = gather(
-        solve(load(CASES / "tarasik-set.yaml")),
+        shipped_results("tarasik-set.yaml"),
         motion=run(),
         naming=Naming("Lock <up>", "To 2 & back"),
     )
@@ -97,11 +98,9 @@ def test_commands_take_a_scenario_for_its_case(tmp_path: Path) -> None:
         assert (said.status, said.all) == (0, "")
 
 
-def test_a_run_is_shown_though_its_gears_are_none(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.usefixtures("folder")
+def test_a_run_is_shown_though_its_gears_are_none() -> None:
     """A mass on a spring to the housing swings; in statics, which has no springs, it is tied up."""
-    monkeypatch.chdir(tmp_path)
     case = "links: [m, n]\ninertias: {m: 1, n: 1}\ngears: {g: []}\n"
     case += "springs: {k: {links: [m, housing], stiffness: 100}}\n"
     Path("mass.yaml").write_text(case, encoding="utf-8")
@@ -119,14 +118,13 @@ def test_other_commands_say_that_it_is_a_scenario() -> None:
     other = ["simulate", SCENARIO]
     for command in (["run"], ["flow"], ["summary"], ["convert", "--to", "yaml"], other):
         said = vstatics(*command, SCENARIO, *["x.yaml"] * (command[0] == "convert"))
-        assert said.status == 1
-        assert "error: this is a scenario, expected a case; simulate, plot" in said.err
+        assert said.fails("error: this is a scenario, expected a case; simulate, plot")
         assert said.err.count("error:") == 1
 
 
 def test_a_run_has_no_single_gear(tmp_path: Path) -> None:
     said = vstatics("plot", SCENARIO, "--kind", "shift", "--gear", "2", "-o", tmp_path / "a.svg")
-    assert (said.status, "--gear: a run goes through all gears" in said.err) == (2, True)
+    assert said.is_wrong_use("--gear: a run goes through all gears")
 
 
 def test_what_is_wrong_with_a_scenario_is_told_at_its_place(tmp_path: Path) -> None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.page.report.pages import Page
 from tests.simulation.pictures.test_shift import LOCK, run
 from vstatics.page.report.pair.merged import merged
@@ -69,7 +68,7 @@ def test_the_page_has_both_runs(tmp_path: Path) -> None:
     assert vstatics("report", SCENARIO, other, "-o", made).status == 0
     page = Page(made.read_text("utf-8"))
     for label, file in (("A", SCENARIO), ("B", other)):
-        told = json.loads(vstatics("simulate", file, "-f", "json").out)
+        told = json_answer("simulate", file)
         cells = [
             one.attributes for one in page.all("td") if one.attributes.get("data-case") == label
         ]

@@ -55,10 +55,8 @@ def test_a_note_says_that_a_capacity_without_a_unit_is_in_newton_metres() -> Non
         assert simulate(Scenario(case, 1.0, held)).messages == ()
 
 
-def test_check_tells_it_where_the_capacity_stands(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
+@pytest.mark.usefixtures("folder")
+def test_check_tells_it_where_the_capacity_stands() -> None:
     text = WHEEL.format(capacity="40", load="")
     Path("wheel.yaml").write_text(text, encoding="utf-8")
     scenario = "{case: wheel.yaml, duration: 1, start: {gear: held, speed: 0}}"

@@ -19,9 +19,8 @@ SMALL = ("--vary", "D.ratio=-4:-2:100", "--vary", "D.efficiency=.9:1:100")
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+def _files(folder: Path) -> None:
+    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
 
 
 def free(monkeypatch: pytest.MonkeyPatch, size: int) -> None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import numpy as np
 import openpyxl
 import pytest
 
-from tests.commands import Said, vstatics
+from tests.commands import Said, json_answer, vstatics
 
 CASE = """\
 links: [engine, disc, wheel]
@@ -22,16 +21,14 @@ OMEGA = "omega[1,1],omega[2,1]/omega[1,1]"
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def _case(folder: Path) -> None:
     """A folder, the current one, with three masses."""
-    (tmp_path / "box.yaml").write_text(CASE, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+    (folder / "box.yaml").write_text(CASE, encoding="utf-8")
 
 
 def frequencies() -> list[float]:
     """As `torsion modes` tells them."""
-    [gear] = json.loads(vstatics("torsion", "modes", "box.yaml", "-f", "json").out)["gears"]
+    [gear] = json_answer("torsion", "modes", "box.yaml")["gears"]
     return [mode["omega"] for mode in gear["modes"]]
 
 
@@ -40,7 +37,7 @@ def test_the_numbers_are_those_of_torsion_modes() -> None:
     said = vstatics(
         "sweep", "box.yaml", "--vary", "damper.compliance=84e-5", "--out", OMEGA, "-f", "jsonl"
     )
-    row = json.loads(said.out)
+    row = said.json
     assert row["omega[1,1]"] == pytest.approx(low, rel=1e-11)
     assert row["omega[2,1]/omega[1,1]"] == pytest.approx(high / low, rel=1e-11)
 
@@ -94,8 +91,7 @@ def test_a_table_of_variants_and_a_sweep_file() -> None:
     assert len(table.out.splitlines()) == 3
     Path("own.csv").write_text("wheel.inertai\n1.5\n", encoding="utf-8")
     wrong = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
-    assert wrong.status == 1
-    assert "own.csv:1:7: error: read `inertai`, expected `inertia`" in wrong.err
+    assert wrong.fails("own.csv:1:7: error: read `inertai`, expected `inertia`")
 
 
 def test_the_best_and_a_condition() -> None:

@@ -22,11 +22,9 @@ COLUMNS = "variant,D.ratio,status,ratio[direct],ratio[low]"
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def _case(folder: Path) -> None:
     """A folder, the current one, with the differential of `sweeps`."""
-    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
 
 
 def test_a_grid_on_stdout() -> None:
@@ -42,7 +40,7 @@ def test_a_grid_on_stdout() -> None:
 def test_the_numbers_are_those_of_run() -> None:
     """The published case with its own numbers varied to what they are."""
     said = vstatics("sweep", MZKT, "--vary", "D1.ratio=-0.8", "-f", "jsonl")
-    read = json.loads(said.out)
+    read = said.json
     results = solve(load(MZKT))
     for number, gear in enumerate("123456"):
         assert read[f"ratio[{gear}]"] == pytest.approx(results.ratio[number], rel=1e-11)
@@ -262,8 +260,7 @@ def test_a_dry_run_says_how_much_and_writes_nothing(options: str, told: str, fol
 )
 def test_wrong_use_is_2_and_says_how(arguments: str) -> None:
     said = vstatics("sweep", *arguments.split())
-    assert (said.status, said.out) == (2, "")
-    assert "\nError: " in said.err
+    assert said.is_wrong_use("\nError: ")
 
 
 def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
@@ -290,8 +287,7 @@ def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
 def test_what_is_wrong_is_1_and_is_told_with_its_place(arguments: str, words: str) -> None:
     Path("folder.csv").mkdir()
     said = vstatics("sweep", "box.yaml", *arguments.split())
-    assert (said.status, said.out) == (1, "")
-    assert words in said.err
+    assert said.gives_nothing(words)
     assert not [name for name in names(Path()) if name.endswith(".parts")]
 
 
@@ -313,8 +309,7 @@ def test_a_package_that_is_missing_is_told_before_anything_is_calculated(
         importlib.util, "find_spec", lambda name: None if name == package else find(name)
     )
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=-4:-2", *arguments.split())
-    assert (said.status, said.out) == (1, "")
-    assert f'needs the package {package}: pip install "vstatics[{extra}]"' in said.err
+    assert said.gives_nothing(f'needs the package {package}: pip install "vstatics[{extra}]"')
 
 
 def test_a_reader_that_has_seen_enough_ends_the_sweep_quietly() -> None:
@@ -360,8 +355,7 @@ def test_a_sweep_in_the_units_of_the_load() -> None:
         lost = (300 * 2000 - torque * speed) * math.pi / 30 / 1000
         assert found == pytest.approx([speed, speed, torque, torque, lost])
     without = vstatics("sweep", "box.yaml", *VARY, "--out", "Mx_Nm")
-    assert (without.status, without.out) == (1, "")
-    assert "--out:1:1: error: no load tells the torque at the input" in without.err
+    assert without.gives_nothing("--out:1:1: error: no load tells the torque at the input")
 
 
 def test_a_sweep_file_knows_either_name() -> None:
@@ -392,7 +386,7 @@ def test_headings_stay_as_they_are_where_that_is_asked_for(tmp_path: Path) -> No
 def test_a_case_that_a_sweep_file_names_and_that_is_not_there_is_told_at_its_place() -> None:
     Path("w.yaml").write_text("vary: [D.ratio=-3:-2:3]\n\ncase: nowhere.yaml\n", encoding="utf-8")
     said = vstatics("sweep", "--file", "w.yaml")
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     assert said.err.startswith("w.yaml:3:7: error: nowhere.yaml can't be read: No such file")
 
 

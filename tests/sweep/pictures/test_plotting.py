@@ -15,6 +15,7 @@ GRID = ["D.ratio=-4:-2:5", "D.efficiency=.9,.95,1"]
 OUT = "ratio[low],efficiency[low]"
 
 
+@pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
     ("kind", "columns"),
     [
@@ -24,9 +25,9 @@ OUT = "ratio[low],efficiency[low]"
     ],
 )
 def test_it_is_the_picture_of_the_command(
-    kind: str, columns: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    kind: str,
+    columns: dict[str, str],
 ) -> None:
-    monkeypatch.chdir(tmp_path)
     vstatics.save(DIFFERENTIAL, "box.yaml")
     varied = [part for one in GRID for part in ("--vary", one)]
     assert (

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -12,6 +9,7 @@ from hypothesis import strategies as st
 
 from tests.chance import count
 from tests.commands import MZKT
+from tests.shipped import PRINTED
 from tests.strategies import transmissions
 from tests.sweep.asked import RESULTS, SET, VALUES, VARIED, marked, problem, value
 from vstatics import Gear, Mechanism, ReadError, Transmission, load, solve
@@ -21,11 +19,6 @@ from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.tables.names import table_rows
 from vstatics.sweep.results.columns import read_columns
 from vstatics.sweep.variants.targets import Target, target
-
-PUBLISHED = json.loads(
-    (Path(__file__).parents[2] / "published" / "mzkt7922.json").read_text(encoding="utf-8")
-)
-
 
 HALF_A_UNIT = 0.5e-3 + 1e-12
 
@@ -123,7 +116,7 @@ def test_columns_of_the_published_gearbox_are_the_published_numbers() -> None:
     }
     for name, printed in names.items():
         made: Floats = read_columns(name, case, [])(results, np.zeros((1, 0)))[0]
-        expected = np.array(PUBLISHED[printed], dtype=np.float64).ravel()
+        expected = np.array(PRINTED[printed], dtype=np.float64).ravel()
         assert made == pytest.approx(expected, rel=0, abs=HALF_A_UNIT), name
 
 

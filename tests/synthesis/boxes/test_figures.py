@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.oracle import gears as oracle
+from tests.shipped import PUBLISHED
 from tests.synthesis.boxes.hand_boxes import (
     CROWDED,
     CROWDED_SEARCH,
@@ -29,7 +30,6 @@ from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.boxes.figures.planar import box_is_planar
 from vstatics.synthesis.structures.scheme import SetScheme
 
-PUBLISHED = Path(__file__).parents[2] / "published"
 BUILT = {
     "zf-8hp70": (ZF_8HP_SEARCH, ZF_8HP),
     "simpson": (SIMPSON_SEARCH, SIMPSON),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +22,7 @@ def said(*options: str, case: Path = BELAZ) -> Said:
 
 
 def document(*options: str, case: Path = BELAZ) -> dict[str, Any]:
-    made: dict[str, Any] = json.loads(said(*options, "-f", "json", case=case).out)
+    made: dict[str, Any] = said(*options, "-f", "json", case=case).json
     assert list(validator("fit").iter_errors(made)) == []
     return made
 
@@ -47,7 +46,7 @@ def test_options_may_be_repeated_and_calculated() -> None:
 def test_bounds_weights_and_tolerance() -> None:
     options = ("--ratios", "2=4,R2=-5.12", "--bounds", "P3=-2.9:-2,P4=-2.1")
     answer = said(*options, "-f", "json")
-    made = json.loads(answer.out)
+    made = answer.json
     assert (answer.status, made["unmet"]) == (1, ["2", "R2"])
     assert (made["ratios"]["P3"], made["ratios"]["P4"]) == (-2.9, -2.1)
     assert made["gears"]["R2"] == pytest.approx(1 - 2.9 * 2.1)
@@ -110,9 +109,7 @@ def test_what_leaves_a_choice_is_told() -> None:
 
 def test_the_dry_run_says_what_gears_can_have() -> None:
     """1 - K3 and 1 - K3 K4 with K from -4 to -1.5."""
-    made = json.loads(
-        said("--ratios", "2=4,R2=-5", "--bounds", "all=-4:-1.5", "--dry-run", "-f", "json").out
-    )
+    made = said("--ratios", "2=4,R2=-5", "--bounds", "all=-4:-1.5", "--dry-run", "-f", "json").json
     assert made["varied"] == {"P3": {"from": -4, "to": -1.5}, "P4": {"from": -4, "to": -1.5}}
     assert made["gears"] == {
         "2": {"wanted": 4, "from": 2.5, "to": 5},
@@ -161,7 +158,7 @@ def test_a_ratio_of_any_size_is_shown() -> None:
 )
 def test_wrong_use_is_told(options: tuple[str, ...], message: str) -> None:
     answer = said(*options)
-    assert (answer.status, answer.out) == (2, "")
+    assert answer.is_wrong_use()
     assert message in " ".join(answer.err.split())
 
 
@@ -171,8 +168,10 @@ def test_a_ratio_is_wanted_of_one_gear_at_least() -> None:
 
 def test_a_gear_whose_ratios_are_all_given_is_not_met() -> None:
     answer = said("--ratios", "2=4", "--bounds", "P3=-4")
-    assert (answer.status, "error: not met: 2, off by up to 22.3 %" in answer.err) == (1, True)
-    assert "gear 2 can't have 4: within the bounds its ratio is 5" in answer.err
+    assert answer.fails(
+        "error: not met: 2, off by up to 22.3 %",
+        "gear 2 can't have 4: within the bounds its ratio is 5",
+    )
 
 
 def test_hostile_names_are_printed_safely() -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.synthesis.boxes.listed_boxes import many, simpson
 
 
@@ -54,7 +54,7 @@ def test_summaries_stand_side_by_side(boxes: Path) -> None:
     assert re.search(r"^B: .*boxes\.json box 4 \(box ", said.out, re.MULTILINE)
     assert re.search(r"^1 +2\.479 +2\.479 +1\.676 +1\.676 ", said.out, re.MULTILINE)
     assert re.search(r"^of them between two links +2 +2$", said.out, re.MULTILINE)
-    assert len(json.loads(vstatics("summary", boxes, "-f", "json").out)) == 4
+    assert len(json_answer("summary", boxes)) == 4
     tables = vstatics("summary", boxes).out.partition("Gears")[2]
     assert max(map(len, tables.splitlines())) <= 80
     assert tables.count("mean forward efficiency") == 2  # two boxes beside two others
@@ -76,8 +76,7 @@ def test_summaries_stand_side_by_side(boxes: Path) -> None:
 )
 def test_wrong_use(options: tuple[object, ...], said: str, boxes: Path) -> None:
     answer = vstatics(*(boxes if one == "BOXES" else one for one in options))
-    assert answer.status == 2
-    assert said in answer.err
+    assert answer.is_wrong_use(said)
 
 
 @pytest.mark.parametrize(
@@ -86,14 +85,12 @@ def test_wrong_use(options: tuple[object, ...], said: str, boxes: Path) -> None:
 def test_other_commands_tell_what_it_is(command: tuple[str, ...], boxes: Path) -> None:
     more = ("--ratios", "1=2") if command[0] == "synth" else ()
     answer = vstatics(*command, boxes, *more)
-    assert answer.status == 1
-    assert "these are found boxes, expected a case; plot --kind boxes, report and" in answer.err
+    assert answer.fails("these are found boxes, expected a case; plot --kind boxes, report and")
 
 
 def test_what_is_no_document_of_boxes_is_told(tmp_path: Path, boxes: Path) -> None:
     answer = vstatics("plot", CASES / "simpson.yaml", "--kind", "boxes", "-o", tmp_path / "a.svg")
-    assert answer.status == 1
-    assert "not JSON" in answer.err
+    assert answer.fails("not JSON")
     boxes.write_text('{"searched": 5, "found": 0, "families": 0, "boxes": []}')
     for command in (
         ("plot", "--kind", "boxes", "-o", tmp_path / "a.svg"),
@@ -101,8 +98,7 @@ def test_what_is_no_document_of_boxes_is_told(tmp_path: Path, boxes: Path) -> No
         ("summary",),
     ):
         answer = vstatics(*command, boxes)
-        assert answer.status == 1
-        assert "no box was found" in answer.err
+        assert answer.fails("no box was found")
 
 
 def test_a_box_that_cannot_be_is_told_with_what_is_wrong(boxes: Path) -> None:
@@ -111,5 +107,4 @@ def test_a_box_that_cannot_be_is_told_with_what_is_wrong(boxes: Path) -> None:
     case["gears"]["1"]["engaged"] = list(case["shift_elements"])
     boxes.write_text(json.dumps(document))
     said = vstatics("summary", boxes, "--box", "1")
-    assert said.status == 1
-    assert "boxes.json box 1: error: gear 1: tied up: " in said.err
+    assert said.fails("boxes.json box 1: error: gear 1: tied up: ")

@@ -18,13 +18,10 @@ from vstatics.core.cli.shared import estimates
 from vstatics.core.jobs.files import STDOUT
 from vstatics.synthesis.cli import structures as synth_structures
 
+pytestmark = pytest.mark.usefixtures("folder")
+
 BELAZ = "0-1-2-1-3-4-1-5-3-3-5-6"
 """Sun, carrier and ring of its four sets in turn, links numbered as they come."""
-
-
-@pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
 
 
 def structures(*options: object) -> list[dict[str, object]]:
@@ -35,7 +32,7 @@ def structures(*options: object) -> list[dict[str, object]]:
 
 def refused(*words: object) -> str:
     said = vstatics("synth", *words)
-    assert (said.status, said.out) == (2, "")
+    assert said.is_wrong_use()
     return said.err.split("Error: ")[1].rstrip()
 
 
@@ -78,7 +75,7 @@ def test_ports_are_links_of_the_code() -> None:
 
 def test_a_count_is_a_document() -> None:
     said = vstatics("synth", "structures", "--sets", 3, "--all", "--count")
-    assert json.loads(said.out) == {
+    assert said.json == {
         "sets": 3,
         "count": 2295,
         "by_links": {"5": 1242, "6": 864, "7": 189},
@@ -172,7 +169,7 @@ def test_a_case_in_every_format(form: str) -> None:
     told = {"deck": "a deck holds no inertias: those of input and output are left out\n"}
     assert (said.status, said.err) == (0, told.get(form, ""))
     if form == "json":
-        assert json.loads(said.out)["output"] == "L1"
+        assert said.json["output"] == "L1"
     if form == "yaml":
         assert "ratio: -2.0857" in said.out
 

@@ -22,7 +22,7 @@ def said(*options: str, case: Path = BELAZ) -> Said:
 
 
 def document(*options: str, case: Path = BELAZ) -> dict[str, Any]:
-    made: dict[str, Any] = json.loads(said(*options, "-f", "json", case=case).out)
+    made: dict[str, Any] = said(*options, "-f", "json", case=case).json
     assert list(validator("teeth").iter_errors(made)) == []
     return made
 
@@ -73,13 +73,12 @@ def test_the_case_that_is_written_has_the_ratios(tmp_path: Path) -> None:
 )
 def test_wrong_use(options: tuple[str, ...], message: str) -> None:
     answer = said(*options)
-    assert answer.status == 2
-    assert message in answer.err
+    assert answer.is_wrong_use(message)
 
 
 def test_no_teeth() -> None:
     answer = said("--ratios", "P1=-2", "--range", "P1.sun=12:13", "-f", "json")
-    assert (answer.status, json.loads(answer.out)) == (1, {"solutions": []})
+    assert (answer.status, answer.json) == (1, {"solutions": []})
     assert "most are excluded by: undercut" in answer.err
 
 
@@ -101,7 +100,7 @@ def test_few_teeth_and_a_target_far_away() -> None:
 def test_the_ranges_hold_the_own_teeth_and_what_is_beyond_them_is_told() -> None:
     """P3 of BelAZ-7516 has 15 teeth on sun and planet; no other has fewer than 17."""
     answer = said("--ratios", "2=20,P4=-2", "--dry-run", "-f", "json")
-    asked = json.loads(answer.out)
+    asked = answer.json
     ranges = asked["ranges"]
     assert asked["kinds"] == {"P3": "planetary", "P4": "planetary"}
     assert {name: one["sun"]["from"] for name, one in ranges.items()} == {"P3": 15, "P4": 17}

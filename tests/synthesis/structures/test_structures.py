@@ -10,6 +10,7 @@ from itertools import permutations
 import numpy as np
 import pytest
 
+from tests.chance import with_marked
 from tests.oracle import schemes as oracle
 from tests.synthesis.oracle.test_schemes import GROUPS, all_codes, is_connected, is_sound, least
 from vstatics.core.tables.answer import plain_data
@@ -33,6 +34,11 @@ SMALL = [
     for classes in ("none", "sets", "members", "order")
     for unsound in (False, True)
     for with_ports in (False, True)
+]
+THREE_SETS = [
+    StructureSearch(3),
+    StructureSearch(3, "sets", ports=True),
+    StructureSearch(3, "members", unsound=True),
 ]
 
 
@@ -64,23 +70,9 @@ def listed(search: StructureSearch) -> list[Row]:
     return sorted(found)
 
 
-@pytest.mark.parametrize("search", SMALL, ids=str)
-def test_schemes_of_one_and_two_sets_are_all_of_them(search: StructureSearch) -> None:
+@pytest.mark.parametrize("search", with_marked(SMALL, THREE_SETS, pytest.mark.slow), ids=str)
+def test_schemes_of_up_to_three_sets_are_all_of_them(search: StructureSearch) -> None:
     """Each with the least code of its class, each once, ascending."""
-    assert rows(search) == listed(search)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "search",
-    [
-        StructureSearch(3),
-        StructureSearch(3, "sets", ports=True),
-        StructureSearch(3, "members", unsound=True),
-    ],
-    ids=str,
-)
-def test_schemes_of_three_sets_are_all_of_them(search: StructureSearch) -> None:
     assert rows(search) == listed(search)
 
 

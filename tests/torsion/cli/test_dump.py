@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from jsonschema import Draft202012Validator
 
-from tests.commands import MZKT, ROOT, vstatics
+from tests.commands import MZKT, vstatics
+from tests.core.cli.test_schemas import validator
 from tests.torsion.clutch.test_gear_dump import car
 from vstatics import loads
 from vstatics.core.writers import named
@@ -28,7 +28,7 @@ def said(*options: str, text: str = VAZ) -> Any:
 def test_one_gear_is_as_a_file_of_numbers() -> None:
     answer = said("--gear", "2", "-f", "json")
     assert (answer.status, answer.err) == (0, "")
-    made = json.loads(answer.out)
+    made = answer.json
     [expected] = gear_dumps(loads(VAZ), ["2"])
     assert expected.given is not None
     assert expected.made is not None
@@ -36,14 +36,14 @@ def test_one_gear_is_as_a_file_of_numbers() -> None:
     assert made["reduced"] == expected.given._asdict()
     assert made["case"] == "A3"
     assert made["max_torque"] == expected.made.max_torque
-    numbers = json.loads(said("-f", "json", text=json.dumps(made["reduced"])).out)
+    numbers = said("-f", "json", text=json.dumps(made["reduced"])).json
     assert numbers["max_torque"] == made["max_torque"]
 
 
 def test_without_a_gear_all_are_told() -> None:
     answer = said("-f", "json", "--rate", "50", text=FOUR)
     assert answer.status == 0
-    gears = json.loads(answer.out)["gears"]
+    gears = answer.json["gears"]
     assert [one["name"] for one in gears] == ["1", "2", "3", "4"]
     assert [one["case"] for one in gears] == ["A3", "A3", "A2", "A2"]
     assert all(one["engagement"]["rate"] == 50 for one in gears)
@@ -52,7 +52,7 @@ def test_without_a_gear_all_are_told() -> None:
 def test_gears_without_such_a_torque_are_told() -> None:
     answer = said("-f", "json")
     assert answer.status == 1
-    *_, neutral, loose = json.loads(answer.out)["gears"]
+    *_, neutral, loose = answer.json["gears"]
     assert neutral.keys() == {"name", "error"}
     assert loose["error"].startswith("engine of J1 does not turn with propshaft")
     assert "error: gear N: engine of J1 does not turn with propshaft" in answer.err
@@ -62,12 +62,11 @@ def test_gears_without_such_a_torque_are_told() -> None:
     "options", [(), ("--gear", "1"), ("--gear", "N"), FORWARD, ("--gear", "3", "--rate", "9")]
 )
 def test_json_fits_its_schema(options: tuple[str, ...]) -> None:
-    schema = json.loads((ROOT / "schemas" / "dump.schema.json").read_text("utf-8"))
-    validator: Any = Draft202012Validator(schema)
-    made = json.loads(said("-f", "json", *options).out)
-    validator.validate(made)
-    assert not validator.is_valid({**made, "more": 1})
-    assert not validator.is_valid({key: made[key] for key in ("format", "version")})
+    schema = validator("dump")
+    made = said("-f", "json", *options).json
+    assert list(schema.iter_errors(made)) == []
+    assert not schema.is_valid({**made, "more": 1})
+    assert not schema.is_valid({key: made[key] for key in ("format", "version")})
 
 
 NUMBERS = (
@@ -78,7 +77,7 @@ NUMBERS = (
 def test_json_has_the_limits_that_tables_have() -> None:
     """Of a GAZ-24 (table 3.7): ``M_C0 (J1 + J2 + J3)/J1``, ``M_phi (1 + J4/J5)``, (3.14)."""
     text = NUMBERS % "M_phi: 507"
-    made = json.loads(said("-f", "json", text=text).out)
+    made = said("-f", "json", text=text).json
     assert made["case"] == "V3"
     assert made["clutch_breaks_at"] == pytest.approx(1344 * (4.29 + 0.1 + 0.0674) / 4.29)
     assert made["tyres_break_at"] == pytest.approx(507 * (1 + 0.147 / 10.8))
@@ -89,13 +88,13 @@ def test_json_has_the_limits_that_tables_have() -> None:
     numbers = [one for one in made.values() if isinstance(one, float)]
     assert len(numbers) == 10
     assert all(repr(one) in cells for one in numbers)
-    grips = json.loads(said("-f", "json", text=NUMBERS % "M_phi: .inf").out)
+    grips = said("-f", "json", text=NUMBERS % "M_phi: .inf").json
     assert (grips["tyres_break_at"], grips["grip_ratio"]) == (None, 0.0)
     assert grips["dynamic_factor_of_least"] == pytest.approx(grips["max_torque"] / 1344)
 
 
 def test_the_limits_of_gears_are_told() -> None:
-    made = json.loads(said("-f", "json", text=FOUR).out)["gears"][0]
+    made = said("-f", "json", text=FOUR).json["gears"][0]
     text, cells = said(text=FOUR).out, said("-f", "csv", text=FOUR).out
     for name, row in (
         ("clutch_breaks_at", "the clutch breaks away at [N*m]"),
@@ -134,8 +133,7 @@ def test_a_case_in_json(tmp_path: Path) -> None:
 
 def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
     answer = vstatics("torsion", "dump", MZKT)
-    assert answer.status == 1
-    assert "there is no `dump`, expected the links of `J1` to `J5`" in answer.err
+    assert answer.fails("there is no `dump`, expected the links of `J1` to `J5`")
     file = tmp_path / "case.yaml"
     file.write_text(VAZ[: VAZ.index("dump:")], "utf-8")
     answer = vstatics("torsion", "dump", file)
@@ -144,17 +142,15 @@ def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
 
 def test_what_is_wrong_in_a_case_is_told_with_its_place() -> None:
     answer = said(text=VAZ.replace("J1: [engine]", "J1: [engin]"))
-    assert answer.status == 1
-    assert "did you mean `engine`?" in answer.err
+    assert answer.fails("did you mean `engine`?")
 
 
 @pytest.mark.parametrize("options", [["--gear", "7"], ["--rate", "0"], ["-f", "png"]])
 def test_wrong_use(options: list[str]) -> None:
     answer = said(*options)
-    assert (answer.status, answer.out) == (2, "")
+    assert answer.is_wrong_use()
 
 
 def test_a_file_of_numbers_has_no_gears() -> None:
     answer = said("--gear", "1", text="{J1: 1, J2: 1}")
-    assert answer.status == 2
-    assert "--gear is for a case, but <stdin> has numbers alone" in answer.err
+    assert answer.is_wrong_use("--gear is for a case, but <stdin> has numbers alone")

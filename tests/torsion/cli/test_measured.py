@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
 from pathlib import Path
@@ -25,7 +24,7 @@ def test_identify_in_json_has_what_the_library_has() -> None:
     options = ("--gear", "4", "--omega", "41.4", "--decrement", ".554", "-f", "json")
     answer = said("identify", *options)
     assert answer.status == 0
-    made = json.loads(answer.out)
+    made = answer.json
     expected = identify(loads(DRIVELINE), "4", 41.4, 0.554)
     assert made["omega"] == expected.omega
     assert made["compliances"] == expected.compliances
@@ -34,7 +33,7 @@ def test_identify_in_json_has_what_the_library_has() -> None:
 
 def test_identify_takes_a_mode() -> None:
     answer = said("identify", "--gear", "4", "--omega", "160", "--mode", "2", "-f", "json")
-    made = json.loads(answer.out)
+    made = answer.json
     assert made["omega"] == identify(loads(DRIVELINE), "4", 160, mode=2).omega
     assert made["dampings"] == {}
 
@@ -47,7 +46,7 @@ def test_damping_in_json_has_what_the_library_has(written: str) -> None:
     options = ("--gear", "4", "--omega", "83.3", "--decrements", written, "-f", "json")
     answer = said("damping", *options)
     assert answer.status == 0
-    made = json.loads(answer.out)
+    made = answer.json
     expected = damping(loads(DRIVELINE), "4", {"prop, shaft": 0.03, "tyre": 0.2}, 83.3)
     assert made["omega"] == 83.3
     assert made["dampings"] == expected.dampings
@@ -57,7 +56,7 @@ def test_damping_in_json_has_what_the_library_has(written: str) -> None:
 
 def test_a_name_with_blanks_needs_no_quotes() -> None:
     answer = said("damping", "--gear", "4", "--decrements", "final drive=.1", "-f", "json")
-    assert json.loads(answer.out)["dampings"].keys() == {"final drive"}
+    assert answer.json["dampings"].keys() == {"final drive"}
 
 
 def test_tables_for_people() -> None:
@@ -94,7 +93,7 @@ def test_tables_for_people() -> None:
 )
 def test_wrong_use(options: list[str]) -> None:
     answer = said(*options)
-    assert (answer.status, answer.out) == (2, "")
+    assert answer.is_wrong_use()
 
 
 def test_a_mistyped_device_gets_the_nearest_one() -> None:
@@ -104,8 +103,7 @@ def test_a_mistyped_device_gets_the_nearest_one() -> None:
 
 def test_a_gear_that_is_tied_up_is_told_with_its_place() -> None:
     answer = said("identify", "--gear", "stuck", "--omega", "1", text=STUCK)
-    assert (answer.status, answer.out) == (1, "")
-    assert "<stdin>:5:19: error: gear stuck: tied up" in answer.err
+    assert answer.gives_nothing("<stdin>:5:19: error: gear stuck: tied up")
 
 
 def test_a_case_without_anything_elastic_is_told() -> None:
@@ -116,8 +114,7 @@ mechanisms: {D: {first: 1, second: 2, ratio: 3}}
 gears: {1: []}
 """
     answer = said("damping", "--gear", "1", "--decrements", "D=.1", text=text)
-    assert answer.status == 1
-    assert "<stdin>:4:9: error: gear 1: nothing elastic joins inertias" in answer.err
+    assert answer.fails("<stdin>:4:9: error: gear 1: nothing elastic joins inertias")
 
 
 SWING = """\
@@ -134,11 +131,6 @@ def swinging(rows: Sequence[tuple[float, float]], *more: str) -> Said:
     return vstatics("torsion", "identify", *words)
 
 
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-
-
 @pytest.mark.usefixtures("folder")
 def test_a_record_tells_frequency_and_decrement() -> None:
     """100 rad/s on J = .08 kg*m^2 is a compliance of 1/800, the damping delta/(pi E omega)."""
@@ -146,7 +138,7 @@ def test_a_record_tells_frequency_and_decrement() -> None:
     rows = [
         (t, 2 + math.exp(-decrement * t / 20 / math.pi) * math.cos(0.1 * t)) for t in range(400)
     ]
-    made = json.loads(swinging(rows, "-f", "json").out)
+    made = swinging(rows, "-f", "json").json
     assert made["measured"] == pytest.approx(100, rel=1e-4)
     assert made["decrement"] == pytest.approx(decrement, rel=1e-3)
     assert made["compliances"]["shaft"] == pytest.approx(1 / 800, rel=2e-4)
@@ -162,7 +154,7 @@ def test_peaks_tell_the_same() -> None:
     Path("swing.yaml").write_text(SWING, encoding="utf-8")
     peaks = "160,-51.148655,109.233977,-12.588199,79.944530,9.659249"
     words = ("swing.yaml", "--peaks", peaks, "--period", f"{math.pi / 50!r}", "-f", "json")
-    made = json.loads(vstatics("torsion", "identify", *words).out)
+    made = vstatics("torsion", "identify", *words).json
     assert made["measured"] == pytest.approx(100)
     assert made["decrement"] == pytest.approx(0.55, abs=1e-7)
     assert made["mean_line"][0] == pytest.approx(41.734167, abs=1e-6)
@@ -191,5 +183,4 @@ def test_records_that_tell_nothing(rows: list[tuple[float, float]], message: str
 )
 def test_one_way_to_tell_what_was_measured(more: list[str]) -> None:
     found = swinging([(0, 1), (1, 2)], *more)
-    assert found.status == 2
-    assert "expected --omega (and --decrement), --peaks with --period, or" in found.err
+    assert found.is_wrong_use("expected --omega (and --decrement), --peaks with --period, or")

@@ -82,7 +82,7 @@ def test_the_first_modes_or_all() -> None:
 @pytest.mark.parametrize("count", ["0", "-1", "1.5", "nan", "", "many"])
 def test_a_count_of_modes_that_is_none_is_wrong_use(count: str) -> None:
     answer = said("modes", "--modes", count)
-    assert (answer.status, answer.out) == (2, "")
+    assert answer.is_wrong_use()
 
 
 def test_a_freewheel_holds_as_in_run_by_drive_and_coast() -> None:
@@ -160,11 +160,9 @@ output: out
 )
 def test_a_link_that_is_not_there_is_wrong_use(link: str, hint: str) -> None:
     answer = said("reduce", "--to", link)
-    assert (answer.status, answer.out) == (2, "")
-    assert hint in answer.err
+    assert answer.is_wrong_use(hint)
 
 
 def test_a_link_that_stands_can_be_no_link_to_reduce_to() -> None:
     answer = said("reduce", "--to", "casing", "-f", "json", text=GOOD)
-    assert answer.status == 1
-    assert "gear direct: link casing does not turn: nothing can be reduced to it" in answer.err
+    assert answer.fails("gear direct: link casing does not turn: nothing can be reduced to it")

@@ -17,10 +17,9 @@ SIMPLIFY = ("simplify", "--gear", "direct", "--links", "2")
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A folder with the case, the current one."""
-    monkeypatch.chdir(tmp_path)
-    Path("box.yaml").write_text(GOOD, encoding="utf-8")
+    (folder / "box.yaml").write_text(GOOD, encoding="utf-8")
 
 
 @pytest.mark.parametrize("call", [("modes",), pytest.param(SIMPLIFY, marks=pytest.mark.slow)])

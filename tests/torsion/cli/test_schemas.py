@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -45,7 +44,7 @@ def test_every_document_fits(command: str) -> None:
     for text in (BOX, GOOD, lost):
         for form in ("json", "jsonl"):
             answer = said(command, *OPTIONS[command], "-f", form, text=text)
-            assert complaints(command, json.loads(answer.out)) == []
+            assert complaints(command, answer.json) == []
 
 
 def test_what_is_asked_for_beside_fits() -> None:
@@ -57,9 +56,9 @@ def test_what_is_asked_for_beside_fits() -> None:
         ("modes", "--modes", "1", "--coast"),
     ):
         answer = said(command, *options, "-f", "json", text=GOOD)
-        assert complaints(command, json.loads(answer.out)) == [], command
+        assert complaints(command, answer.json) == [], command
     answer = said("simplify", "--gear", "1", "--links", "1", "-f", "json", text=CHAIN)
-    assert complaints("simplify", json.loads(answer.out)) == []
+    assert complaints("simplify", answer.json) == []
 
 
 @pytest.mark.parametrize("file", VIBRATING, ids=lambda file: file.stem)
@@ -72,7 +71,7 @@ def test_what_is_written_of_shipped_cases_fits(file: Path) -> None:
     ):
         answer = vstatics("torsion", command, file, *options, "-f", "json")
         assert answer.status == 0, answer.err
-        assert complaints(command, json.loads(answer.out)) == []
+        assert complaints(command, answer.json) == []
 
 
 def _of_gear(change: dict[str, Any], gear: int = 0) -> Callable[[Any], None]:
@@ -107,7 +106,7 @@ def _of_mode(change: dict[str, Any]) -> Callable[[Any], None]:
     ],
 )
 def test_a_wrong_document_does_not_fit(command: str, spoil: Callable[[Any], None]) -> None:
-    right = json.loads(said(command, *OPTIONS[command], "-f", "json").out)
+    right = said(command, *OPTIONS[command], "-f", "json").json
     wrong = copy.deepcopy(right)
     spoil(wrong)
     assert complaints(command, right) == []

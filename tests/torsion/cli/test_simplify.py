@@ -2,27 +2,19 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
+from tests.processes import names
 from tests.torsion.cli.torsional import CHAIN, GOOD, document, said, tables
 from vstatics import load
 
+pytestmark = pytest.mark.usefixtures("folder")
+
 OF_GOOD = ("--gear", "direct", "--links", "2")
 OF_CHAIN = ("--gear", "1", "--links", "1")
-
-
-@pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """An empty folder, the current one."""
-    monkeypatch.chdir(tmp_path)
-
-
-def names() -> list[str]:
-    return sorted(path.name for path in Path().iterdir())
 
 
 def test_steps_of_a_chain_in_json() -> None:
@@ -93,9 +85,9 @@ def test_the_written_case_runs_and_vibrates_as_told(
     output = f"simple.{suffix}"
     answer = said("simplify", *options, "-o", output, "-f", "json", text=text)
     assert (answer.status, names()) == (0, [output])
-    steps = json.loads(answer.out)["steps"]
-    again = json.loads(vstatics("torsion", "modes", output, "-f", "json").out)
-    given = json.loads(said("modes", "-f", "json", text=text).out)["gears"][0]["modes"]
+    steps = answer.json["steps"]
+    again = json_answer("torsion", "modes", output)
+    given = said("modes", "-f", "json", text=text).json["gears"][0]["modes"]
     expected = steps[-1]["omegas"] if steps else [mode["omega"] for mode in given]
     [gear] = again["gears"]
     assert gear["name"] == options[1]
@@ -121,7 +113,7 @@ def test_a_case_of_teeth_is_simplified_too(tmp_path: Path) -> None:
         output = tmp_path / f"{gear}.yaml"
         answer = vstatics("torsion", "simplify", file, "--gear", gear, "--links", "3", "-o", output)
         assert answer.status == 0, answer.err
-        assert len(json.loads(vstatics("torsion", "modes", output, "-f", "json").out)["gears"]) == 1
+        assert len(json_answer("torsion", "modes", output)["gears"]) == 1
 
 
 def test_the_name_of_a_mass_may_have_commas() -> None:
@@ -187,7 +179,7 @@ def test_a_rigid_set_with_inertia_on_all_its_links_is_taken_out_first() -> None:
     text = GOOD.replace("direct: {engaged: [C, D]}", "low: {engaged: [C, B]}")
     answer = said("simplify", "--gear", "low", "--links", "2", "-f", "json", text=text)
     assert answer.status == 0
-    first, *others = json.loads(answer.out)["steps"]
+    first, *others = answer.json["steps"]
     assert all(first["partial_frequency"] > 1000 * one["partial_frequency"] for one in others)
 
 
@@ -199,7 +191,7 @@ def test_an_error_of_the_output_leaves_what_was_there() -> None:
 
 def test_json_of_steps_on_stdout_beside_the_case_in_a_file() -> None:
     answer = said("simplify", *OF_GOOD, "-f", "json", "-o", "new.json", text=GOOD)
-    assert json.loads(answer.out)["format"] == "vstatics-simplification"
+    assert answer.json["format"] == "vstatics-simplification"
     assert [one.name for one in load("new.json").springs] == ["tyre", "damper+axle+wind-up"]
 
 
@@ -213,11 +205,11 @@ def test_masses_that_turn_as_one() -> None:
     )
     words = ("torsion", "simplify", "fork.yaml", "--links", "1", "--merge")
     answer = vstatics(*words, "left+right", "-f", "json", "-o", "one.yaml")
-    [step] = json.loads(answer.out)["steps"]
+    [step] = answer.json["steps"]
     assert step["operation"] == "merge left and right"
     assert step["omegas"] == pytest.approx([1.5**0.5])
     assert sorted(load("one.yaml").inertias.values()) == [2.0, 4.0]
     failed = vstatics(*words, "left+rihgt")
-    assert failed.status == 1
-    assert "fork.yaml: error: read `left+rihgt` to merge, expected two links" in failed.err
-    assert "did you mean `right`?" in failed.err
+    assert failed.fails(
+        "fork.yaml: error: read `left+rihgt` to merge, expected two links", "did you mean `right`?"
+    )

@@ -11,6 +11,7 @@ import openpyxl
 import pytest
 
 from tests.commands import CASES, NEUTRAL, vstatics
+from tests.processes import names
 from tests.torsion.cli.torsional import (
     ASKED,
     BOX,
@@ -37,14 +38,9 @@ CSV_OF_VALUES = ("response", "csv")
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """A folder with the case, the current one."""
-    monkeypatch.chdir(tmp_path)
-    Path("box.yaml").write_text(GOOD, encoding="utf-8")
-
-
-def names() -> list[str]:
-    return sorted(path.name for path in Path().iterdir())
+    (folder / "box.yaml").write_text(GOOD, encoding="utf-8")
 
 
 # formats
@@ -108,7 +104,7 @@ def test_digits_are_those_asked_for() -> None:
 
 @pytest.mark.parametrize("command", ASKED)
 def test_json_from_a_pipe_tells_its_file_as_other_commands_do(command: str) -> None:
-    made = json.loads(asked(command, "-f", "json", text=GOOD).out)
+    made = asked(command, "-f", "json", text=GOOD).json
     assert (made["file"], made["case"], made["version"]) == ("<stdin>", "two gears", 1)
     from_file = vstatics("torsion", command, "box.yaml", *ASKED[command], "-f", "json").out
     assert json.loads(from_file) == {**made, "file": "box.yaml"}
@@ -133,12 +129,9 @@ def test_the_input_may_be_of_any_format(name: str) -> None:
 @pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])
 def test_a_case_in_error_writes_nothing(call: tuple[str, ...]) -> None:
     Path("old.json").write_text("old", encoding="utf-8")
-    command, *options = call
-    answer = said(command, *options, "-o", "old.json", text=BOX.replace("474", "-474"))
-    assert (answer.status, answer.out) == (1, "")
-    assert (
+    answer = said(*call, "-o", "old.json", text=BOX.replace("474", "-474"))
+    assert answer.gives_nothing(
         "<stdin>:8:46: error: springs.tyre.stiffness: read -474, expected a stiffness above 0"
-        in answer.err
     )
     assert Path("old.json").read_text(encoding="utf-8") == "old"
     assert names() == ["box.yaml", "old.json"]
@@ -149,8 +142,7 @@ def test_the_case_is_not_written_over(call: tuple[str, ...]) -> None:
     command, *options = call
     for output in ("box.yaml", "./box.yaml"):
         answer = vstatics("torsion", command, "box.yaml", *options, "-o", output)
-        assert answer.status == 2
-        assert "box.yaml is what is read, and would be overwritten" in answer.err
+        assert answer.is_wrong_use("box.yaml is what is read, and would be overwritten")
     assert Path("box.yaml").read_text(encoding="utf-8") == GOOD
 
 
@@ -167,10 +159,10 @@ def test_an_output_that_is_none_is_refused_before_anything_is_read(
 
 @pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])
 def test_an_output_that_cannot_be_written_is_told(call: tuple[str, ...]) -> None:
-    command, *options = call
-    answer = said(command, *options, "-o", "no/new.json")
-    assert (answer.status, answer.out) == (1, "")
-    assert "no/new.json: error: can't be written: there is no directory no, make it" in answer.err
+    answer = said(*call, "-o", "no/new.json")
+    assert answer.gives_nothing(
+        "no/new.json: error: can't be written: there is no directory no, make it"
+    )
 
 
 # gears
@@ -179,7 +171,7 @@ def test_an_output_that_cannot_be_written_is_told(call: tuple[str, ...]) -> None
 @pytest.mark.parametrize("command", OF_GEARS)
 def test_all_gears_or_those_asked_for_by_name_or_number_each_once(command: str) -> None:
     def told(*options: str) -> list[str]:
-        made = json.loads(asked(command, *options, "-f", "json").out)
+        made = asked(command, *options, "-f", "json").json
         return [gear["name"] for gear in made["gears"]]
 
     assert told() == ["low", "direct", "tied", "N"]
@@ -189,7 +181,7 @@ def test_all_gears_or_those_asked_for_by_name_or_number_each_once(command: str) 
 
 def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
     answer = said("modes", "-f", "json", text=STUCK)
-    free, stuck = json.loads(answer.out)["gears"]
+    free, stuck = answer.json["gears"]
     why = "tied up: A and B let nothing move; release one of the engaged elements"
     assert (answer.status, free["rigid_modes"], stuck.keys()) == (1, 1, {"name", "error"})
     assert stuck["error"].startswith(why)
@@ -199,7 +191,7 @@ def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
 def test_a_gear_that_holds_the_input_vibrates() -> None:
     """The engine stands; all frequencies are those of the rest on the damper."""
     answer = said("modes", "--gear", "tied", "-f", "json")
-    [gear] = json.loads(answer.out)["gears"]
+    [gear] = answer.json["gears"]
     assert (answer.status, gear["rigid_modes"], len(gear["modes"])) == (0, 1, 4)
     assert {mode["shape"]["engine"] for mode in gear["modes"]} == {0.0}
 
@@ -207,7 +199,7 @@ def test_a_gear_that_holds_the_input_vibrates() -> None:
 @pytest.mark.parametrize("command", STANDS)
 def test_a_gear_that_has_no_answer_does_not_stop_the_others(command: str) -> None:
     answer = asked(command, "-f", "json")
-    low, direct, tied, neutral = json.loads(answer.out)["gears"]
+    low, direct, tied, neutral = answer.json["gears"]
     assert answer.status == 1
     assert tied.keys() == {"name", "error"}
     assert tied["error"] == STANDS[command]
@@ -222,10 +214,10 @@ def test_a_gear_that_has_no_answer_does_not_stop_the_others(command: str) -> Non
 
 @pytest.mark.parametrize("call", [("simplify", "--links", "2"), ("identify", "--omega", "5")])
 def test_of_one_gear_that_is_tied_up_there_is_nothing(call: tuple[str, ...]) -> None:
-    command, *options = call
-    answer = said(command, *options, "--gear", "stuck", "-f", "json", text=STUCK)
-    assert (answer.status, answer.out) == (1, "")
-    assert "<stdin>:5:19: error: gear stuck: tied up: A and B let nothing move" in answer.err
+    answer = said(*call, "--gear", "stuck", "-f", "json", text=STUCK)
+    assert answer.gives_nothing(
+        "<stdin>:5:19: error: gear stuck: tied up: A and B let nothing move"
+    )
 
 
 @pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])
@@ -240,10 +232,8 @@ def test_of_one_gear_that_is_tied_up_there_is_nothing(call: tuple[str, ...]) -> 
     ],
 )
 def test_a_gear_that_is_not_there_is_wrong_use(call: tuple[str, ...], gear: str, hint: str) -> None:
-    command, *options = call
-    answer = said(command, *options, "--gear", gear)
-    assert (answer.status, answer.out) == (2, "")
-    assert hint in answer.err
+    answer = said(*call, "--gear", gear)
+    assert answer.is_wrong_use(hint)
 
 
 ONE_GEAR = (
@@ -256,19 +246,16 @@ ONE_GEAR = (
 @pytest.mark.parametrize("call", ONE_GEAR, ids=lambda call: call[0])
 def test_where_there_is_one_gear_it_need_not_be_named(call: tuple[str, ...]) -> None:
     """That of a case without gears, too."""
-    command, *options = call
-    without = said(command, *options, "-f", "json", text=CHAIN)
+    without = said(*call, "-f", "json", text=CHAIN)
     assert (without.status, without.err) == (0, "")
-    assert json.loads(without.out)["gear"] == "1"
-    assert without.out == said(command, *options, "--gear", "1", "-f", "json", text=CHAIN).out
+    assert without.json["gear"] == "1"
+    assert without.out == said(*call, "--gear", "1", "-f", "json", text=CHAIN).out
 
 
 @pytest.mark.parametrize("call", ONE_GEAR, ids=lambda call: call[0])
 def test_one_of_several_gears_must_be_named(call: tuple[str, ...]) -> None:
-    command, *options = call
-    answer = said(command, *options)
-    assert (answer.status, answer.out) == (2, "")
-    assert "Missing option '--gear': gears are low, direct, tied, N" in answer.err
+    answer = said(*call)
+    assert answer.is_wrong_use("Missing option '--gear': gears are low, direct, tied, N")
 
 
 # what is told, and the exit status
@@ -293,18 +280,17 @@ def test_a_warning_is_printed_unless_quiet_and_fails_if_strict() -> None:
 @pytest.mark.parametrize("command", STANDS)
 def test_an_error_is_printed_whoever_is_quiet(command: str) -> None:
     answer = asked(command, "-q")
-    assert (answer.status, STANDS[command] in answer.err) == (1, True)
+    assert answer.fails(STANDS[command])
 
 
 @pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])
 def test_a_doubt_of_the_reader_is_told_and_fails_if_strict(call: tuple[str, ...]) -> None:
-    command, *options = call
     text = GOOD.replace("ratio: -2}", "ratio: 2}")
-    answer = said(command, *options, text=text)
+    answer = said(*call, text=text)
     assert (answer.status, "warning: mechanisms.P: ratio 2 is not" in answer.err) == (0, True)
-    strict = said(command, *options, "--strict", text=text)
+    strict = said(*call, "--strict", text=text)
     assert (strict.status, strict.out) == (1, answer.out)
-    assert "ratio 2" not in said(command, *options, "-q", text=text).err
+    assert "ratio 2" not in said(*call, "-q", text=text).err
 
 
 @pytest.mark.parametrize("command", [*TorsionCommands.modules])
@@ -317,7 +303,7 @@ def test_without_its_argument_or_with_two_it_is_wrong_use(command: str) -> None:
 def test_a_file_that_is_not_there_gets_the_nearest_as_a_hint(call: tuple[str, ...]) -> None:
     command, *options = call
     answer = vstatics("torsion", command, "bos.yaml", *options)
-    assert (answer.status, answer.out) == (1, "")
+    assert answer.gives_nothing()
     hint = "bos.yaml: error: can't be read: No such file or directory; did you mean `box.yaml`?\n"
     assert answer.err == hint
 
@@ -325,9 +311,7 @@ def test_a_file_that_is_not_there_gets_the_nearest_as_a_hint(call: tuple[str, ..
 def test_a_case_without_inertias_vibrates_nowhere() -> None:
     text = CHAIN.partition("\n")[2]
     answer = said("modes", text=text)
-    assert (answer.status, answer.out) == (1, "")
-    assert "<stdin>" in answer.err
-    assert "inertias: nothing has an inertia, so nothing vibrates" in answer.err
+    assert answer.gives_nothing("<stdin>", "inertias: nothing has an inertia, so nothing vibrates")
 
 
 def test_a_case_without_anything_elastic_has_rigid_modes_only() -> None:
@@ -335,7 +319,7 @@ def test_a_case_without_anything_elastic_has_rigid_modes_only() -> None:
     answer = said("modes", "-f", "json", text=text)
     assert (answer.status, answer.err.count("warning: gear ")) == (0, 2)
     assert "nothing is elastic; expected `springs`" in answer.err
-    gears = json.loads(answer.out)["gears"]
+    gears = answer.json["gears"]
     assert [(one["rigid_modes"], one["modes"]) for one in gears] == [(2, []), (1, [])]
 
 
@@ -358,9 +342,8 @@ def no_constant(text: str) -> Any:
 
 @pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])
 def test_json_has_null_and_no_nan(call: tuple[str, ...]) -> None:
-    command, *options = call
     text = BOX.replace("casing]\noutput", "casing, lost]\noutput")
-    answer = said(command, *options, "-f", "json", text=text)
+    answer = said(*call, "-f", "json", text=text)
     json.loads(answer.out, parse_constant=no_constant)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 from typing import Any
 
 from tests.commands import Said, vstatics
@@ -73,7 +72,7 @@ def asked(command: str, *options: object, text: str = BOX) -> Said:
 
 def document(command: str, *options: object, text: str = BOX) -> Any:
     """The JSON of a command."""
-    return json.loads(said(command, *options, "-f", "json", text=text).out)
+    return said(command, *options, "-f", "json", text=text).json
 
 
 def tables(text: str) -> dict[str, list[list[str]]]:

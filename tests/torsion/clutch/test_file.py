@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from pathlib import Path
 from typing import Any
 
 import pytest
-from jsonschema import Draft202012Validator
 
-from tests.commands import ROOT, vstatics
+from tests.commands import json_answer, vstatics
+from tests.core.cli.test_schemas import validator
 from tests.torsion.table_3_8 import TABLE_3_8
 from vstatics.torsion.clutch.file import read_dump
 
@@ -73,8 +72,7 @@ def test_units_are_read() -> None:
 )
 def test_what_is_wrong_is_told_with_its_place(old: str, new: str, message: str) -> None:
     answer = said(GOOD.replace(old, new))
-    assert (answer.status, answer.out) == (1, "")
-    assert message in answer.err
+    assert answer.gives_nothing(message)
 
 
 def test_all_that_is_wrong_is_told_in_one_run() -> None:
@@ -86,8 +84,7 @@ def test_numbers_too_large_for_a_torque_are_an_error_of_the_file() -> None:
     answer = said(
         GOOD.replace("3362", "1e308").replace("71.3e-5", "1e308").replace("81.7", "1e308")
     )
-    assert answer.status == 1
-    assert "<stdin>:1:1: error: numbers so large or so small" in answer.err
+    assert answer.fails("<stdin>:1:1: error: numbers so large or so small")
 
 
 def test_the_command_shows_a_table_for_people() -> None:
@@ -101,22 +98,21 @@ def test_the_command_shows_a_table_for_people() -> None:
 def test_json_has_what_the_library_has(tmp_path: Path) -> None:
     file = tmp_path / "dump.yaml"
     file.write_text(GOOD, encoding="utf-8")
-    made = json.loads(vstatics("torsion", "dump", file, "-f", "json").out)
+    made = json_answer("torsion", "dump", file)
     assert made["case"] == "V2"
     assert made["max_torque"] == pytest.approx(5879, rel=1e-3)
     assert made["max_torque_simplified"] == pytest.approx(5213, rel=1e-3)
     assert made["input_shaft_torque"] == pytest.approx(4442, rel=1e-3)
     assert made["dynamic_factor"] == made["max_torque"] / (0.8 * 3362)
     assert "engagement" not in made
-    made = json.loads(said(GOOD, "-f", "json", "--rate", "50").out)
+    made = said(GOOD, "-f", "json", "--rate", "50").json
     assert made["engagement"].keys() == {"rate", "factor"}
 
 
 def test_json_fits_its_schema() -> None:
-    schema = json.loads((ROOT / "schemas" / "dump.schema.json").read_text("utf-8"))
     for options in ((), ("--rate", "50")):
-        made = json.loads(said(GOOD, "-f", "json", *options).out)
-        Draft202012Validator(schema).validate(made)
+        made = said(GOOD, "-f", "json", *options).json
+        assert list(validator("dump").iter_errors(made)) == []
 
 
 @pytest.mark.parametrize("suffix", ["csv", "md", "tex", "xlsx", "jsonl"])
@@ -128,7 +124,7 @@ def test_every_format_can_be_written(suffix: str, tmp_path: Path) -> None:
 
 
 def test_clamped_wheels_are_written_as_infinite() -> None:
-    made = json.loads(said(GOOD.replace("1.36", ".inf"), "-f", "json").out)
+    made = said(GOOD.replace("1.36", ".inf"), "-f", "json").json
     assert made["case"] == "V1"
 
 
@@ -143,5 +139,4 @@ def test_wrong_use(options: list[str]) -> None:
 
 def test_a_mistyped_command_of_the_group_gets_the_nearest_one() -> None:
     answer = vstatics("torsion", "dmup", "dump.yaml")
-    assert answer.status == 2
-    assert "there is no command `dmup`; did you mean `dump`?" in answer.err
+    assert answer.is_wrong_use("there is no command `dmup`; did you mean `dump`?")

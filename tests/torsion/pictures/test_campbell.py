@@ -10,9 +10,10 @@ from typing import Any
 import pytest
 
 from tests.chance import count, seeded
-from tests.commands import CASES, SHIPPED, vstatics
+from tests.commands import CASES, SHIPPED, json_answer, vstatics
 from tests.installed import needs
 from tests.pictures import drawn as said
+from tests.shipped import shipped_results
 from tests.torsion.pictures.marks import PAPER, Mark, drawn, marks, plotted, tree
 from vstatics import Gear, Load, Results, Spring, Transmission, load, solve
 from vstatics.core.model.parts import Damping
@@ -50,7 +51,7 @@ def resonances(svg: bytes) -> dict[tuple[str, int, float], Mark]:
 
 def test_shipped_cases_with_modes_are_these() -> None:
     heavy = [path for path in SHIPPED if load(path).heavy]
-    said = [json.loads(vstatics("torsion", "modes", one, "-f", "json").out) for one in heavy]
+    said = [json_answer("torsion", "modes", one) for one in heavy]
     found = {
         path.name
         for path, one in zip(heavy, said, strict=True)
@@ -65,7 +66,7 @@ def test_there_is_a_dot_for_each_resonance_of_the_modes(name: str, tmp_path: Pat
     svg = plotted(tmp_path, CASES / name, "-k", "campbell")
     orders = [float(one.data["order"]) for one in marks(svg, "order")]
     assert orders == sorted(set(orders))
-    answer = json.loads(vstatics("torsion", "modes", CASES / name, "-f", "json").out)
+    answer = json_answer("torsion", "modes", CASES / name)
     case = load(CASES / name)
     expected = {
         (gear["name"], number, order): (60 * mode["frequency"] / order, abs(mode["shape"][entry]))
@@ -87,12 +88,10 @@ def test_they_are_those_that_the_response_lists(tmp_path: Path) -> None:
     """``torsion response`` up to the same speed, by the same orders."""
     file = CASES / "driveline-8hp70.yaml"
     svg = plotted(tmp_path, file, "-k", "campbell", "--orders", "1,2.5")
-    listed = json.loads(
-        vstatics(
-            *("torsion", "response", file, "--at", "engine", "--orders", "1,2.5"),
-            *("--speed", "0:5000:2", "-f", "json"),
-        ).out
-    )
+    listed = vstatics(
+        *("torsion", "response", file, "--at", "engine", "--orders", "1,2.5"),
+        *("--speed", "0:5000:2", "-f", "json"),
+    ).json
     expected = {
         (gear["name"], one["mode"], one["order"]): one["speed"]
         for gear in listed["gears"]
@@ -155,7 +154,7 @@ def test_firing_orders_have_a_colour_and_width_of_their_own() -> None:
 
 
 def test_dots_are_larger_and_darker_where_the_input_takes_part_undamped() -> None:
-    results = solve(load(CASES / "driveline-8hp70.yaml"))
+    results = shipped_results("driveline-8hp70.yaml")
     figure = picture(results, "campbell", Style(excited=Excitation(orders=(1.0,))))
     by_mode = {
         (one.get_markersize(), text) for text, one in said.titled(figure) if "participation" in text
@@ -202,9 +201,7 @@ def test_a_mode_in_which_the_input_stands_has_no_resonance(link: int, excited: b
 def test_modes_of_gears_that_are_alike_are_one_line(tmp_path: Path) -> None:
     """Within half a per cent; each gear of each mode stands in one of them."""
     svg = plotted(tmp_path, CASES / "driveline-8hp70.yaml", "-k", "campbell")
-    answer = json.loads(
-        vstatics("torsion", "modes", CASES / "driveline-8hp70.yaml", "-f", "json").out
-    )
+    answer = json_answer("torsion", "modes", CASES / "driveline-8hp70.yaml")
     hertz = {
         (gear["name"], number): mode["frequency"]
         for gear in answer["gears"]
@@ -228,7 +225,7 @@ def numbers_of_table(results: Results, style: Style = PAPER) -> list[tuple[str, 
 
 
 def test_the_table_has_the_speed_of_every_resonance() -> None:
-    results = solve(load(CASES / "moskvich-start.yaml"))
+    results = shipped_results("moskvich-start.yaml")
     found = [float(one.data["rpm"]) for one in marks(drawn(results, "campbell"), "resonance")]
     table = [text for text, _ in numbers_of_table(results)]
     assert len(found) > 20
@@ -317,7 +314,7 @@ def test_pages_take_what_does_not_fit_one() -> None:
 def test_many_orders_make_several_tables_no_wider_than_the_page() -> None:
     orders = tuple(float(n) for n in range(1, 25))
     style = Style(excited=Excitation(orders=orders))
-    figure = picture(solve(load(CASES / "moskvich-start.yaml")), "campbell", style)
+    figure = picture(shipped_results("moskvich-start.yaml"), "campbell", style)
     texts = said.texts(figure)
     assert texts.count("mode") > 1
     assert [one for one in texts if one.endswith("×\nrpm")] == [f"{n:g}×\nrpm" for n in orders]
@@ -338,7 +335,7 @@ def test_orders_are_wrong_use_elsewhere(tmp_path: Path) -> None:
 def test_orders_and_links_are_asked_for_in_python_too() -> None:
     from vstatics.pictures.plotting import plot
 
-    results = solve(load(CASES / "moskvich-start.yaml"))
+    results = shipped_results("moskvich-start.yaml")
     svg = plot(results, "campbell", orders=[3, 1.5])._repr_svg_().encode()
     assert [one.data["order"] for one in marks(svg, "order")] == ["1.5", "3"]
     svg = plot(results, "response", orders=[2], at="wheels")._repr_svg_().encode()

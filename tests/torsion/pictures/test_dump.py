@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 from typing import Any, get_args
 
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.pictures import drawn as said
 from tests.pictures.test_pictures import STYLES, overlaps
 from tests.torsion.pictures.marks import drawn, marks, plotted
@@ -22,9 +21,7 @@ FILE = CASES / "moskvich412.yaml"
 
 
 def answers() -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = json.loads(vstatics("torsion", "dump", FILE, "-f", "json").out)[
-        "gears"
-    ]
+    found: list[dict[str, Any]] = json_answer("torsion", "dump", FILE)["gears"]
     return found
 
 
@@ -81,8 +78,7 @@ def test_a_case_without_a_dump_says_so(tmp_path: Path) -> None:
     result = vstatics(
         "plot", CASES / "driveline-8hp70.yaml", "-k", "dump", "-o", tmp_path / "a.svg"
     )
-    assert result.status == 1
-    assert "there is no `dump`, expected the links of `J1` to `J5`" in result.err
+    assert result.fails("there is no `dump`, expected the links of `J1` to `J5`")
 
 
 def test_a_clutch_that_is_open_in_all_gears_has_no_torque(tmp_path: Path) -> None:
@@ -92,5 +88,4 @@ def test_a_clutch_that_is_open_in_all_gears_has_no_torque(tmp_path: Path) -> Non
     dumped = text.index("# the clutch of table 2.2")
     file.write_text(f"{text[:gears]}gears: {{N: [damper, dog 1, shaft 1]}}\n{text[dumped:]}")
     result = vstatics("plot", file, "-k", "dump", "-o", tmp_path / "a.svg")
-    assert result.status == 1
-    assert "error: no torque of a dumped clutch in gear N: engine of J1 does not turn" in result.err
+    assert result.fails("error: no torque of a dumped clutch in gear N: engine of J1 does not turn")

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.pictures import drawn as said
+from tests.shipped import shipped_results
 from tests.torsion.pictures.marks import drawn, marks, plotted
-from vstatics import Gear, Load, Results, Spring, Transmission, load, solve
+from vstatics import Gear, Load, Results, Spring, Transmission, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Excitation, Style
 from vstatics.torsion.pictures.orders.response_lines import response_panels
@@ -26,7 +26,7 @@ def answer(
     """Speeds and amplitudes of a link that `torsion response` tells [rpm, rad]."""
     listed = ",".join(map(repr, speeds))
     options = ("--at", at, "--orders", f"{order:g}", "--speed", listed, "--gear", gear)
-    [found] = json.loads(vstatics("torsion", "response", file, *options, "-f", "json").out)["gears"]
+    [found] = json_answer("torsion", "response", file, *options)["gears"]
     return found["speeds"], found["orders"][0]["amplitudes"][at]
 
 
@@ -39,7 +39,7 @@ def answer(
     ],
 )
 def test_lines_are_those_of_the_command(name: str, style: Style, gear: int, at: str) -> None:
-    results = solve(load(CASES / name))
+    results = shipped_results(name)
     _, [panel] = response_panels(results, style, [gear])
     assert panel.link == at
     for line in panel.lines:
@@ -65,7 +65,7 @@ def test_lines_are_those_of_the_command(name: str, style: Style, gear: int, at: 
 @pytest.mark.parametrize("gear", [2, 9])
 def test_what_is_drawn_is_the_logarithm_over_the_speed(gear: int) -> None:
     """Each line in SVG, moved and stretched alike, lies on those numbers."""
-    results = solve(load(CASES / DRIVELINE))
+    results = shipped_results(DRIVELINE)
     _, [panel] = response_panels(results, Style(), [gear])
     lines = marks(drawn(results, "response", Style(), gear), "line")
     assert [float(one.data["order"]) for one in lines] == [0.5, 1.0, 3.0, 6.0]
@@ -119,7 +119,7 @@ def test_each_gear_is_excited_at_its_own_input() -> None:
 
 
 def test_orders_of_another_link_do_not_fire() -> None:
-    results = solve(load(CASES / "moskvich412.yaml"))
+    results = shipped_results("moskvich412.yaml")
     lines = marks(drawn(results, "response", AT_WHEELS, 1), "line")
     assert [one.data for one in lines] == [
         {"order": "2", "firing": "false"},
@@ -130,7 +130,7 @@ def test_orders_of_another_link_do_not_fire() -> None:
 def test_another_link_must_be_one(tmp_path: Path) -> None:
     file = CASES / "moskvich412.yaml"
     result = vstatics("plot", file, "-k", "response", "--at", "wheel", "-o", tmp_path / "a.svg")
-    assert (result.status, "no link 'wheel'; did you mean `wheels`?" in result.err) == (2, True)
+    assert result.is_wrong_use("no link 'wheel'; did you mean `wheels`?")
 
 
 def test_a_link_that_stands_has_no_response(tmp_path: Path) -> None:
@@ -142,5 +142,4 @@ def test_a_link_that_stands_has_no_response(tmp_path: Path) -> None:
         encoding="utf-8",
     )
     result = vstatics("plot", file, "-k", "response", "--at", "c", "-o", tmp_path / "a.svg")
-    assert result.status == 1
-    assert "error: no response in gear one: link c stands still" in result.err
+    assert result.fails("error: no response in gear one: link c stands still")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
@@ -20,10 +19,9 @@ ROAD = "{variance: 1e-4, correlation: [[1, .3, .8]], speed: 36 km/h}"
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("case.yaml").write_text(CASE, encoding="utf-8")
-    Path("road.yaml").write_text(ROAD, encoding="utf-8")
+def _files(folder: Path) -> None:
+    (folder / "case.yaml").write_text(CASE, encoding="utf-8")
+    (folder / "road.yaml").write_text(ROAD, encoding="utf-8")
 
 
 def test_numbers_may_have_units() -> None:
@@ -64,7 +62,7 @@ def test_a_road_in_numbers() -> None:
     """Rms of the twist .013981935 m; its rate has no variance, as the damper passes jumps."""
     asked = ("torsion", "random", "case.yaml", "--at", "road", "--by", "motion")
     said = vstatics(*asked, "--input", "road.yaml", "--omega", "1:5:2", "-f", "json")
-    [gear] = json.loads(said.out)["gears"]
+    [gear] = said.json["gears"]
     assert gear["devices"]["strut"]["twist_rms"] == pytest.approx(0.013981935, rel=1e-7)
     assert gear["devices"]["strut"]["twist_rate_rms"] is None
     assert gear["spectrum"]["omega"] == [1, 5]

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, vstatics
-from tests.page.report.pages import Page, output, report, value, write
+from tests.commands import CASES, json_answer, vstatics
+from tests.page.report.pages import Page, report, value, write
 
 DRIVELINE = """\
 name: little driveline
@@ -49,7 +49,7 @@ def titles(page: Page) -> list[str]:
 
 @pytest.mark.slow
 def test_frequencies_are_those_of_the_modes(shown: Page, tmp_path: Path) -> None:
-    found = output("torsion", "modes", write(tmp_path, DRIVELINE))["gears"]
+    found = json_answer("torsion", "modes", write(tmp_path, DRIVELINE))["gears"]
     table = shown.table("Natural frequencies [Hz]")
     for gear in found:
         row = table[gear["name"]]
@@ -137,7 +137,7 @@ def test_without_matplotlib_there_are_the_tables(
 def test_a_shipped_driveline_has_its_page() -> None:
     name = "moskvich412.yaml"
     page = Page(report(CASES / name))
-    assert {**page.data, "file": name} == output("run", CASES / name)
+    assert {**page.data, "file": name} == json_answer("run", CASES / name)
     gears = page.data["gears"]
     captions = [one.text for one in page.all("figcaption")]
     assert len(gears) <= len([one for one in captions if one.startswith("Natural modes")])

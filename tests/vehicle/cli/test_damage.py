@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests.commands import vstatics
+from tests.commands import json_answer, vstatics
 
 CASE = """\
 name: shafts
@@ -26,26 +24,21 @@ RECORD = "time,torques[shaft]\n" + "".join(f"{n},{one}\n" for n, one in enumerat
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("case.yaml").write_text(CASE, encoding="utf-8")
-    Path("both.yaml").write_text(BOTH, encoding="utf-8")
-    Path("record.csv").write_text(RECORD, encoding="utf-8")
-
-
-def answer(*words: str) -> Any:
-    return json.loads(vstatics(*words, "-f", "json").out)
+def _files(folder: Path) -> None:
+    (folder / "case.yaml").write_text(CASE, encoding="utf-8")
+    (folder / "both.yaml").write_text(BOTH, encoding="utf-8")
+    (folder / "record.csv").write_text(RECORD, encoding="utf-8")
 
 
 def test_a_record() -> None:
-    found = answer("damage", "case.yaml", "record.csv")
+    found = json_answer("damage", "case.yaml", "record.csv")
     assert found["format"] == "vstatics-damage"
     shaft = found["damage"]["shaft"]
     assert shaft["damage"] == pytest.approx(5.341796875e-7, rel=1e-12)
     assert shaft["repeats"] == pytest.approx(1 / 5.341796875e-7, rel=1e-12)
     assert sum(one["count"] for one in shaft["cycles"]) == 4
     assert {(one["range"], one["mean"]) for one in shaft["cycles"]} >= {(900.0, 50.0)}
-    assert answer("damage", "record", "case.yaml", "record.csv") == found
+    assert json_answer("damage", "record", "case.yaml", "record.csv") == found
     assert "5342" in vstatics("damage", "case.yaml", "record.csv").out
 
 
@@ -53,7 +46,7 @@ def test_units_in_headings_and_names_in_quotes() -> None:
     rows = [f"x,{one / 1000},{one}" for one in EXAMPLE]
     heads = 'note,torques[shaft] [kN*m],"torques[""half-shaft""]"'
     Path("record.csv").write_text("\n".join([heads, *rows, "", ""]), encoding="utf-8")
-    found = answer("damage", "both.yaml", "record.csv")["damage"]
+    found = json_answer("damage", "both.yaml", "record.csv")["damage"]
     assert found["shaft"]["damage"] == pytest.approx(5.341796875e-7, rel=1e-12)
     assert found["half-shaft"]["cycles"][-1] == {"range": 900.0, "mean": 50.0, "count": 0.5}
     assert found["half-shaft"]["repeats"] is None
@@ -64,14 +57,14 @@ def test_a_name_may_stand_as_it_is() -> None:
     rows = [f"{one / 1000},{one}" for one in EXAMPLE]
     heads = "torques[half-shaft] [kN*m],torques[shaft]"
     Path("record.csv").write_text("\n".join([heads, *rows]), encoding="utf-8")
-    found = answer("damage", "both.yaml", "record.csv")["damage"]
+    found = json_answer("damage", "both.yaml", "record.csv")["damage"]
     assert [*found] == ["shaft", "half-shaft"]
     assert found["half-shaft"]["cycles"] == found["shaft"]["cycles"]
 
 
 def test_a_device_that_was_not_recorded_is_left_out() -> None:
     found = vstatics("damage", "both.yaml", "record.csv", "-f", "json")
-    assert [*json.loads(found.out)["damage"]] == ["shaft"]
+    assert [*found.json["damage"]] == ["shaft"]
     assert 'record.csv:1:1: warning: there is no column `torques["half-shaft"]`' in found.err
     quiet = vstatics("damage", "both.yaml", "record.csv", "--allow", "W880")
     assert quiet.err == ""
@@ -108,30 +101,29 @@ def test_records_that_are_none(record: str, message: str) -> None:
 def test_a_case_that_tells_no_strength() -> None:
     Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
     found = vstatics("damage", "case.yaml", "record.csv")
-    assert found.status == 1
-    assert "the case has no `fatigue`" in found.err
+    assert found.fails("the case has no `fatigue`")
 
 
 def test_rayleigh() -> None:
     """The example of Tsitovich and Algin, chapter 4.6."""
     words = ["damage", "rayleigh", "--endurance", "100MPa", "--deviation", "60e3 kPa"]
     words += ["--exponent", "3", "--cycles", "4e6"]
-    by_km, alone = answer(*words, "--per-km", "100"), answer(*words)
+    by_km, alone = json_answer(*words, "--per-km", "100"), json_answer(*words)
     assert by_km["integral"] == pytest.approx(3.6191919, rel=1e-7)
     assert by_km["life"] == pytest.approx(51167.55, rel=1e-7)
     assert alone["life"] == pytest.approx(5116755, rel=1e-6)
-    assert answer(*words, "--sum", "2")["life"] == pytest.approx(2 * alone["life"])
+    assert json_answer(*words, "--sum", "2")["life"] == pytest.approx(2 * alone["life"])
     assert "life [km]" in vstatics(*words, "--per-km", "100").out
     bare = [*words[:3], "100", "--deviation", "60", *words[6:]]
-    assert answer(*bare) == pytest.approx(alone), "only the quotient of stresses counts"
+    assert json_answer(*bare) == pytest.approx(alone), "only the quotient of stresses counts"
 
 
 def test_resize() -> None:
     words = "damage", "resize", "--diameter"
-    by_ratio = answer(*words, "42 mm", "--ratio", "2.9")
+    by_ratio = json_answer(*words, "42 mm", "--ratio", "2.9")
     assert by_ratio["diameter"] == pytest.approx(56.454, abs=5e-4)
     assert by_ratio["reduced_compliance"] == pytest.approx(2.5764, abs=5e-5)
-    by_parts = answer(*words, "42", "--torque", "2.9", "--repeats", f"{1 / 2.9!r}")
+    by_parts = json_answer(*words, "42", "--torque", "2.9", "--repeats", f"{1 / 2.9!r}")
     assert by_parts["diameter"] == pytest.approx(by_ratio["diameter"])
     assert "reduced_compliance" not in by_parts
     assert "diameter [mm]" in vstatics(*words, "42 mm", "--ratio", "2.9").out
@@ -156,8 +148,7 @@ def test_resize() -> None:
 )
 def test_wrong_use(words: str, message: str) -> None:
     found = vstatics("damage", *words.split())
-    assert found.status == 2
-    assert message in found.err
+    assert found.is_wrong_use(message)
 
 
 def test_a_rigid_device_has_no_life_under_random_torques(tmp_path: Path) -> None:

@@ -318,7 +318,7 @@ def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Pat
     given.write_text("time [s],speed [m/s]\n0,60\n1,60\n2,80\n3,80\n")
     asked = ["cycle", str(case), str(given), "-f", "json", "--least-speed"]
     ran = vstatics(*asked, "1000 rpm")
-    messages = json.loads(ran.out)["cycle"]["messages"]
+    messages = ran.json["cycle"]["messages"]
     assert ran.status == 0
     assert [one[-6:] for one in messages] == ["[W428]", "[W429]"]
     # the second gear turns 4 v: 240, 280, 320 rad/s, and 1000 kg 20 m/s^2 are beyond any engine
@@ -328,10 +328,9 @@ def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Pat
     assert f"{case}: {messages[0][:-7]}" in ran.err  # `tests.commands` drops ids
     assert vstatics(*asked, "1000 rpm", "--strict").status == 1
     ran = vstatics(*asked, "1000 rpm", "--strict", "--allow", "W428", "--allow", "W429")
-    assert (ran.status, json.loads(ran.out)["cycle"]["messages"]) == (0, [])
+    assert (ran.status, ran.json["cycle"]["messages"]) == (0, [])
     ran = vstatics(*asked, "1000")
-    assert ran.status == 2
-    assert "read '1000', expected a speed with its unit" in ran.err
+    assert ran.is_wrong_use("read '1000', expected a speed with its unit")
 
 
 def test_a_specific_consumption_is_told_how_it_becomes_a_rate() -> None:
@@ -377,8 +376,7 @@ def test_faults_of_a_trace_are_told_with_their_place(tmp_path: Path, text: str, 
     case.write_text(json.dumps(made | {"vehicle": {"mass": 1000, "radius": 0.5}}))
     file.write_text(text)
     ran = vstatics("cycle", str(case), str(file))
-    assert (ran.status, ran.out) == (1, "")
-    assert said in ran.err
+    assert ran.gives_nothing(said)
 
 
 @pytest.mark.parametrize(
@@ -401,22 +399,19 @@ gears: {"1": []}
 vehicle: {mass: 1000, radius: 0.5, engine: [[0, 100]], fuel: {file: fuel.csv}}
 """)
     ran = vstatics("cycle", str(case), str(tmp_path / "t.csv"))
-    assert (ran.status, ran.out) == (1, "")
-    assert f"fuel.csv{said}" in ran.err
+    assert ran.gives_nothing(f"fuel.csv{said}")
 
 
 def test_a_case_without_a_vehicle_is_told(tmp_path: Path) -> None:
     (tmp_path / "t.csv").write_text("time [s],speed [km/h]\n0,1\n1,2\n")
     ran = vstatics("cycle", "cases/zf-8hp70.yaml", str(tmp_path / "t.csv"))
-    assert ran.status == 1
-    assert "the case has no `vehicle`" in ran.err
+    assert ran.fails("the case has no `vehicle`")
 
 
 def test_the_case_stands_first() -> None:
     for command in (["cycle"], ["damage"]):
         ran = vstatics(*command, "t.csv", "car.yaml")
-        assert ran.status == 2
-        assert "the case stands first, then the CSV file: car.yaml t.csv" in ran.err
+        assert ran.is_wrong_use("the case stands first, then the CSV file: car.yaml t.csv")
 
 
 def test_the_engine_gives_what_statics_asks_for() -> None:

@@ -13,7 +13,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.commands import vstatics
 from vstatics import Gear, Mechanism, ReadError, Transmission
 from vstatics.core.numerics.constants import AIR, GRAVITY
@@ -155,7 +155,7 @@ class Layout:
 
 @pytest.mark.parametrize(
     "seed",
-    [*range(1), *(pytest.param(n, marks=pytest.mark.slow) for n in range(1, count(8, 100)))],
+    with_marked(range(1), range(1, count(8, 100)), pytest.mark.slow),
 )
 def test_layouts_of_published_cycles(seed: int) -> None:
     """Distance by exact fractions; work at the wheels by the equation of motion, row by row."""

@@ -128,7 +128,7 @@ def test_summary_tells_the_vehicle(tmp_path: Path) -> None:
     )
     ran = vstatics("summary", str(file), "-f", "json")
     assert ran.status == 0
-    told = json.loads(ran.out)
+    told = ran.json
     told = told[0] if isinstance(told, list) else told
     assert told["vehicle"]["top_speed"] == pytest.approx(180)
     assert told["vehicle"]["time_to_100"] == pytest.approx(100 / 3.6)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from itertools import pairwise
 from pathlib import Path
 
@@ -10,8 +9,9 @@ import numpy as np
 import pytest
 from matplotlib.patches import Polygon
 
-from tests.commands import CASES, SHIPPED, vstatics
+from tests.commands import CASES, SHIPPED, json_answer
 from tests.pictures.test_pictures import overlaps
+from tests.shipped import shipped_results
 from tests.vehicle.pictures.cars import box, marks
 from vstatics import CaseError, load, solve
 from vstatics.pictures import picture
@@ -37,7 +37,7 @@ def test_a_final_drive_that_turns_the_sign_keeps_it_in_ratios_and_not_in_steps()
 def test_steps_are_those_of_a_sweep_and_of_the_summary() -> None:
     case = CASES / "ford-10r80.yaml"
     cells = marks(solve(load(case)), "steps", "step")
-    answer = json.loads(vstatics("summary", case, "-f", "json").out)
+    answer = json_answer("summary", case)
     steps = {one["gear"]: one["step"] for one in answer["gears"] if one["step"] is not None}
     assert {one["gear"]: float(one["step"]) for one in cells if "step" in one} == pytest.approx(
         steps
@@ -85,5 +85,5 @@ def test_no_text_of_any_shipped_case_covers_another(path: Path) -> None:
 
 def test_numbers_of_steps_stand_in_their_cells_in_a_column() -> None:
     """Of 85 mm: names of rows give way; upright no number is wider than its cell."""
-    results = solve(load(CASES / "zf-9hp48.yaml"))
+    results = shipped_results("zf-9hp48.yaml")
     assert overlaps(results, "steps", Style("ru", width=85 / 25.4 * 72)) == []

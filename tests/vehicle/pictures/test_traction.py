@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 
@@ -10,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.chance import generator
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.pictures.drawn import titled
 from tests.vehicle.pictures.cars import CAR, ENGINE, box, marks
 from vstatics import CaseError, Results
@@ -60,7 +59,7 @@ vehicle: {mass: 1900, radius: .33, rolling: .011, drag_area: .65, final_drive: 3
 """
     case, to = tmp_path / "box.yaml", tmp_path / "box.svg"
     case.write_text((CASES / "zf-8hp70.yaml").read_text("utf-8") + vehicle, "utf-8")
-    answer = json.loads(vstatics("summary", case, "-f", "json").out)["vehicle"]["gears"]
+    answer = json_answer("summary", case)["vehicle"]["gears"]
     assert vstatics("plot", case, "-k", "traction", "-o", to).status == 0
     from xml.etree import ElementTree as ET
 

@@ -18,11 +18,9 @@ gears: {"1": {}}
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def _case(folder: Path) -> None:
     """The current one, with a step-up."""
-    monkeypatch.chdir(tmp_path)
-    Path("up.yaml").write_text(STEP_UP, encoding="utf-8")
-    return tmp_path
+    (folder / "up.yaml").write_text(STEP_UP, encoding="utf-8")
 
 
 def test_a_small_number_has_four_significant_digits() -> None:

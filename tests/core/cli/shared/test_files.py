@@ -10,17 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import BAD, CASES, MZKT, TIED_UP, vstatics
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder, the current one."""
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def names(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
+from tests.processes import names
 
 
 @pytest.mark.parametrize("form", ["listing", "json", "csv"])
@@ -65,7 +55,7 @@ def test_a_write_that_breaks_off_leaves_the_old_file(
     old.write_text("old", encoding="utf-8")
     monkeypatch.setattr(os, "replace", full)
     said = vstatics("run", MZKT, "-o", "old.lst")
-    assert (said.status, said.out) == (1, "")
+    assert said.gives_nothing()
     assert said.err == "old.lst: error: can't be written: No space left on device\n"
     assert (names(folder), old.read_text(encoding="utf-8")) == (["old.lst"], "old")
 
@@ -90,7 +80,7 @@ def test_what_cannot_be_written_is_told(target: str, reason: str) -> None:
     Path("file").touch()
     for command in (["run", MZKT, "-o", target], ["convert", MZKT, target, "--to", "deck"]):
         said = vstatics(*command)
-        assert (said.status, said.out) == (1, "")
+        assert said.gives_nothing()
         assert said.err == f"{target}: error: can't be written: {reason}\n"
     assert names(Path()) == ["file"]
 
@@ -148,20 +138,17 @@ def test_nothing_is_written_over_what_is_read(folder: Path, given: tuple[str, ..
     Path("v.csv").write_text("D.ratio\n-2\n-3\n", encoding="utf-8")
     before = {path.name: path.read_bytes() for path in folder.iterdir()}
     said = vstatics(*given)
-    assert said.status == 2
-    assert "is what is read, and would be overwritten" in said.err
+    assert said.is_wrong_use("is what is read, and would be overwritten")
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
 
 
 def test_a_handle_that_there_cannot_be_is_told() -> None:
     said = vstatics("run", MZKT, "-o", "/dev/fd/99999999999999999999")
-    assert said.status == 1
-    assert "can't be written" in said.err
+    assert said.fails("can't be written")
     assert "an error of vstatics" not in said.err
 
 
 @pytest.mark.usefixtures("folder")
 def test_a_page_is_no_other_file() -> None:
     said = vstatics("report", MZKT, "-o", "page.pdf")
-    assert said.status == 2
-    assert "page.pdf: no format has this suffix here: expected .html .htm" in said.err
+    assert said.is_wrong_use("page.pdf: no format has this suffix here: expected .html .htm")

@@ -10,22 +10,14 @@ from typing import Any
 import openpyxl
 import pytest
 
-from tests.commands import CASES, MZKT, vstatics
+from tests.commands import CASES, MZKT, json_answer, vstatics
+from tests.processes import names
 from vstatics import load, solve
+
+pytestmark = pytest.mark.usefixtures("folder")
 
 ZF = CASES / "zf-8hp70.yaml"
 COMMANDS = ("run", "flow", "summary", "explain")
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder, the current one."""
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def names() -> list[str]:
-    return sorted(path.name for path in Path().iterdir())
 
 
 def sheets(path: str) -> dict[str, list[tuple[Any, ...]]]:
@@ -127,7 +119,7 @@ def test_several_cases_to_a_name_with_suffix_are_one_file(command: str, suffix: 
     documents = json.loads(text) if suffix == "json" else list(map(json.loads, text.splitlines()))
     assert [one["file"] for one in documents] == ["zf-8hp70.yaml", "bad.yaml", "mzkt7922.dat"]
     assert set(documents[1]) == {"file", "case", "errors"}
-    alone = json.loads(vstatics(command, MZKT, "-f", "json").out)
+    alone = json_answer(command, MZKT)
     assert documents[2] == alone
 
 
@@ -169,13 +161,12 @@ def test_a_picture_shows_the_gears_that_are_asked_for() -> None:
     ]
     assert sizes[0] > 2 * sizes[1]
     said = vstatics("plot", ZF, "-k", "stick", "--gear", "1", "--gear", "2", "-o", "x.svg")
-    assert said.status == 1
-    assert "the picture of a scheme shows one gear at a time" in said.err
+    assert said.fails("the picture of a scheme shows one gear at a time")
 
 
 def test_a_case_without_the_gear_that_is_asked_for_fails_alone() -> None:
     said = vstatics("flow", MZKT, ZF, "--gear", "8", "-f", "json")
-    lacking, flow = json.loads(said.out)
+    lacking, flow = said.json
     assert said.status == 1
     assert lacking["errors"] == [f"{MZKT}: error: no gear '8'; gears are 1, 2, 3, 4, 5, 6 [E090]"]
     assert [gear["gear"] for gear in flow["gears"]] == ["8"]
@@ -185,7 +176,7 @@ def test_a_case_without_the_gear_that_is_asked_for_fails_alone() -> None:
 @pytest.mark.parametrize("command", ["flow", "explain"])
 def test_gears_may_be_several_and_each_is_told_once(command: str) -> None:
     said = vstatics(command, MZKT, "--gear", "6", "--gear", "2", "--gear", "6", "-f", "json")
-    assert [one["gear"] for one in json.loads(said.out)["gears"]] == ["6", "2"]
+    assert [one["gear"] for one in said.json["gears"]] == ["6", "2"]
 
 
 def test_cases_are_summed_up_side_by_side() -> None:

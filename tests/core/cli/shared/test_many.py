@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from tests.chance import count
-from tests.commands import BAD, ID, MZKT, NEUTRAL, TIED_UP, shell, vstatics
+from tests.commands import BAD, ID, MZKT, NEUTRAL, TIED_UP, json_answer, shell, vstatics
 from vstatics import solve
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
@@ -19,15 +19,14 @@ SUFFIXES = {"listing": ".lst", "json": ".json", "csv": ".csv"}
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(folder: Path) -> Path:
     """A folder, the current one, with three good cases of different kinds and a bad one."""
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "mzkt.dat").write_bytes(MZKT.read_bytes())
-    (tmp_path / "in" / "neutral.yaml").write_text(NEUTRAL, encoding="utf-8")
-    (tmp_path / "in" / "tied.yaml").write_text(TIED_UP, encoding="utf-8")
-    (tmp_path / "in" / "bad.yaml").write_text(BAD, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+    (folder / "in").mkdir()
+    (folder / "in" / "mzkt.dat").write_bytes(MZKT.read_bytes())
+    (folder / "in" / "neutral.yaml").write_text(NEUTRAL, encoding="utf-8")
+    (folder / "in" / "tied.yaml").write_text(TIED_UP, encoding="utf-8")
+    (folder / "in" / "bad.yaml").write_text(BAD, encoding="utf-8")
+    return folder
 
 
 def names(path: str) -> list[str]:
@@ -164,8 +163,9 @@ def test_a_result_that_would_overwrite_a_case_or_the_list_is_refused() -> None:
     vstatics("run", "in/mzkt.dat", "-o", "in/report.lst")
     for output in ("in", "in/", "./in/../in"):
         said = vstatics("run", "in/report.lst", "in/neutral.yaml", "-o", output)
-        assert said.status == 2
-        assert "the result of in/report.lst would overwrite the case in/report.lst" in said.err
+        assert said.is_wrong_use(
+            "the result of in/report.lst would overwrite the case in/report.lst"
+        )
     Path("out").symlink_to("in")
     assert vstatics("run", "in/report.lst", "in/neutral.yaml", "-o", "out").status == 2
     Path("in/mzkt.csv").write_text("in/mzkt.dat", encoding="utf-8")
@@ -195,8 +195,7 @@ def test_a_result_that_would_overwrite_a_case_or_the_list_is_refused() -> None:
 def test_what_cannot_be_meant_is_refused(arguments: str, words: str) -> None:
     Path("plain").touch()
     said = vstatics("run", *GOOD, *arguments.split())
-    assert (said.status, said.out) == (2, "")
-    assert words in said.err
+    assert said.is_wrong_use(words)
     assert names(".") == ["in", "plain"]
 
 
@@ -226,7 +225,7 @@ def test_cases_come_from_a_list(text: str) -> None:
     Path("list").write_bytes(text.encode())
     for given in (["--files-from", "list"], ["--files-from", "-"]):
         said = vstatics("run", "in/tied.yaml", *given, "-f", "json", stdin=text.encode())
-        tied, neutral, mzkt = json.loads(said.out)
+        tied, neutral, mzkt = said.json
         assert (tied["gears"], neutral["gears"]) == (["both", "low"], ["N", "low"])
         assert len(mzkt["gears"]) == 6
 
@@ -236,7 +235,7 @@ def test_a_list_of_one_is_a_list_and_of_none_too() -> None:
     said = vstatics("run", "--files-from", "-", "-o", "out", "-f", "csv", stdin=b"in/mzkt.dat\n")
     assert (said.status, names("out")) == (0, ["mzkt.csv"])
     said = vstatics("run", "--files-from", "-", "-f", "json", stdin=b"in/mzkt.dat")
-    assert len(json.loads(said.out)) == 1
+    assert len(said.json) == 1
     said = vstatics("run", "--files-from", "-", stdin=b"\n # none\n")
     assert (said.status, said.out, said.err) == (0, "", "<stdin>: names no file\n")
     said = vstatics("run", "--files-from", "nowhere")
@@ -260,7 +259,7 @@ def test_names_found_by_find_come_through_a_pipe(folder: Path) -> None:
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("jobs", [1, 3])
 def test_jsonl_has_a_line_for_each_case_in_their_order(jobs: int) -> None:
-    array = json.loads(vstatics("run", *ALL, "-f", "json").out)
+    array = json_answer("run", *ALL)
     said = vstatics("run", *ALL, "-f", "jsonl", "--jobs", jobs)
     assert (said.status, said.out[-1]) == (1, "\n")
     assert [json.loads(line) for line in said.out.splitlines()] == array
@@ -272,10 +271,10 @@ def test_jsonl_has_a_line_for_each_case_in_their_order(jobs: int) -> None:
 
 @pytest.mark.usefixtures("folder")
 def test_jsonl_of_one_case_is_one_line_and_that_of_a_bad_one_tells_it() -> None:
-    alone = json.loads(vstatics("run", GOOD[0], "-f", "json").out)
-    assert json.loads(vstatics("run", GOOD[0], "-f", "jsonl").out) == alone
+    alone = json_answer("run", GOOD[0])
+    assert vstatics("run", GOOD[0], "-f", "jsonl").json == alone
     said = vstatics("run", "in/bad.yaml", "-f", "jsonl")
-    assert (said.status, set(json.loads(said.out))) == (1, {"file", "case", "errors"})
+    assert (said.status, set(said.json)) == (1, {"file", "case", "errors"})
 
 
 @pytest.mark.usefixtures("folder")

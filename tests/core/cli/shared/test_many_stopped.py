@@ -25,12 +25,11 @@ CASES = ("a.dat", "b.dat", "pipe.dat", "c.dat", "d.dat")
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _files(folder: Path) -> None:
     """Cases of which the third is a pipe."""
-    monkeypatch.chdir(tmp_path)
     for name in CASES:
-        Path(name).write_bytes(MZKT.read_bytes())
-    Path("pipe.dat").unlink()
+        (folder / name).write_bytes(MZKT.read_bytes())
+    (folder / "pipe.dat").unlink()
     os.mkfifo("pipe.dat")
 
 

@@ -13,36 +13,30 @@ from tests.chance import count, seeded
 from vstatics.core.cli.shared.patterns import expanded
 
 
-def test_patterns_find_what_glob_finds_where_no_link_leads_up(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
+def test_patterns_find_what_glob_finds_where_no_link_leads_up(folder: Path) -> None:
     rng = seeded(13)
     for number in range(count(40, 400)):
         top = Path(f"top{number}")
         for _ in range(rng.randint(1, 8)):
-            folder = top.joinpath(*rng.choices(["a", "b", "[c]", ".d"], k=rng.randint(0, 3)))
-            folder.mkdir(parents=True, exist_ok=True)
-            (folder / rng.choice(["x.yaml", "y.yaml", ".z.yaml"])).touch()
+            inner = top.joinpath(*rng.choices(["a", "b", "[c]", ".d"], k=rng.randint(0, 3)))
+            inner.mkdir(parents=True, exist_ok=True)
+            (inner / rng.choice(["x.yaml", "y.yaml", ".z.yaml"])).touch()
         parts = rng.choices(["*", "a", "?", "[ab]", "*b*", "..", "x*"], k=rng.randint(1, 4))
-        pattern = "/".join([rng.choice([f"top{number}", str(tmp_path / top)]), *parts, "*.yaml"])
+        pattern = "/".join([rng.choice([f"top{number}", str(folder / top)]), *parts, "*.yaml"])
         matching = glob.glob(pattern)  # noqa: PTH207
         expected = sorted(one for one in matching if not Path(one).is_dir())
         if expected:
             assert expanded([pattern]) == expected
 
 
-def test_links_to_folders_above_are_not_followed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "a/b/c").mkdir(parents=True)
+def test_links_to_folders_above_are_not_followed(folder: Path) -> None:
+    (folder / "a/b/c").mkdir(parents=True)
     for number in range(9):
-        (tmp_path / f"a/b/up{number}").symlink_to("../..")
-    (tmp_path / "elsewhere").mkdir()
-    (tmp_path / "elsewhere/x.yaml").touch()
-    (tmp_path / "a/side").symlink_to("../elsewhere")
-    (tmp_path / "a/b/c/x.yaml").touch()
+        (folder / f"a/b/up{number}").symlink_to("../..")
+    (folder / "elsewhere").mkdir()
+    (folder / "elsewhere/x.yaml").touch()
+    (folder / "a/side").symlink_to("../elsewhere")
+    (folder / "a/b/c/x.yaml").touch()
     begin = time.process_time()
     assert expanded(["*/*/*/*.yaml"]) == ["a/b/c/x.yaml"]
     assert expanded(["a/*/*.yaml"]) == ["a/side/x.yaml"]

@@ -3,14 +3,11 @@
 The places were counted in the files, not taken from the program.
 """
 
-from pathlib import Path
-
 import pytest
 
+from tests.commands import BAD_FILES
 from vstatics.core.errors import ReadError
 from vstatics.core.readers.deck import reader as deck
-
-BAD = Path(__file__).parents[3] / "bad"
 
 FAULTS = [
     ("size-missing", 24, 34, "KL is missing", "number of shift elements"),
@@ -133,7 +130,7 @@ def test_fault_has_its_place_and_words(
 ) -> None:
     file = f"{name}.dat"
     with pytest.raises(ReadError) as raised:
-        deck.read((BAD / file).read_bytes(), file)
+        deck.read((BAD_FILES / file).read_bytes(), file)
     errors = [problem for problem in raised.value.problems if problem.severity == "error"]
     assert len(errors) == 1, raised.value
     assert str(errors[0]).startswith(f"{file}:{line}:{column}: error: ")
@@ -142,12 +139,12 @@ def test_fault_has_its_place_and_words(
 
 
 def test_every_deck_with_a_fault_is_tested() -> None:
-    files = {file.stem for file in BAD.glob("*.dat")}
+    files = {file.stem for file in BAD_FILES.glob("*.dat")}
     assert files == {fault[0] for fault in FAULTS} | {"no-fault"}
 
 
 def test_without_the_fault_the_deck_is_read() -> None:
-    reading = deck.read((BAD / "no-fault.dat").read_bytes(), "no-fault.dat")
+    reading = deck.read((BAD_FILES / "no-fault.dat").read_bytes(), "no-fault.dat")
     assert reading.warnings == []
     assert reading.case.gears[1].speeds == {2: 0.5}
     assert reading.case.gears[0].torques == {3: -0.1}

@@ -1,7 +1,6 @@
 """The deck reader: the published example, the rules of reading, and broken decks."""
 
 import time
-from pathlib import Path
 from random import Random
 
 import pytest
@@ -9,13 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
+from tests.commands import BAD_FILES, MZKT
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.readers.deck import reader as deck
 from vstatics.core.readers.deck.text import decode, head, holds_deck
 
-PUBLISHED = (Path(__file__).parents[4] / "cases" / "mzkt7922.dat").read_bytes()
-SMALL = (Path(__file__).parents[3] / "bad" / "no-fault.dat").read_bytes()
+PUBLISHED = MZKT.read_bytes()
+SMALL = (BAD_FILES / "no-fault.dat").read_bytes()
 
 OPENING = """\
 KJG — число основных подвижных звеньев механизма;

@@ -7,12 +7,12 @@ import json
 import random
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.commands import BAD_FILES, CASES
 from tests.core.readers.named.friction_faults import FAULTS as FRICTION_FAULTS
 from tests.core.readers.named.spring_faults import FAULTS as SPRING_FAULTS
 from tests.core.readers.named.straight_faults import FAULTS as STRAIGHT_FAULTS
@@ -22,9 +22,6 @@ from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Spee
 from vstatics.core.readers.named.reader import read_document, read_json, read_yaml
 from vstatics.core.readers.reading import Reading
 from vstatics.core.writers.named import mapping, write_json, write_yaml
-
-BAD = Path(__file__).parents[3] / "bad"
-CASES = Path(__file__).parents[4] / "cases"
 
 # file, line, column, words of the message: the place of the one fault in the file
 FAULTS = [
@@ -239,7 +236,7 @@ def errors(data: bytes | str, file: str = "case.yaml") -> list[Problem]:
 
 @pytest.mark.parametrize(("file", "line", "column", "words"), FAULTS)
 def test_a_fault_is_told_with_its_place(file: str, line: int, column: int, words: str) -> None:
-    problem, *others = errors((BAD / file).read_bytes(), file)
+    problem, *others = errors((BAD_FILES / file).read_bytes(), file)
     assert problem.place is not None
     assert (problem.place[:3], others) == ((file, line, column), [])
     assert words in problem.message
@@ -247,7 +244,7 @@ def test_a_fault_is_told_with_its_place(file: str, line: int, column: int, words
 
 
 def test_every_bad_yaml_file_is_in_the_table() -> None:
-    assert {file.name for file in BAD.glob("*.yaml")} == {
+    assert {file.name for file in BAD_FILES.glob("*.yaml")} == {
         file for file, *_ in FAULTS if file.endswith(".yaml")
     }
 

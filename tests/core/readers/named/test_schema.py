@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from jsonschema import Draft202012Validator
 
 from tests.chance import count
+from tests.commands import ROOT
 from tests.installed import needs
 from tests.strategies import transmissions
 from vstatics.core.elements.keys import DRAWN
@@ -23,7 +24,6 @@ from vstatics.core.readers.named.reader import read_json
 from vstatics.core.readers.named.schema import json_schema
 from vstatics.core.writers.named import mapping
 
-ROOT = Path(__file__).parents[4]
 VALIDATOR = Draft202012Validator(json_schema())
 
 SAMPLE = """

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import datetime as dt
 import io
-import json
 import re
 import zipfile
 from collections.abc import Callable
@@ -17,7 +16,7 @@ from hypothesis import given, settings
 
 import vstatics as library
 from tests.chance import count
-from tests.commands import ID, SHIPPED, vstatics
+from tests.commands import ID, SHIPPED, json_answer, vstatics
 from tests.strategies import ANY_NUMBER, ODD_NAMES, transmissions
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission
 from vstatics.core import readers
@@ -174,7 +173,7 @@ def test_all_faults_are_told_at_once_with_their_cells_in_json(tmp_path: Path) ->
     file.write_bytes(with_cells({"mechanisms!E2": "much", "gears!D3": "y"}))
     said = vstatics("check", file)
     assert re.findall(r"box.xlsx:(\S+): error", said.err) == ["mechanisms!E2", "gears!D3"]
-    told = json.loads(vstatics("check", file, "-f", "json").out)
+    told = json_answer("check", file)
     assert [(one["file"], one["line"], one["column"]) for one in told] == [
         (str(file), 2, 5),
         (str(file), 3, 4),

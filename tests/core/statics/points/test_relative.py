@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.core.statics.batches import ARRAYS, alike
 from tests.trains import random_train
 from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
@@ -88,22 +88,15 @@ def assert_same(together: Results, point: int, alone: Results) -> None:
         np.testing.assert_allclose(numbers, expected, rtol=1e-11, atol=1e-11 * size)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize(
+    "seed", with_marked(range(12), range(12, 12 + count(6, 200)), pytest.mark.slow)
+)
 def test_points_together_are_what_they_are_alone(seed: int) -> None:
     case = random_train(seeded(seed)).replace(load=Load(1500, 100))
-    vary = varied(seed, case, 8)
+    points = 8 if seed < 12 else 60
+    vary = varied(seed, case, points)
     together = solve(case, vary=vary)
-    for point in range(8):
-        assert_same(together, point, solve(at(case, vary, point)))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(12, 12 + count(6, 200)))
-def test_many_points_together_are_what_they_are_alone(seed: int) -> None:
-    case = random_train(seeded(seed)).replace(load=Load(1500, 100))
-    vary = varied(seed, case, 60)
-    together = solve(case, vary=vary)
-    for point in range(60):
+    for point in range(points):
         assert_same(together, point, solve(at(case, vary, point)))
 
 

@@ -18,8 +18,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from tests.commands import CASES, vstatics
-from tests.page.report.pages import output
+from tests.commands import CASES, json_answer, vstatics
 from tests.page.serve.windows import looked_through, served
 from vstatics import load, solve
 from vstatics.core.flow.power import flows
@@ -231,7 +230,7 @@ def test_tables_are_saved_with_all_digits_whatever_is_shown(page: Any, box: Path
 
 def test_the_page_saves_the_result(page: Any, box: Path) -> None:
     saved = json.loads(downloaded(page, page.locator("#tools [data-save=json]")))
-    assert {**saved, "file": "box.yaml"} == output("run", box)
+    assert {**saved, "file": "box.yaml"} == json_answer("run", box)
 
 
 def test_a_picture_is_saved_as_it_stands_in_the_colours_of_paper(

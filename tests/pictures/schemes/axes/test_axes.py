@@ -12,6 +12,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import vstatics
+from tests.chance import with_marked
 from tests.commands import CASES
 from tests.pictures.drawn import texts
 from tests.pictures.schemes.axes.boxes import (
@@ -215,7 +216,7 @@ def test_everything_that_a_case_has_is_in_its_picture(
     assert roles == {"input", "output"}
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", with_marked(range(6), range(100, 130), pytest.mark.slow))
 def test_boxes_made_by_chance_can_be_built(seed: int) -> None:
     case = countershaft_box(random.Random(seed))  # noqa: S311 - no secret
     root = svg_of(case)
@@ -223,12 +224,6 @@ def test_boxes_made_by_chance_can_be_built(seed: int) -> None:
     check_apart(root)
     check_joined(root)
     check_bridged(root)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(100, 130))
-def test_many_boxes_made_by_chance_can_be_built(seed: int) -> None:
-    test_boxes_made_by_chance_can_be_built(seed)
 
 
 def colors_of(name: str, *kinds: str) -> dict[str, set[str]]:

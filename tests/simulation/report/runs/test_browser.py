@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.page.serve.windows import Program, looked_through, served
 from vstatics import load, load_scenario
 
@@ -47,7 +46,7 @@ def program() -> Iterator[Program]:
 @pytest.fixture(scope="module")
 def answer() -> dict[str, Any]:
     told = vstatics("simulate", str(SCENARIO), "--step", str(STEP), "-f", "json", "-q")
-    made: dict[str, Any] = json.loads(told.out)
+    made: dict[str, Any] = told.json
     return made
 
 
@@ -159,7 +158,7 @@ def test_the_points_of_a_lever_are_on_a_line(page: Any) -> None:
 
 def test_elements_have_the_colour_of_what_they_do(page: Any) -> None:
     """As the events say: A slips from .797 s to where C locks at .902 s, and is open then."""
-    events = json.loads(vstatics("simulate", str(SCENARIO), "-f", "json", "-q").out)["events"]
+    events = json_answer("simulate", str(SCENARIO), "-q")["events"]
     slips = next(one["time"] for one in events if (one["element"], one["event"]) == ("A", "slips"))
     locks = next(one["time"] for one in events if (one["element"], one["event"]) == ("C", "locks"))
     colour = """([name, kind]) => {

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES
+from tests.shipped import shipped_results
 from tests.simulation.pictures.test_shift import LOCK, run
 from vstatics import load, load_scenario, simulate, solve
 from vstatics.core.numerics.arrays import Floats
@@ -64,7 +65,7 @@ def test_lines_between_instants_are_as_near_as_is_told(seed: int) -> None:
 
 def test_columns_have_all_digits_of_the_run_at_its_instants() -> None:
     """By the headings of `vstatics simulate -f csv`; what does not change is a single number."""
-    motion, results = run(), solve(load(CASES / "tarasik-set.yaml"))
+    motion, results = run(), shipped_results("tarasik-set.yaml")
     kept = page_run(results, motion).motion
     told = recorded(results, kept)
     assert numbers(told["time"]).tolist() == kept.time.tolist()
@@ -89,7 +90,7 @@ def test_columns_have_all_digits_of_the_run_at_its_instants() -> None:
 
 def test_a_line_needs_no_more_instants_than_it_bends_at() -> None:
     """Speeds are straight up to the lock, where torques jump; the heat is a parabola."""
-    results, long = solve(load(CASES / "tarasik-set.yaml")), run(2000)
+    results, long = shipped_results("tarasik-set.yaml"), run(2000)
     straight = long._replace(heat=0.0 * long.heat, energy=long.energy._replace(heat={"brake": 0.0}))
     assert page_run(results, straight).motion.time.tolist() == [0.0, LOCK, LOCK, 1.0]
     bent = len(page_run(results, long).motion.time)

@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
-from tests.commands import Said, vstatics
+from tests.commands import Said, json_answer, vstatics
 from tests.processes import names
 from vstatics import load, solve
 from vstatics.core.cli.schemas import schemas
@@ -80,7 +80,7 @@ def searched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Searched:
 def boxes(*options: object) -> list[dict[str, object]]:
     said = vstatics("synth", "box", *ASKED, *options, "-f", "json")
     assert (said.status, said.err) == (0, "")
-    document = json.loads(said.out)
+    document = said.json
     assert (document["searched"], document["found"]) == (600, len(document["boxes"]))
     found: list[dict[str, object]] = document["boxes"]
     return found
@@ -88,7 +88,7 @@ def boxes(*options: object) -> list[dict[str, object]]:
 
 def refused(*options: object) -> str:
     said = vstatics("synth", "box", *options)
-    assert (said.status, said.out) == (2, "")
+    assert said.is_wrong_use()
     return said.err.split("Error: ")[1].rstrip()
 
 
@@ -191,7 +191,7 @@ def test_filters(options: tuple[object, ...], count: int) -> None:
 )
 def test_where_none_is_found_the_status_tells(options: tuple[object, ...], told: str) -> None:
     said = vstatics("synth", "box", *ASKED, *options, "-f", "json", "-q")
-    assert (said.status, json.loads(said.out)["boxes"]) == (1, [])
+    assert (said.status, said.json["boxes"]) == (1, [])
     assert said.err == f"no box is found: {told}\n"
 
 
@@ -200,7 +200,7 @@ def test_a_list_tells_whether_it_is_complete(searched: Searched, given_up: int) 
     searched.given_up = given_up
     for options, status in [((), 0), (("--complete",), int(given_up > 0))]:
         said = vstatics("synth", "box", *ASKED, *options, "-f", "json")
-        document = json.loads(said.out)
+        document = said.json
         assert (said.status, len(document["boxes"])) == (status, 3)
         told = document["complete"], document["given_up"]
         assert told == (not given_up, PIECES * given_up)
@@ -212,7 +212,7 @@ def test_a_dry_run_says_how_many() -> None:
     said = vstatics("synth", "box", *ASKED, "--dry-run")
     assert (said.status, said.out) == (0, "boxes  36\nfound  3\ntime   about a second\n")
     said = vstatics("synth", "box", *ASKED, "--dry-run", "-f", "json")
-    document = json.loads(said.out)
+    document = said.json
     assert 0 < document.pop("seconds") < 10
     assert 0 <= document.pop("compile_seconds") < 10
     assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
@@ -229,8 +229,8 @@ def test_a_dry_run_says_what_it_compiled(monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_all_of_it_is_as_the_schema_says() -> None:
     check = Draft202012Validator(schemas()["box"]).validate
-    check(json.loads(vstatics("synth", "box", *ASKED, "-f", "json").out))
-    check(json.loads(vstatics("synth", "box", *ASKED, "-f", "json", "--dry-run").out))
+    check(json_answer("synth", "box", *ASKED))
+    check(json_answer("synth", "box", *ASKED, "--dry-run"))
     for line in vstatics("synth", "box", *ASKED, "-f", "jsonl").out.splitlines():
         check(json.loads(line))
 
@@ -258,7 +258,7 @@ def test_a_directory_has_all_boxes_as_cases() -> None:
 def test_json_of_a_directory_is_told_too() -> None:
     said = vstatics("synth", "box", *ASKED, "-o", "found/", "-f", "json", "-q")
     assert (said.status, said.err) == (0, "")
-    assert json.loads(said.out) == json.loads(Path("found/boxes.json").read_text("utf-8"))
+    assert said.json == json.loads(Path("found/boxes.json").read_text("utf-8"))
 
 
 def test_boxes_of_an_earlier_search_go_and_other_files_stay() -> None:
@@ -360,8 +360,7 @@ def test_pieces_that_are_not_asked_for_are_not_lost(
 ) -> None:
     stopped(searched, "found")
     said = vstatics("synth", "box", *ASKED, *options, "-o", "found")
-    assert (said.status, said.out) == (1, "")
-    assert told in said.err
+    assert said.gives_nothing(told)
     assert len(names(Path("found.parts"))) == 5  # three pieces, the lock, what is searched
 
 
@@ -375,8 +374,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("vstatics.synthesis.boxes.batches.work.MOST_FOUND_BOXES", 3)
     said = vstatics("synth", "box", *ASKED)
-    assert (said.status, said.out) == (1, "")
-    assert "more than 3 boxes are found: expected a smaller --tolerance" in said.err
+    assert said.gives_nothing("more than 3 boxes are found: expected a smaller --tolerance")
 
 
 # wrong use
@@ -450,8 +448,7 @@ def test_packages_that_are_missing_are_told_before(
 ) -> None:
     hide(package, monkeypatch)
     said = vstatics("synth", "box", *ASKED, *options)
-    assert (said.status, said.out) == (1, "")
-    assert f"needs the package {package}: pip install" in said.err
+    assert said.gives_nothing(f"needs the package {package}: pip install")
 
 
 def hide(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -485,8 +482,7 @@ def test_without_the_extra_for_pictures_a_directory_has_all_but_the_pictures(
 def test_files_that_no_search_wrote_are_not_touched(tmp_path: Path) -> None:
     (tmp_path / "box-0999.yaml").write_text("mine")
     said = vstatics("synth", "box", *ASKED, "-o", f"{tmp_path}/")
-    assert said.status == 2
-    assert "box-0999.yaml is not as a search wrote it, so it may be yours" in said.err
+    assert said.is_wrong_use("box-0999.yaml is not as a search wrote it, so it may be yours")
     assert [file.name for file in tmp_path.iterdir()] == ["box-0999.yaml"]
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-
 import pytest
 
 from tests.commands import vstatics
@@ -15,7 +13,7 @@ COUNTS = ("--sets", 2, "--elements", 4, "--engaged", 2)
 @pytest.mark.slow
 def test_the_gearbox_itself_is_found() -> None:
     said = vstatics("synth", "box", *KEEP, "-f", "json", "-j", 1)
-    listing = json.loads(said.out)
+    listing = said.json
     assert (said.status, listing["searched"], listing["found"]) == (0, 1, 1)
 
 

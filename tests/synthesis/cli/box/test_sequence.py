@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import json
 
 import pytest
 
@@ -16,7 +15,7 @@ COUNTS = ("--sets", 2, "--elements", 4, "--engaged", 2, "--own-input")
 def test_what_is_told_has_the_steps_that_are_wanted() -> None:
     asked = (*COUNTS, "--gears", "3:4", "--spread", "2:4", "--steps", "1.3:1.8")
     said = vstatics("synth", "box", *asked, "--ratios=-2.3:-2.1", "-f", "json", "-j", 1)
-    listing = json.loads(said.out)
+    listing = said.json
     assert listing["found"] > 0
     for box in listing["boxes"]:
         *forward, last = (gear["ratio"] for gear in box["gears"].values())
@@ -42,5 +41,4 @@ def test_what_is_told_has_the_steps_that_are_wanted() -> None:
 )
 def test_what_can_not_be_asked(given: tuple[object, ...], told: str) -> None:
     said = vstatics("synth", "box", *COUNTS, *given)
-    assert said.status == 2
-    assert told in said.err
+    assert said.is_wrong_use(told)
