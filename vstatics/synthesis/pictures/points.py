@@ -197,7 +197,7 @@ class PointsWords(NamedTuple):
 
 def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bool) -> PointsWords:
     """Return the text above the axes, wrapped to a width [pt]."""
-    found, families, searched = len(listing.boxes), len(listing.families), listing.searched
+    box_count, families, searched = len(listing.boxes), len(listing.families), listing.searched
     counts = style.text(
         "{searched} looked at, {count} family with equal ratios|"
         "{searched} looked at, {count} families with equal ratios",
@@ -212,7 +212,7 @@ def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bo
     if has_more:
         more = style.text("+1: one more at this place")
         notes.append(more)
-    title = style.text("Found boxes: {found}", found=found)
+    title = style.text("Found boxes: {found}", found=box_count)
     return PointsWords(
         wrapped(title, room, title_width) * style.titled, wrapped("; ".join(notes), room)
     )

@@ -157,7 +157,7 @@ def _chosen(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
 
 
 def _no_start(space: FitSpace, turning: Floats) -> Problem:
-    names = [space.problem.own.case.gears[index].name for index in space.problem.fitted]
+    names = [space.problem.links.case.gears[index].name for index in space.problem.fitted]
     seldom = int(np.argmin(turning))
     message = (
         f"of {ROUNDS * SAMPLES} sets of ratios within the bounds none lets all gears turn as "

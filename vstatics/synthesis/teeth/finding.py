@@ -83,7 +83,7 @@ def reach_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     >>> find_teeth(case, {"1": 20.0}).doubts
     ["gear 1 can't have 20: within the bounds its ratio is 2.576 to 8.118"]
     """
-    gears = {gear.name for gear in problem.own.case.gears}
+    gears = {gear.name for gear in problem.links.case.gears}
     for target in problem.targets:
         ends = target.ends(low[np.newaxis], high[np.newaxis])
         least = float(target.least(low[np.newaxis], high[np.newaxis])[0])
