@@ -123,15 +123,9 @@ class BoxSearchEstimate(NamedTuple):
     """Processor time of compiling or loading machine code. [s]"""
 
 
-def _compiled_text(seconds: float) -> str:
-    from vstatics.core.numerics.compiled import CACHE
-
-    later = "and kept for later calls" if CACHE else "and again at each call: it cannot be kept"
-    return f"now, in {duration_text(seconds)}, {later}"
-
-
 def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
     """Print the estimated numbers of boxes and files, and the time of the search."""
+    from vstatics.core.numerics.compiled import CACHE
     from vstatics.synthesis.boxes.batches.estimate import box_estimate
     from vstatics.synthesis.boxes.batches.found import prepare
 
@@ -163,7 +157,8 @@ def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> No
         )
         seconds += writing
     if compiling > LOADING_SECONDS:
-        texts["compiled"] = _compiled_text(compiling)
+        later = "and kept for later calls" if CACHE else "and again at each call: it cannot be kept"
+        texts["compiled"] = f"now, in {duration_text(compiling)}, {later}"
     printed = CommandEstimate(
         texts,
         BoxSearchEstimate(*counts, estimate.exact, estimate.at_least, seconds, compiling),

@@ -49,8 +49,8 @@ def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> Bo
     except CaseError as error:
         raise ReadError(problem.in_file(file) for problem in error.problems) from None
     names = ("bounds", "tolerance", "tolerances", "sequence")
-    case_search = case_search._replace(**{name: getattr(search, name) for name in names})
-    return case_search._replace(elements=search.elements or case_search.elements)
+    from_options = {name: getattr(search, name) for name in names}
+    return case_search._replace(elements=search.elements or case_search.elements, **from_options)
 
 
 def free_parts(texts: Sequence[str]) -> dict[str, int]:

@@ -130,7 +130,10 @@ def write_folder(
             hashes[name] = hash_of(content)
             # recorded before the file exists, so that a killed search can go on
             record(f"\n{hashes[name]}".encode())
-            _put(folder, name, content)
+            path = os.path.join(folder, name)  # noqa: PTH118
+            if os.path.islink(path):  # noqa: PTH114 (the target of a link stays unchanged)
+                os.unlink(path)  # noqa: PTH108
+            replace(path, content)
 
         for item, contents in called.each(box_files, items):
             for suffix, content in contents.items():
@@ -187,14 +190,6 @@ def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
 
         contents[".svg"] = stick_diagram(item.case)
     return contents
-
-
-def _put(folder: str, name: str, content: bytes) -> None:
-    """Write a file, and replace a link of that name without writing to its target."""
-    path = os.path.join(folder, name)  # noqa: PTH118
-    if os.path.islink(path):  # noqa: PTH114
-        os.unlink(path)  # noqa: PTH108
-    replace(path, content)
 
 
 def of_others(folder: str) -> str:
