@@ -88,7 +88,7 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Fig
             yield joined(
                 [figure for figures_of_case in halves for figure in figures_of_case],
                 style,
-                beside=True,
+                side_by_side=True,
             )
             return
     for pages in zip_longest(*lettered(style.width, _half(style.height))):
@@ -114,14 +114,14 @@ def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> l
     ReadError
         If the case has nothing to draw.
     """
-    own, rest = both[place], [one for at, one in enumerate(both) if at != place]
+    case, others = both[place], [other for at, other in enumerate(both) if at != place]
     try:
         if picture_kinds()[kind].alike:
-            others = [one.results for one in rest]
-            found: list[Figure] = module_of(kind).draw(own.results, style, own.gears, others)
-            return found
-        runs = [(one.results, one.motion) for one in rest if one.motion]
-        [pages] = drawn_pages(own.results, kind, style, [own.gears], own.motion, runs)
+            results = [other.results for other in others]
+            figures: list[Figure] = module_of(kind).draw(case.results, style, case.gears, results)
+            return figures
+        runs = [(other.results, other.motion) for other in others if other.motion]
+        [pages] = drawn_pages(case.results, kind, style, [case.gears], case.motion, runs)
     except CaseError as error:
-        raise ReadError([one.in_file(own.name) for one in error.problems]) from None
+        raise ReadError([problem.in_file(case.name) for problem in error.problems]) from None
     return pages

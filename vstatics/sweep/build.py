@@ -126,7 +126,7 @@ def _variants(
     if problems:
         raise ReadError(problems)
     variations = [
-        (found := next(read))._replace(place=item.place(1) or found.place)
+        (variation := next(read))._replace(place=item.place(1) or variation.place)
         if isinstance(item, Text)
         else Variation(target_of(item[0], subject), _list(*item))
         for item in given

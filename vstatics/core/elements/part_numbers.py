@@ -98,8 +98,8 @@ def _shape(key: str, part: Any) -> Shape:
 def own_part_number(case: Transmission, number: PartNumber) -> float | None:
     """Return the number that a case gives; None if the number is omitted."""
     parts: Any = _tree(case)
-    own: float | None = reduce(value_at, number.keys, parts)
-    return own
+    value: float | None = reduce(value_at, number.keys, parts)
+    return value
 
 
 def _tree(case: Transmission) -> dict[str, Any]:
@@ -150,10 +150,10 @@ def with_part_numbers(
     if drawing is None:
         return case.replace(shift_elements=shift_elements, mechanisms=mechanisms)
     elements = [
-        _element(one.name, tree["elements"][one.name], case.link_names)
-        if one.name in changed
-        else one
-        for one in drawing.elements
+        _element(element.name, tree["elements"][element.name], case.link_names)
+        if element.name in changed
+        else element
+        for element in drawing.elements
     ]
     drawn = replace(
         drawing,
@@ -169,7 +169,7 @@ def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) ->
     given = {key: value for key, value in record.items() if value is not None}
     for kind in ("suns", "rings"):
         wheels = given[kind]
-        given[kind] = [one if isinstance(one, Mapping) else one._asdict() for one in wheels]
+        given[kind] = [wheel if isinstance(wheel, Mapping) else wheel._asdict() for wheel in wheels]
     return element_of(name, given, link_names)
 
 
@@ -196,5 +196,5 @@ def is_assembled(case: Transmission, numbers: Sequence[PartNumber]) -> bool:
 def are_assembled(case: Transmission, names: Collection[str]) -> bool:
     """Return whether the named gear sets can be assembled, except for doubts that a case allows."""
     elements = drawing.elements if (drawing := drawing_of(case)) else ()
-    found = [fault for one in elements if one.name in names for fault in misfits(one)]
-    return all(one in case.untold for one in found)
+    faults = [fault for element in elements if element.name in names for fault in misfits(element)]
+    return all(fault in case.untold for fault in faults)

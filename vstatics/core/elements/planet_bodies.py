@@ -58,8 +58,8 @@ def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
     drawing = drawing_of(case)
     assert drawing is not None  # noqa: S101 - it has planets
     name = motion.name.rpartition(".")[0]
-    element = next(one for one in drawing.elements if one.name == name)
-    index = next(one.mechanisms[0] for one in case.own_devices if one.name == name)
+    element = next(element for element in drawing.elements if element.name == name)
+    index = next(device.mechanisms[0] for device in case.own_devices if device.name == name)
     mechanism = case.mechanisms[index]
     carried = 1.0 if isinstance(element.shape, Planetary) else 0.0
     alpha = _by_first(mechanism, motion.speed, carried)

@@ -211,12 +211,12 @@ def copy(directory: str, copies: Sequence[Copy]) -> int:
     return sum(part.length for part in copies)
 
 
-def _copy(source: int, target: int, one: Copy) -> None:
+def _copy(source: int, target: int, part: Copy) -> None:
     done = 0
     in_kernel = hasattr(os, "copy_file_range")
-    while done < one.length:
-        left = one.length - done
-        ends = one.source + done, one.target + done
+    while done < part.length:
+        left = part.length - done
+        ends = part.source + done, part.target + done
         if in_kernel:
             try:
                 copied = os.copy_file_range(source, target, left, *ends)

@@ -1,6 +1,6 @@
 """Several processes on this machine, replaced when one dies.
 
-Each process has a pipe of its own, so the item at which a process died is known. This item is tried
+Each process has its own pipe, so the item at which a process died is known. This item is tried
 again by a new process, and finally given up. All other items are unaffected.
 """
 

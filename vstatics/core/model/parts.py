@@ -45,8 +45,19 @@ NO_DAMPING = Damping()
 
 
 def damping(given: Damping | float) -> Damping:
-    """Return a damping with floats; a number is viscous.
+    """Return a damping with floats; a number is a viscous damping.
 
+    Parameters
+    ----------
+    given : Damping or float
+        Damping, or torque per rate of twist. [N*m*s/rad]
+
+    Returns
+    -------
+    Damping
+
+    Examples
+    --------
     >>> damping(3)
     Damping(viscous=3.0, loss_factor=0.0)
     """

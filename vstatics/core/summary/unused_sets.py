@@ -58,6 +58,11 @@ def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Comb
     at_most : int
         Largest number of sets to try.
 
+    Returns
+    -------
+    list of Combination
+        Unused combinations with their ratios, in descending order of ratio.
+
     Raises
     ------
     CaseError

@@ -215,5 +215,5 @@ def _shown(
     try:
         drawn = pages(results, asked.kind, form, style, chosen, motion=motion)
     except CaseError as error:
-        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
+        raise ReadError(problem.in_file(outcome.file) for problem in error.problems) from None
     return texts.CaseOutput([], {form: lambda _: drawn})

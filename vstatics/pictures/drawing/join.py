@@ -63,7 +63,7 @@ class LetteredFigure(NamedTuple):
         return wide, high + self.over
 
 
-def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = False) -> Figure:
+def joined(parts: Sequence[LetteredFigure], style: Style, *, side_by_side: bool = False) -> Figure:
     """Join pictures on a page, vertically or side by side.
 
     Examples
@@ -78,19 +78,19 @@ def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = Fals
     """
     sizes = [part.own for part in parts]
     overs = [part.over for part in parts]
-    if beside:  # aligned scales
+    if side_by_side:  # aligned scales
         overs = [max(overs)] * len(parts)
     highs = [over + size[1] for over, size in zip(overs, sizes, strict=True)]
-    wide = sum(size[0] for size in sizes) if beside else max(size[0] for size in sizes)
-    pen = blank(wide, max(highs) if beside else sum(highs), style)
-    left, top = 0.0, max(highs) if beside else sum(highs)
+    wide = sum(size[0] for size in sizes) if side_by_side else max(size[0] for size in sizes)
+    pen = blank(wide, max(highs) if side_by_side else sum(highs), style)
+    left, top = 0.0, max(highs) if side_by_side else sum(highs)
     for part, size, high in zip(parts, sizes, highs, strict=True):
         panel = pen.within("panel", case=part.letter)
         at = left + MARGIN, top - MARGIN
         look: Look = {"va": "top", "linespacing": LINE_HEIGHT, "color": style.soft}
         panel.text(*at, part.head, size=TITLE, bold=True, **look)
         _move(part.figure, panel, (left, top - high))
-        left, top = (left + size[0], top) if beside else (left, top - high)
+        left, top = (left + size[0], top) if side_by_side else (left, top - high)
     return pen.figure
 
 

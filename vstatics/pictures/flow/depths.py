@@ -58,8 +58,8 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
                 mean([pair for side in sides for pair in side.get(key, ())], places, key) + lower
                 for key, lower in lowered.items()
             ]
-            found = spread(_rising(wanted), sizes)
-            for (key, lower), place in zip(lowered.items(), found, strict=True):
+            spread_places = spread(_rising(wanted), sizes)
+            for (key, lower), place in zip(lowered.items(), spread_places, strict=True):
                 places[key] = place - lower
     _straighten(columns, places, shifts)
     highest = min(places[key] - _over(cell) for key, cell in by_key.items())

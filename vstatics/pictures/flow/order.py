@@ -25,7 +25,7 @@ def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
     """Return the columns in an order with few crossings, by exchange of neighbours."""
     near = neighbours(graph, cells, {}, {})
     columns = [
-        [(layer, one.number) for one in column_cells]
+        [(layer, cell.number) for cell in column_cells]
         for layer, column_cells in enumerate(cells.cells)
     ]
     looped = {end for band in graph.bands if band.loop is not None for end in graph.ends(band)}

@@ -137,13 +137,14 @@ def sweep(
     2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or
     SIGTERM.
     """
-    own, of_file = SweepOptions.of(**dict(map(_unquoted, said, said.values()))), SweepOptions()
+    of_command = SweepOptions.of(**dict(map(_unquoted, said, said.values())))
+    of_file = SweepOptions()
     if sweep_file is not None:
         of_file = read_sweep_file(*files.read_input(sweep_file))
-    options = own.over(of_file)
+    options = of_command.over(of_file)
 
     def spelled(name: str) -> str:
-        in_file = says(getattr(of_file, name)) and not says(getattr(own, name))
+        in_file = says(getattr(of_file, name)) and not says(getattr(of_command, name))
         return f"`{name}`" if in_file else f"--{name}"
 
     form = _checked(options, spelled, sharing)
@@ -167,8 +168,8 @@ def sweep(
         else:
             fails = effort.fail_empty
             run = SweepRun(plan, form, options.output, sharing, raw, telling, fails)
-            status, told = carry_out(run)
-            problems = [*problems, *told]
+            status, messages = carry_out(run)
+            problems = [*problems, *messages]
         return status or (FAILED if telling.fails(problems) else DONE)
     except CaseError as error:  # printed like the problems of a file
         raise ReadError(error.problems) from error

@@ -60,7 +60,7 @@ class Ended(NamedTuple):
 
     status: int
     """Exit status of the command before the check of warnings."""
-    told: Sequence[Problem] = ()
+    messages: Sequence[Problem] = ()
     """Messages about the runs."""
 
 

@@ -105,7 +105,7 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms)
 
     Each gives a column, or one for each gear and row that it has: all gears of the first
     row, then of the second. What is asked for twice is written once, and varied numbers not
-    at all, since they have columns of their own. ``NAME=EXPR`` names a column, which later ones
+    at all, since they have their own columns. ``NAME=EXPR`` names a column, which later ones
     may speak of.
 
     Parameters

@@ -12,7 +12,7 @@ GROUP = "planet_group"
 """Kind of a gear set whose toothed gears can be paired freely."""
 
 
-def case_mechanisms(own: OwnLinks) -> list[Mechanism]:
+def case_mechanisms(lowered: OwnLinks) -> list[Mechanism]:
     """Return the mechanisms of a case, with planet groups paired by the most suitable gear.
 
     In a group with three toothed gears, two pairs determine the speeds, and any gear can be in both
@@ -23,16 +23,16 @@ def case_mechanisms(own: OwnLinks) -> list[Mechanism]:
     --------
     >>> from vstatics import example
     >>> from vstatics.core.explain.bodies import on_own_links
-    >>> own = on_own_links(example("mercedes-7g"))
-    >>> [round(one.ratio, 3) for one in own.case.mechanisms[:2]]
+    >>> lowered = on_own_links(example("mercedes-7g"))
+    >>> [round(mechanism.ratio, 3) for mechanism in lowered.case.mechanisms[:2]]
     [-2.048, -0.782]
-    >>> [round(one.ratio, 3) for one in case_mechanisms(own)[:2]]
+    >>> [round(mechanism.ratio, 3) for mechanism in case_mechanisms(lowered)[:2]]
     [-2.048, 2.619]
     """
     mechanisms: list[Mechanism] = []
     at = 0
-    for part in own.parts:
-        pairs = own.case.mechanisms[at : at + len(part.lowered)]
+    for part in lowered.parts:
+        pairs = lowered.case.mechanisms[at : at + len(part.lowered)]
         at += len(pairs)
         is_group = part.element is not None and part.element.kind == GROUP
         mechanisms += _by_best_wheel(pairs) if is_group and len(pairs) > 1 else pairs

@@ -176,11 +176,11 @@ class BoxFilter(NamedTuple):
             for name, count, allowed in counts
         )
 
-    def lets(self, found: MeasuredBox) -> bool:
+    def lets(self, box: MeasuredBox) -> bool:
         """Return whether a gearbox with known figures is wanted."""
-        figures = found.figures
+        figures = box.figures
         return (
-            self.before(found.box)
+            self.before(box.box)
             and figures.single >= self.single
             and figures.planar >= self.planar
             and not any(figures.number(name) > most for name, most in self.limits.items())

@@ -85,7 +85,7 @@ class Trials(NamedTuple):
 @written_case
 @one_case
 def combinations(
-    one: OneCase,
+    request: OneCase,
     trials: Trials,
     target: str | None,
 ) -> int:
@@ -115,8 +115,8 @@ def combinations(
     Exit status: 0 done; 1 the case is in error, no gear is there to write;
     2 wrong use.
     """
-    to, telling = one.destination(), one.telling
-    form = None if target is None else case_format(target, [one.case], to.output)
+    to, telling = request.destination(), request.telling
+    form = None if target is None else case_format(target, [request.case], to.output)
     from vstatics.synthesis.cli.combinations_output import (
         check_room,
         show,
@@ -133,7 +133,7 @@ def combinations(
 
     if trials.ports and (trials.dry_run or target):
         raise click.UsageError("--ports: without --dry-run and --write, which are of one case")
-    reading = one.read()
+    reading = request.read()
     with problems_of(reading):
         refuse_converters(reading.case)
     chosen = _chosen([element.name for element in reading.case.shift_elements], trials.elements)
@@ -150,15 +150,15 @@ def combinations(
             each_search.check(None if trials.dry_run else trials.at_most // len(searches))
     search, is_complete, by_torque = searches[0], True, trials.sort is not None
     if pairs:
-        show_ports(searches, one.case, to, telling, by_torque=by_torque)
+        show_ports(searches, request.case, to, telling, by_torque=by_torque)
     elif trials.dry_run:
-        show_estimate(search, one.case, to)
+        show_estimate(search, request.case, to)
     else:
         check_room(search, to, by_torque=by_torque)
         _told_freewheels(search, telling)
         if target is not None and form is not None:
-            is_complete = _write(search, target, form, one)
-        show(search, one.case, to, telling, by_torque=by_torque)
+            is_complete = _write(search, target, form, request)
+        show(search, request.case, to, telling, by_torque=by_torque)
     return FAILED if not is_complete or telling.fails(reading.warnings) else DONE
 
 
@@ -188,7 +188,7 @@ def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
         files.say(f"{message}; --write keeps the gears in which they do")
 
 
-def _write(search: CombinationSearch, target: str, form: str, one: OneCase) -> bool:
+def _write(search: CombinationSearch, target: str, form: str, request: OneCase) -> bool:
     """Write a case with the gears; return whether the format holds all data."""
     from vstatics.synthesis.gears.found_gears import found_gears
 
@@ -196,10 +196,10 @@ def _write(search: CombinationSearch, target: str, form: str, one: OneCase) -> b
         result = found_gears(search)
     except CaseError as error:
         message = f"{error.problems[0].message}; {target} is not written"
-        raise ReadError([of_file("E020", file_name(one.case), message)]) from None
-    if result.slipping and not one.telling.quiet:
+        raise ReadError([of_file("E020", file_name(request.case), message)]) from None
+    if result.slipping and not request.telling.quiet:
         files.say(f"{target}: left out, as freewheels do not hold: {listed(result.slipping)}")
-    if result.free and not one.telling.quiet:
+    if result.free and not request.telling.quiet:
         what = f"{result.free} {plural('gear', result.free)} with other links undetermined"
         files.say(f"{target}: left out: {what}")
     return write_case(result.case, target, form)

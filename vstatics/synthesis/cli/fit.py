@@ -82,7 +82,7 @@ class FitOptions(NamedTuple):
 @click.option("--dry-run", is_flag=True, help="Only say what is varied, and what gears can have.")
 @written_case
 @one_case
-def fit(one: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> int:
+def fit(request: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> int:
     """Find ratios of the mechanisms of CASE for wanted ratios of gears; - is standard input.
 
     The sum of squares of ln(i/wanted) is least, within bounds; all solutions that differ are
@@ -100,28 +100,28 @@ def fit(one: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> i
     Exit status: 0 all wanted ratios are met; 1 some are not, or the case is in error;
     2 wrong use, such as a ratio that the gear can't have.
     """
-    to = one.destination()
-    form = "" if target is None else case_format(target, [one.case], to.output)
+    to = request.destination()
+    form = "" if target is None else case_format(target, [request.case], to.output)
 
     def calculate(reading: Reading) -> CaseAnswer:
-        case, file = reading.case, file_name(one.case)
+        case, file = reading.case, file_name(request.case)
         with wrong_use(FitOptions._fields):
             if dry_run:
                 problem = fit_problem(case, *asked)
                 notes = warnings_of("W804", doubts(problem), file)
                 known = dry_document(problem)
                 return CaseAnswer(lambda: dry_grids(known), known, notes)
-            with progress(None, "steps", quiet=one.telling.quiet) as advance:
+            with progress(None, "steps", quiet=request.telling.quiet) as advance:
                 result = fitted(case, **asked._asdict(), advance=advance)
         return CaseAnswer(
             lambda: fit_grids(result),
             result,
             _notes(result, file),
             failed=bool(result.unmet),
-            write=lambda: target is None or _write(case, result, target, form, one.telling),
+            write=lambda: target is None or _write(case, result, target, form, request.telling),
         )
 
-    return one.answer(calculate, to)
+    return request.answer(calculate, to)
 
 
 def _write(case: Transmission, result: Fit, target: str, form: str, telling: Telling) -> bool:

@@ -144,7 +144,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
 @written_case
 @one_case
 def teeth(
-    one: OneCase,
+    request: OneCase,
     ratios: Mapping[str, float],
     limits: TeethLimits,
     error: TeethError,
@@ -170,11 +170,11 @@ def teeth(
     Exit status: 0 teeth are found; 1 none fulfil the conditions, or the case is in error;
     2 wrong use, such as a wheel that there is not.
     """
-    to = one.destination()
-    form = "" if target is None else case_format(target, [one.case], to.output)
+    to = request.destination()
+    form = "" if target is None else case_format(target, [request.case], to.output)
 
     def calculate(reading: Reading) -> CaseAnswer:
-        case, file = reading.case, file_name(one.case)
+        case, file = reading.case, file_name(request.case)
         with wrong_use(_OPTIONS):
             asked = ratios or own_ratios(case)
             if dry_run:
@@ -182,7 +182,7 @@ def teeth(
                 notes = warnings_of("W801", doubts_before(problem), file)
                 return CaseAnswer(lambda: asked_grids(problem), asked_document(problem), notes)
             try:
-                with progress(None, "regions", quiet=one.telling.quiet) as advance:
+                with progress(None, "regions", quiet=request.telling.quiet) as advance:
                     result = find_teeth(case, asked, limits, error=error, advance=advance)
             except NoTeethError as failed:
                 why = [problem.in_file(file) for problem in failed.problems]
@@ -201,7 +201,7 @@ def teeth(
             write=write,
         )
 
-    return one.answer(calculate, to)
+    return request.answer(calculate, to)
 
 
 _OPTIONS = (

@@ -333,7 +333,7 @@ class EngagedSets(NamedTuple):
         return self.kinds >= EngagedKind.GEAR
 
 
-def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
+def combination_grids(sets: Iterable[EngagedSet]) -> Iterator[Grid]:
     """Yield a table with a row for each combination, and a table of the numbers of each kind.
 
     Examples
@@ -344,7 +344,7 @@ def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
     """
     kinds: Counter[str] = Counter()
     rows = []
-    for combination in found:
+    for combination in sets:
         kinds[combination.kind] += 1
         torques = _torque_cell([*(combination.torques or {}).values()])
         rows.append(

@@ -133,7 +133,6 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
 
 
 def _cell(box: ListedBox, room: float, style: Style) -> BoxCell:
-    """Lay out the diagram of a box in a width [pt]."""
     case = box.transmission()
     stick = bare_stick(case, style, is_small=True)
     part = min(LARGEST_DIAGRAM_SCALE, room / stick.size[0])
@@ -156,7 +155,6 @@ def _page(
 
 
 def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> list[str]:
-    """Return the caption of a diagram: ratios, figures and names of the letters."""
     names = [element.name for element in case.shift_elements]
     named_letters = zip(letters(len(names)), names, strict=True)
     ratios = {name: gear.ratio for name, gear in box.gears.items()}

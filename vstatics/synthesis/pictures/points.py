@@ -141,7 +141,6 @@ def _ends(values: Sequence[float]) -> Span:
 
 
 def _spots(pen: Pen, boxes: Sequence[ListedBox]) -> Iterable[BoxPoint]:
-    """Group boxes by place and family."""
     by_place: dict[tuple[int, int, int], BoxPoint] = {}
     for box in boxes:
         at = pen.across(box.torque), pen.up(100 * box.loss)
@@ -156,7 +155,7 @@ def _draw_spots(
     edge, thick = (style.ink, 1.2) if is_pareto else (style.paper, 0.4)
     pen.line(
         *(spot.at for spot in spots),
-        title=_said(spots[0], style) if len(spots) == 1 else "",
+        title=_point_title(spots[0], style) if len(spots) == 1 else "",
         color=colour,
         linestyle="none",
         marker=marker,
@@ -167,8 +166,7 @@ def _draw_spots(
     )
 
 
-def _said(spot: BoxPoint, style: Style) -> str:
-    """Return the title of a point."""
+def _point_title(spot: BoxPoint, style: Style) -> str:
     numbers, first = ", ".join(str(box.number) for box in spot.boxes), spot.boxes[0]
     family = f"{style.text('family')} {first.family}"
     loss = f"{style.text('loss')} {100 * first.loss:.2f} %"
@@ -197,7 +195,7 @@ class PointsWords(NamedTuple):
 
 def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bool) -> PointsWords:
     """Return the text above the axes, wrapped to a width [pt]."""
-    found, families, searched = len(listing.boxes), len(listing.families), listing.searched
+    box_count, families, searched = len(listing.boxes), len(listing.families), listing.searched
     counts = style.text(
         "{searched} looked at, {count} family with equal ratios|"
         "{searched} looked at, {count} families with equal ratios",
@@ -212,7 +210,7 @@ def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bo
     if has_more:
         more = style.text("+1: one more at this place")
         notes.append(more)
-    title = style.text("Found boxes: {found}", found=found)
+    title = style.text("Found boxes: {found}", found=box_count)
     return PointsWords(
         wrapped(title, room, title_width) * style.titled, wrapped("; ".join(notes), room)
     )

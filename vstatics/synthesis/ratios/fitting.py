@@ -125,7 +125,7 @@ def fit(  # noqa: PLR0913 - all but the first two by name
     minima = [_solution(problem, solution) for solution in solutions]
     best = minima[0]
     complete = minima if best.unmet else [minimum for minimum in minima if not minimum.unmet]
-    names = [mechanism.name for mechanism in problem.own.case.mechanisms]
+    names = [mechanism.name for mechanism in problem.links.case.mechanisms]
     loose = [name for index, name in enumerate(names) if index in free]
     warnings = [
         *doubts(problem),
@@ -136,7 +136,7 @@ def fit(  # noqa: PLR0913 - all but the first two by name
 
 
 def _solution(problem: FitProblem, ratios: Floats) -> FitSolution:
-    case = problem.own.case
+    case = problem.links.case
     named = dict(zip((part.name for part in case.mechanisms), ratios.tolist(), strict=True))
     gears = dict(zip((gear.name for gear in case.gears), _gears(problem, ratios), strict=True))
     deviations = {
@@ -161,7 +161,7 @@ def _gears(problem: FitProblem, ratios: Floats) -> Iterator[float]:
     """Yield the ratios of all gears of the case, by the solver if a formula is too long."""
     formulas = problem.formulas
     if any(formula.kind == "too long" for formula in formulas):
-        yield from solve(problem.own.case, ratios=ratios).ratio.tolist()
+        yield from solve(problem.links.case, ratios=ratios).ratio.tolist()
         return
     of_ratios = [index for index, formula in enumerate(formulas) if formula.kind == "ratio"]
     arrays = ratio_arrays([formulas[index] for index in of_ratios], len(ratios))
@@ -172,7 +172,7 @@ def _gears(problem: FitProblem, ratios: Floats) -> Iterator[float]:
 
 def _kept(problem: FitProblem) -> Iterator[str]:
     """Yield remarks on mechanisms that keep a ratio of -1, perhaps only meant as a start."""
-    links = problem.own
+    links = problem.links
     for index, mechanism in enumerate(links.case.mechanisms):
         if links.is_fixed(index) and mechanism.ratio == -1 and problem.bounds.is_fixed(index):
             hint = f"--bounds {mechanism.name}=-{LARGEST_SET_RATIO:g}:-1 lets it vary"
@@ -184,7 +184,7 @@ def _freewheels(case: Transmission, problem: FitProblem, best: FitSolution) -> I
     if not case.freewheels:
         return
     ratios = list(best.ratios.values())
-    before = problem.own.case
+    before = problem.links.case
     states = solve(on_own_links(case).case, ratios=ratios).with_freewheels_engaged
     for old, new in zip(before.gears, states.gears, strict=True):
         if set(old.engaged) != set(new.engaged):

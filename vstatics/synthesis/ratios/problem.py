@@ -164,7 +164,7 @@ def untold(_steps: int) -> None:
 class FitProblem(NamedTuple):
     """Wanted gear ratios, and the mechanism ratios to vary."""
 
-    own: OwnLinks
+    links: OwnLinks
     """Case without planets among the links, with freewheels as at the given ratios."""
     formulas: Sequence[GearFormula]
     """Formula of each gear; gears without a target can have a formula that is too long."""
@@ -189,13 +189,13 @@ class FitProblem(NamedTuple):
     @property
     def unused(self) -> list[int]:
         """Indices of mechanisms that affect no wanted gear and are not fixed."""
-        varied, every = self.varied, range(len(self.own.case.mechanisms))
+        varied, every = self.varied, range(len(self.links.case.mechanisms))
         return [index for index in every if index not in varied and not self.bounds.is_fixed(index)]
 
     @property
     def anchor(self) -> Floats:
         """Ratios of the case, clipped to the bounds [-]."""
-        ratios = [mechanism.ratio for mechanism in self.own.case.mechanisms]
+        ratios = [mechanism.ratio for mechanism in self.links.case.mechanisms]
         return np.clip(ratios, self.bounds.low, self.bounds.high)
 
     def reach(self, index: int) -> tuple[float, float] | None:
@@ -331,7 +331,7 @@ def _wrong_numbers(
 
 
 def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
-    name, target = problem.own.case.gears[index].name, problem.targets[index]
+    name, target = problem.links.case.gears[index].name, problem.targets[index]
     formula, path = problem.formulas[index], ("ratios", index)
     if formula.kind != "constant" or _is_constant(problem, index):
         without = ratio_fault(name, formula, target, "ratios of the mechanisms")
@@ -369,7 +369,7 @@ def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
 def doubts(problem: FitProblem) -> Iterator[str]:
     """Yield doubtful requests, and ratios that cannot be met alone or together."""
     yield from _other_signs(problem)
-    names = [gear.name for gear in problem.own.case.gears]
+    names = [gear.name for gear in problem.links.case.gears]
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
     for index, target in problem.targets.items():
         limits = problem.reach(index)
@@ -389,7 +389,7 @@ def doubts(problem: FitProblem) -> Iterator[str]:
 
 def _other_signs(problem: FitProblem) -> Iterator[str]:
     """Yield mechanisms whose bounds have the opposite sign of the ratio in the case."""
-    limits = zip(problem.own.case.mechanisms, *problem.bounds, strict=True)
+    limits = zip(problem.links.case.mechanisms, *problem.bounds, strict=True)
     for mechanism, low, high in limits:
         if high < 0 < mechanism.ratio or mechanism.ratio < 0 < low:
             ratio = f"{mechanism.name} has the ratio {mechanism.ratio:.4g} in the case"
@@ -409,6 +409,6 @@ def reach_text(low: float, high: float) -> str:
 
 def _is_constant(problem: FitProblem, index: int) -> bool:
     """Return whether a gear has a constant ratio if only ratios of 1 are inserted."""
-    links = problem.own
+    links = problem.links
     fixed = {n: 1.0 for n, mechanism in enumerate(links.case.mechanisms) if mechanism.ratio == 1}
     return gear_formula(links, links.case.gears[index], fixed).kind == "constant"

@@ -113,7 +113,7 @@ def fit_starts(space: FitSpace) -> FitPoints:
                 best = np.argsort(squares, kind="stable")[: count // 2]
                 chosen = list(dict.fromkeys([0, *best.tolist(), *range(len(squares))]))[:count]
                 return valid.at(chosen)
-    names = [space.problem.own.case.gears[index].name for index in space.problem.fitted]
+    names = [space.problem.links.case.gears[index].name for index in space.problem.fitted]
     seldom = int(np.argmin(turning))
     message = (
         f"of {ROUNDS * SAMPLES} sets of ratios within the bounds none lets all gears turn as "

@@ -119,7 +119,7 @@ def fit_space(problem: FitProblem, advance: Advance = untold) -> FitSpace:
     """Return the search space of a problem."""
     fitted = problem.fitted
     formulas = [problem.formulas[index] for index in fitted]
-    mechanisms = len(problem.own.case.mechanisms)
+    mechanisms = len(problem.links.case.mechanisms)
     targets = np.array([problem.targets[index] for index in fitted])
     weights = np.array([problem.weights.get(index, 1.0) for index in fitted])
     roots = np.sqrt(weights / weights.max(initial=0.0)) if fitted else weights

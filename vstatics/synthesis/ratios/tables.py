@@ -54,7 +54,7 @@ def number(value: float | None) -> Cell:
 def _gears(result: Fit) -> Grid:
     problem = result.problem
     rows = []
-    for index, gear in enumerate(problem.own.case.gears):
+    for index, gear in enumerate(problem.links.case.gears):
         ratio, target = result.gears[gear.name], problem.targets.get(index)
         off, note = None, ""
         if target is not None:
@@ -83,7 +83,7 @@ def _note(result: Fit, index: int, ratio: float) -> str:
         return "in no wanted ratio"
     if ratio in (problem.bounds.low[index], problem.bounds.high[index]):
         return "at its bound"
-    return "free" if problem.own.case.mechanisms[index].name in result.free else ""
+    return "free" if problem.links.case.mechanisms[index].name in result.free else ""
 
 
 def _solutions(result: Fit) -> Grid:
@@ -97,7 +97,7 @@ def _solutions(result: Fit) -> Grid:
 
 def dry_document(problem: FitProblem) -> dict[str, Any]:
     """Return the variables, the possible ratios of the gears and the longest time [s], for JSON."""
-    case, bounds = problem.own.case, problem.bounds
+    case, bounds = problem.links.case, problem.bounds
     varied = {
         case.mechanisms[index].name: {"from": bounds.low[index], "to": bounds.high[index]}
         for index in problem.varied

@@ -57,10 +57,10 @@ def _without_ports(batch: SchemeBatch) -> bytes:
     code = "-".join([places] * batch.codes.shape[1])
     line = f'{{"code": "{code}", "links": {places}, "input": null, "output": null}}\n'
     text = np.frombuffer(line.encode(), np.uint8)
-    tens, ones = np.flatnonzero(text == 0).reshape(-1, 2).T
+    tens, units = np.flatnonzero(text == 0).reshape(-1, 2).T
     numbers = np.column_stack([batch.codes, batch.links.astype(np.uint8)])
     rows = np.tile(text, (len(numbers), 1))
-    rows[:, ones] = ZERO + numbers % TEN
+    rows[:, units] = ZERO + numbers % TEN
     rows[:, tens] = np.where(numbers < TEN, 0, ZERO + numbers // TEN)
     data: bytes = rows[rows != 0].tobytes()
     return data

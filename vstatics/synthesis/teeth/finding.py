@@ -77,7 +77,7 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     >>> doubt.partition("; ")[2]
     'at its end is P (-7.118 to -1.576): wider ranges may help'
     """
-    gears = {gear.name for gear in problem.own.case.gears}
+    gears = {gear.name for gear in problem.links.case.gears}
     is_alone = False
     for target in problem.targets:
         reached = target.ends(low[np.newaxis], high[np.newaxis])

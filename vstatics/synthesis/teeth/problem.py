@@ -31,7 +31,7 @@ MOST_MODULES = 20
 class TeethProblem(NamedTuple):
     """Checked request."""
 
-    own: OwnLinks
+    links: OwnLinks
     """Case without planets among the links, with freewheels as at the given ratios."""
     layouts: Sequence[TeethLayout]
     """Gear sets that affect a wanted ratio."""
@@ -103,7 +103,7 @@ def own_ratios(case: Transmission) -> dict[str, float]:
 class _AskedByName:
     """Case with access to ratios by name."""
 
-    own: OwnLinks
+    links: OwnLinks
     layouts: Sequence[TeethLayout]
 
     def formula(self, name: str, wanted: float) -> GearFormula:
@@ -115,7 +115,7 @@ class _AskedByName:
             If the name is unknown, or the ratio is impossible.
         """
         path = ("ratios", name)
-        gears = [gear.name for gear in self.own.case.gears]
+        gears = [gear.name for gear in self.links.case.gears]
         what = f"gear {name}" if name in gears else name
         if wanted == 0 or not math.isfinite(wanted):
             raise CaseError(
@@ -140,7 +140,7 @@ class _AskedByName:
         return GearFormula("ratio", {1 << ratio.mechanism: ONE}, {0: ONE})
 
     def _of_gear(self, index: int, wanted: float) -> GearFormula:
-        case = self.own.case
+        case = self.links.case
         name, path = case.gears[index].name, ("ratios", case.gears[index].name)
         with_teeth = {ratio.mechanism for layout in self.layouts for ratio in layout.ratios}
         fixed = {
@@ -149,7 +149,7 @@ class _AskedByName:
             if number not in with_teeth
         }
         try:
-            formula = gear_formula(self.own, case.gears[index], fixed)
+            formula = gear_formula(self.links, case.gears[index], fixed)
         except CaseError as failed:
             raise CaseError([problem._replace(path=path) for problem in failed.problems]) from None
         if fault := ratio_fault(name, formula, wanted, "teeth"):

@@ -94,7 +94,7 @@ def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
 def _solution(
     problem: TeethProblem, tables: Sequence[TeethTable], rows: Sequence[Integers]
 ) -> TeethSolution:
-    case = problem.own.case
+    case = problem.links.case
     ratios = np.array([mechanism.ratio for mechanism in case.mechanisms])
     teeth: dict[str, dict[str, int]] = {}
     planets: dict[str, int] = {}

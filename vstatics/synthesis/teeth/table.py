@@ -58,12 +58,12 @@ def teeth_table(
     counts : sequence of int
         Numbers of planets in order of preference; one row is kept for equal tooth numbers.
     """
-    kept: list[Integers] = []
+    pieces_read: list[Integers] = []
     total = 0
     is_whole = True
     try:
         for piece in pieces:
-            kept.append(piece)
+            pieces_read.append(piece)
             total += len(piece)
             if total > MOST_TEETH_ROWS:
                 is_whole = False
@@ -71,7 +71,7 @@ def teeth_table(
     except TooManyError:
         is_whole = False
     width = len(layout.wheels) + 2 + max(layout.component)
-    rows = np.concatenate([np.zeros((0, width), np.int32), *kept])
+    rows = np.concatenate([np.zeros((0, width), np.int32), *pieces_read])
     wheels = len(layout.wheels)
     # Of rows with equal tooth numbers, the row with the preferred number of planets remains.
     rank = np.zeros(max(counts) + 1, np.int64)

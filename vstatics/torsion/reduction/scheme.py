@@ -101,6 +101,11 @@ def scheme_case(scheme: TorsionScheme, name: str, ends: Sequence[str], gear: str
     gear : str
         Name of the gear.
 
+    Returns
+    -------
+    Transmission
+        Case with a link for each mass and a single gear without shift elements.
+
     Examples
     --------
     >>> from vstatics.torsion.reduction.scheme import SchemeSpring

@@ -1,9 +1,9 @@
 """Eigenvalues of systems with loss factors, each mode with its equivalent viscous damping.
 
-Each mode therefore has a matrix D of its own frequency. All modes are first solved with one common
-D that is close to all of these matrices; the candidates of each mode are then corrected for the D
-of the mode (`refined`). Where the eigenvalue with the largest part in a mode remains uncertain, the
-mode is solved separately.
+Each mode therefore has its own matrix D. All modes are first solved with a common D close to all of
+these matrices; the candidates of each mode are then corrected for the D of the mode
+(`refined`). Where the eigenvalue with the largest part in a mode remains uncertain, the mode is
+solved separately.
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ def problems_of(reading: Reading) -> Iterator[None]:
     except ReadError:
         raise
     except CaseError as error:
-        raise ReadError([_placed(one, reading) for one in error.problems]) from None
+        raise ReadError([_placed(problem, reading) for problem in error.problems]) from None
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
@@ -145,7 +145,7 @@ def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> I
 
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
 """Options of a command with a single case, except the direction of power."""
-one_case = gathered("one", OneCase, click.argument("case", type=click.Path()), *of_case)
+one_case = gathered("request", OneCase, click.argument("case", type=click.Path()), *of_case)
 """Case and options of a command with a single case; the command gets `one`."""
 
 

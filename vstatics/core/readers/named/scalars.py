@@ -54,6 +54,22 @@ def link_number(text: str) -> int | None:
 def count(text: str) -> int:
     """Return a whole number from 1, such as a number of teeth.
 
+    Parameters
+    ----------
+    text : str
+        Decimal digits.
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    ValueError
+        If the text is not a whole number from 1.
+
+    Examples
+    --------
     >>> count("48")
     48
     """

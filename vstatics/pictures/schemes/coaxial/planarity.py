@@ -68,20 +68,22 @@ def _ways(
     """Return the possible edges of each part that can be connected in several ways."""
     ends = {link: list(chain(*map(_ends, sets))) for link, sets in apart.items()}
 
-    def joined(bit: int, one: Sequence[_Vertex], other: Sequence[_Vertex]) -> list[list[_Joined]]:
-        return [[both] for both in product(one, other)] if not bit & left_out else [[]]
+    def joined(
+        bit: int, starts: Sequence[_Vertex], stops: Sequence[_Vertex]
+    ) -> list[list[_Joined]]:
+        return [[both] for both in product(starts, stops)] if not bit & left_out else [[]]
 
     ways: list[list[list[_Joined]]] = [[[(AXIS, HOUSING_VERTEX)]]]
     ways += [joined(0, [AXIS], ends.get(train.start, [train.start]))]
     ways += [list(_trees(sets)) for sets in apart.values()]
     for sets in apart.values():
-        for number, one in sets:
-            ways.append([_rim(number, one)])
+        for number, gear_set in sets:
+            ways.append([_rim(number, gear_set)])
             for n, (wheels, bits) in enumerate(
-                zip(one.wheels, train.wheel_bits[number], strict=True)
+                zip(gear_set.wheels, train.wheel_bits[number], strict=True)
             ):
                 for wheel, bit, place in zip(wheels, bits, (2 * n + 2, 2 * n + 3), strict=True):
-                    at: _Vertex = (number, place if len(one.wheels) > 1 else 0)
+                    at: _Vertex = (number, place if len(gear_set.wheels) > 1 else 0)
                     ways += [joined(bit, [at], ends.get(wheel, [wheel]))] * bool(wheel)
     drawn = sum(
         bit

@@ -22,8 +22,8 @@ class TrainEdge(NamedTuple):
     """Edge between two vertices, with a bit for drawn edges."""
 
     bit: int
-    one: int
-    other: int
+    first: int
+    second: int
 
 
 @dataclass(frozen=True)
@@ -119,7 +119,7 @@ class CoaxialTrain:
         """Bits of all connections of each link."""
         masks: dict[int, int] = {}
         for edge in self.edges:
-            for link in (edge.one, edge.other):
+            for link in (edge.first, edge.second):
                 masks[link] = masks.get(link, 0) | edge.bit
         for planes, bit in zip(self.sets, self.carrier_bits, strict=True):
             masks[planes.carrier] = masks.get(planes.carrier, 0) | bit

@@ -86,7 +86,7 @@ def _of_some(search: BoxSearch) -> BoxEstimate:
             seen.append((drawing.stands, tried(ports, *drawing.ports, DEPTH)))
         if time.process_time() - began > ENOUGH:
             break
-    boxes, found = (
+    boxes, with_ratios = (
         sum(stands * getattr(part, name) for stands, part in seen) / count
         for name in ("searched", "found")
     )
@@ -98,4 +98,4 @@ def _of_some(search: BoxSearch) -> BoxEstimate:
     choices = sum(stands for stands, _ in seen) / count
     pieces = max(int(min(seconds / PIECE, choices)), 1)
     at_least = not all(part.is_whole for _, part in seen)
-    return BoxEstimate(pieces, boxes, found, seconds, exact=False, at_least=at_least)
+    return BoxEstimate(pieces, boxes, with_ratios, seconds, exact=False, at_least=at_least)

@@ -49,7 +49,7 @@ class PortSearch:
             for shaft in shafts
         ]
         self.shafts = np.array(masks, np.int64)
-        self.kept = _kept(search, self.bases, self.table)
+        self.retained = _retained(search, self.bases, self.table)
         self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -75,11 +75,11 @@ class PortSearch:
             for number, (first_end, second_end) in ends
             if second_end >= 0 or first_end not in ports
         }
-        there |= self.kept
-        least_kept = 0 if search.kept is None else len(self.kept) - search.kept.free
-        for count in range(max(least_kept, 0), min(len(self.kept), search.elements) + 1):
-            others = math.comb(len(there - self.kept), search.elements - count)
-            self.searched += math.comb(len(self.kept), count) * others
+        there |= self.retained
+        least_retained = 0 if search.kept is None else len(self.retained) - search.kept.free
+        for count in range(max(least_retained, 0), min(len(self.retained), search.elements) + 1):
+            others = math.comb(len(there - self.retained), search.elements - count)
+            self.searched += math.comb(len(self.retained), count) * others
         ratio_of, reach, useful, loaded = np.zeros((4, len(table.members)), np.int64)
         return PortGears(
             *ports,
@@ -91,8 +91,8 @@ class PortSearch:
             self.shifts,
             loaded,
             self.shafts,
-            sum(1 << number for number in self.kept),
-            least_kept,
+            sum(1 << number for number in self.retained),
+            least_retained,
         )
 
     def _box(self, room: Room, row: int, first: int, last: int) -> FoundBox:
@@ -122,7 +122,7 @@ class PortSearch:
         return box._replace(error=error)
 
 
-def _kept(search: BoxSearch, bases: SpeedBases, table: Combinations) -> set[int]:
+def _retained(search: BoxSearch, bases: SpeedBases, table: Combinations) -> set[int]:
     if search.kept is None:
         return set()
     row = {link: place for place, link in enumerate(bases.moving)} | {HELD: HELD}

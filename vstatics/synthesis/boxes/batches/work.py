@@ -125,7 +125,7 @@ class SearchedPieces:
         """Number of gearboxes with the wanted ratios."""
         return sum(account.rows for account in self._accounts.values())
 
-    def take(self, piece: int, found: FoundPiece) -> None:
+    def take(self, piece: int, result: FoundPiece) -> None:
         """Store a finished piece.
 
         Raises
@@ -135,10 +135,10 @@ class SearchedPieces:
         OSError
             If the piece cannot be written.
         """
-        lines = box_lines(found.boxes)
-        counts = {SEARCHED: int(found.searched), GIVEN_UP: found.given_up}
+        lines = box_lines(result.boxes)
+        counts = {SEARCHED: int(result.searched), GIVEN_UP: result.given_up}
         work = "" if self._store is None else self._store.work
-        account, buffers = piece_bytes(piece, len(found.boxes), counts, [lines], work=work)
+        account, buffers = piece_bytes(piece, len(result.boxes), counts, [lines], work=work)
         if self._store is None:
             self._lines[piece] = lines
         else:

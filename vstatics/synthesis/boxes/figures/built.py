@@ -109,7 +109,7 @@ def _elements(
 
 def _gears(case: Transmission, elements: Collection[int]) -> Iterator[tuple[int, ...]]:
     """Yield the engaged elements of each gear with the largest number of elements."""
-    parallel = [place for place in map(partial(_beside, case), case.freewheels) if place]
+    parallel = [place for place in map(partial(_parallel_element, case), case.freewheels) if place]
     most = max((len(gear.engaged) for gear in case.gears), default=0)
     for gear in case.gears:
         engaged = {*gear.engaged}
@@ -121,8 +121,7 @@ def _gears(case: Transmission, elements: Collection[int]) -> Iterator[tuple[int,
             yield tuple(sorted(engaged))
 
 
-def _beside(case: Transmission, freewheel: int) -> int | None:
-    """Return the number of an element between the links of a freewheel."""
+def _parallel_element(case: Transmission, freewheel: int) -> int | None:
     links = {*case.shift_elements[freewheel - 1].links}
     others = enumerate(case.shift_elements, 1)
     return next(

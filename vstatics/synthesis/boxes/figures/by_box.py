@@ -35,9 +35,9 @@ class BoxFigures(NamedTuple):
     beyond: tuple[float, ...]
     """Further ratios of the box: forward and descending, then backward. [-]"""
     single: bool
-    """Whether neighbouring gears differ by a single exchange."""
+    """True if neighbouring gears differ by a single exchange."""
     planar: bool
-    """Whether the box can be drawn without crossing shafts."""
+    """True if the box can be drawn without crossing shafts."""
 
     def number(self, name: str) -> float:
         """Return a figure as a number: the length of a list, 0 for a property that holds.

@@ -254,7 +254,6 @@ def _chosen(
     solved: _Solved,
     used_in: Callable[[Engaged], int],
 ) -> Sequence[Engaged]:
-    """Choose a set of elements for each gear, in the order of the gears."""
     order, choices = in_order(targets), equal_sets(box)
     ranges = [
         [choices[index] for index in order if (targets[index] > 0) == forward]
@@ -276,7 +275,6 @@ def _figures(
     *,
     planar: bool,
 ) -> BoxFigures:
-    """Return the figures of a box with a chosen set of elements for each gear."""
     forward = sum(gear.target > 0 for gear in gears)
     of_mean = gears[:forward] or gears
     by_gear = [gear.figures for gear in gears]

@@ -28,7 +28,7 @@ def skip_shifts(gears: Sequence[Collection[object]]) -> int:
 
 def reversing(gears: Sequence[GearFigures]) -> tuple[str, ...]:
     """Return the elements whose torque has both signs."""
-    torques = _of_elements([gear.torques for gear in gears])
+    torques = _by_element([gear.torques for gear in gears])
     return tuple(name for name, values in torques.items() if min(values) < 0 < max(values))
 
 
@@ -47,8 +47,8 @@ def one_way(gears: Sequence[GearFigures], brakes: Sequence[str]) -> tuple[str, .
     >>> one_way(gears, ["T"]), one_way([*gears, GearFigures({}, {"T": 0.5}, *nothing)], ["T"])
     (('T',), ())
     """
-    torques = _of_elements([gear.torques for gear in gears])
-    slips = _of_elements([gear.slips for gear in gears])
+    torques = _by_element([gear.torques for gear in gears])
+    slips = _by_element([gear.slips for gear in gears])
     return tuple(
         name
         for name in brakes
@@ -57,15 +57,13 @@ def one_way(gears: Sequence[GearFigures], brakes: Sequence[str]) -> tuple[str, .
 
 
 def _is_one_way(torques: Sequence[float], slips: Sequence[float]) -> bool:
-    """Check the torques on an engaged brake and the slips of the open brake."""
     return any(
         all(way * torque > 0 for torque in torques) and all(way * slip <= 0 for slip in slips)
         for way in (1, -1)
     )
 
 
-def _of_elements(gears: Sequence[Mapping[str, float]]) -> dict[str, list[float]]:
-    """Return the values of each element in all gears."""
+def _by_element(gears: Sequence[Mapping[str, float]]) -> dict[str, list[float]]:
     by_name: dict[str, list[float]] = {}
     for gear in gears:
         for name, value in gear.items():

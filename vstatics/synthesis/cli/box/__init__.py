@@ -1,6 +1,6 @@
-"""`vstatics synth box`: whole gearboxes for wanted ratios.
+"""Command `vstatics synth box`: gearboxes for wanted ratios.
 
-`command` is the function of the command. `options` are its options, with `ratios` (wanted gears and
-their tolerances), `sequence` (further gears) and `modified` (parts of a case). `run` searches,
+`command` defines the command. `options` reads its options, with `ratios` (wanted gears and their
+tolerances), `sequence` (further gears) and `modified` (parts of a case). `run` searches, and
 `output` writes the gearboxes.
 """

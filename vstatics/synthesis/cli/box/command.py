@@ -1,4 +1,4 @@
-"""`vstatics synth box`: whole gearboxes for wanted ratios of gears."""
+"""Command `vstatics synth box`: gearboxes for wanted ratios."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vstatics.core.jobs.files import is_stream
 from vstatics.synthesis.cli.box.options import BoxAsked, options
 
 LOADING_SECONDS = 5.0
-"""More than loading machine code that is kept takes: a longer time is that of compiling. [s]"""
+"""Time above which machine code was compiled, not just loaded from the cache. [s]"""
 
 
 @click.command()
@@ -83,12 +83,12 @@ def box(
         from vstatics.synthesis.cli.box.run import BoxRun, carry_out
 
         return carry_out(BoxRun(asked, to, sharing, quiet, complete))
-    except CaseError as error:  # is shown as what ends a reading
+    except CaseError as error:  # printed like an error in a file
         raise ReadError(error.problems) from error
 
 
 def _check_folder(output: str) -> None:
-    """Refuse a directory that can't be one, before anything is searched.
+    """Refuse an unusable output directory before the search begins.
 
     Raises
     ------
@@ -107,28 +107,25 @@ def _check_folder(output: str) -> None:
 
 
 class BoxSearchEstimate(NamedTuple):
-    """About how many boxes will be looked at and found."""
+    """Estimated size and time of a search."""
 
     searched: float
+    """Number of boxes to examine."""
     found: float
+    """Number of boxes with the wanted ratios."""
     exact: bool
+    """True if the whole search was tried."""
     at_least: bool
-    """Whether some of it was not tried to its end, so that it may take longer."""
+    """True if parts took too long and were aborted, so that the time is a lower bound."""
     seconds: float
+    """Time with all processes, including the time of writing a directory. [s]"""
     compile_seconds: float
-    """Time in which machine code was compiled or loaded. [s]"""
-
-
-def _compiled_text(seconds: float) -> str:
-    """Return how long the machine code of the search took to compile, and whether it is kept."""
-    from vstatics.core.numerics.compiled import CACHE
-
-    later = "and kept for later calls" if CACHE else "and again at each call: it cannot be kept"
-    return f"now, in {duration_text(seconds)}, {later}"
+    """Processor time of compiling or loading machine code. [s]"""
 
 
 def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
-    """Tell about how many boxes there are, and how long they take, to be written too."""
+    """Print the estimated numbers of boxes and files, and the time of the search."""
+    from vstatics.core.numerics.compiled import CACHE
     from vstatics.synthesis.boxes.batches.estimate import box_estimate
     from vstatics.synthesis.boxes.batches.found import prepare
 
@@ -137,29 +134,36 @@ def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> No
         prepare(asked.search)
     compiling = time.process_time() - began
     with progress(None, "pieces tried", quiet=quiet):
-        found = box_estimate(asked.search)
-    say = (lambda number: f"{number:.0f}") if found.exact else about
-    seconds = found.seconds / min(jobs, max(found.pieces, 1))
-    counts = round(found.boxes), round(found.found)
-    said = {
-        "boxes": say(found.boxes),
-        "found": say(found.found) if found.exact or found.found else "few, or none",
+        estimate = box_estimate(asked.search)
+    count_text = (lambda number: f"{number:.0f}") if estimate.exact else about
+    seconds = estimate.seconds / min(jobs, max(estimate.pieces, 1))
+    counts = round(estimate.boxes), round(estimate.found)
+    texts = {
+        "boxes": count_text(estimate.boxes),
+        "found": count_text(estimate.found) if estimate.exact or estimate.found else "few, or none",
     }
     if to.is_folder:
         from vstatics.synthesis.cli.box.output import drawn_count, writing_seconds
 
         writing = writing_seconds(counts[1]) / jobs
         count = drawn_count(counts[1])
-        drawn = f"{say(count)} diagrams" if count or not counts[1] else missing("plot", "a diagram")
-        said["files"] = f"{say(counts[1])} cases, {drawn}, in about {duration_text(writing)}"
+        drawn = (
+            f"{count_text(count)} diagrams"
+            if count or not counts[1]
+            else missing("plot", "a diagram")
+        )
+        texts["files"] = (
+            f"{count_text(counts[1])} cases, {drawn}, in about {duration_text(writing)}"
+        )
         seconds += writing
     if compiling > LOADING_SECONDS:
-        said["compiled"] = _compiled_text(compiling)
-    known = CommandEstimate(
-        said,
-        BoxSearchEstimate(*counts, found.exact, found.at_least, seconds, compiling),
+        later = "and kept for later calls" if CACHE else "and again at each call: it cannot be kept"
+        texts["compiled"] = f"now, in {duration_text(compiling)}, {later}"
+    printed = CommandEstimate(
+        texts,
+        BoxSearchEstimate(*counts, estimate.exact, estimate.at_least, seconds, compiling),
         seconds,
         jobs,
-        found.at_least,
+        estimate.at_least,
     )
-    files.write_output(known.text(to.form), None)
+    files.write_output(printed.text(to.form), None)

@@ -1,4 +1,4 @@
-"""`vstatics synth box --keep`: boxes that differ from a case by a few of their elements."""
+"""Options --keep and --free of `vstatics synth box`: boxes that retain parts of a case."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from vstatics.core.errors import CaseError, ReadError, quoted, typed_number
 from vstatics.synthesis.boxes.box import MOST_ELEMENTS, BoxSearch
 
 OF_CASE = ("sets", "engaged", "meshed", "own_input", "own_output", "shafts", "fixed")
-"""What the case tells, and no option beside it."""
+"""Fields of a search that follow from the case, so their options are refused."""
 
 
 def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> BoxSearch:
-    """A search that has what a case has, and what is left to be asked.
+    """Return a search that retains the parts of a case.
 
     Parameters
     ----------
     search : BoxSearch
-        As the options say it.
+        Search of the other options.
     case : str
-        Its file.
+        File of the case.
     free : mapping
-        As `free_parts` reads it.
+        Result of `free_parts`.
 
     Raises
     ------
     ReadError
-        If there is no such case, or it is no gearbox of planetary sets.
+        If the case cannot be read, or is not a gearbox of planetary sets.
     UsageError
-        If an option says what the case tells.
+        If an option is given whose value follows from the case.
     """
     from vstatics.synthesis.boxes.modified import kept_search
 
@@ -45,25 +45,25 @@ def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> Bo
     data, file = files.read_input(case)
     reading = read_data(data, file, None, Telling())
     try:
-        found = kept_search(reading.case, free.get("elements", 0), search.targets)
+        case_search = kept_search(reading.case, free.get("elements", 0), search.targets)
     except CaseError as error:
-        raise ReadError(one.in_file(file) for one in error.problems) from None
+        raise ReadError(problem.in_file(file) for problem in error.problems) from None
     names = ("bounds", "tolerance", "tolerances", "sequence")
-    found = found._replace(**{name: getattr(search, name) for name in names})
-    return found._replace(elements=search.elements or found.elements)
+    from_options = {name: getattr(search, name) for name in names}
+    return case_search._replace(elements=search.elements or case_search.elements, **from_options)
 
 
 def free_parts(texts: Sequence[str]) -> dict[str, int]:
-    """How many parts of each kind may be others; there are elements only.
+    """Read the largest number of missing parts by kind; the only kind is `elements`.
 
     >>> free_parts(["elements=2"])
     {'elements': 2}
     """
-    found = named("elements=N", _count)(texts)
-    for name in found:
+    counts = named("elements=N", _count)(texts)
+    for name in counts:
         if name != "elements":
             raise ValueError(f"read {quoted(name)}, expected elements=N")
-    return found
+    return counts
 
 
 def _count(text: str) -> int:

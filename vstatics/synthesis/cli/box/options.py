@@ -1,4 +1,4 @@
-"""What `vstatics synth box` is asked for, by its options."""
+"""Options of `vstatics synth box`, and the request that they define."""
 
 from __future__ import annotations
 
@@ -40,17 +40,19 @@ if TYPE_CHECKING:
 
 
 class BoxAsked(NamedTuple):
-    """A search, and which of the found boxes are told in which order."""
+    """Search for boxes, with filter and order of the found boxes."""
 
     search: BoxSearch
     efficiency: float
+    """Basic efficiency of each set, carrier held. [-]"""
     wanted: BoxFilter
     order: BoxOrder
     weights: Mapping[str, float]
+    """Weights of forward gears in the mean drag. [-]"""
 
 
 class WantedFigures(NamedTuple):
-    """Which of the found boxes are told, as far as the options say it alone."""
+    """Options of the filter, whose counts of elements are not yet checked."""
 
     single: bool
     planar: bool
@@ -59,7 +61,7 @@ class WantedFigures(NamedTuple):
     limits: Mapping[str, float]
 
     def of_boxes(self, elements: int) -> BoxFilter:
-        """The same of boxes with so many elements.
+        """Return the filter of boxes with a number of elements.
 
         Raises
         ------
@@ -86,12 +88,6 @@ def _asked(
     keep: str | None,
     free: Mapping[str, int],
 ) -> BoxAsked:
-    """What the options ask for.
-
-    Raises
-    ------
-    UsageError
-    """
     search = search._replace(**gears._asdict())
     refuse((free and keep is None, "--free says what of --keep CASE may be missing: expected it"))
     if keep is not None:
@@ -106,7 +102,6 @@ def _asked(
 
 
 def _names(texts: Sequence[str]) -> tuple[str, ...]:
-    """Names of figures, each once."""
     return tuple(dict.fromkeys(separated(texts)))
 
 
@@ -117,18 +112,17 @@ def _efficiency(given: float) -> float:
 
 
 def _limits(texts: Sequence[str]) -> dict[str, float]:
-    """The largest values of figures, none of what is no figure or no number."""
-    found = named("FIGURE=X", number)(texts)
-    for name, most in found.items():
+    """Read the largest values of figures, and refuse unknown figures and NaN."""
+    limits = named("FIGURE=X", number)(texts)
+    for name, most in limits.items():
         if name not in LIMITED:
             raise ValueError(no_figure(name, LIMITED))
         if math.isnan(most):
             raise ValueError(f"{name}: read {most}, expected a number")
-    return found
+    return limits
 
 
 def _count(text: str, most: int) -> int:
-    """How many of the elements."""
     if text.strip("0") == "" and text:
         return 0
     count = typed_number(text, most)
@@ -138,16 +132,17 @@ def _count(text: str, most: int) -> int:
 
 
 def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) -> None:
-    """Refuse counts that no elements have together."""
-    if brakes and clutches and elements not in {one + two for one in brakes for two in clutches}:
+    """Refuse numbers of brakes and clutches whose sum cannot be the number of elements."""
+    sums = {brake_count + clutch_count for brake_count in brakes for clutch_count in clutches}
+    if sums and elements not in sums:
         noun = plural("brake", brakes[-1])
         there = f"{spoken(map(str, brakes), 'or')} {noun}"
         message = f"read {spoken(map(str, clutches), 'or')}, but with {there} these are not"
         raise ValueError(f"{message} {elements} elements together")
 
 
-def _count_option(name: str, metavar: str, says: str) -> Option:
-    """A count that a search needs, unless it comes from a case."""
+def _count_option(name: str, metavar: str, text: str) -> Option:
+    """Return the option of a count, required unless --keep gives the case."""
     return click.option(
         name,
         type=int,
@@ -155,19 +150,17 @@ def _count_option(name: str, metavar: str, says: str) -> Option:
         cls=RequiredUnless,
         unless="keep",
         metavar=metavar,
-        help=says,
+        help=text,
     )
 
 
-def _more_option(name: str, says: str) -> Option:
-    """A count of what few boxes have."""
-    return click.option(name, type=int, default=0, metavar="K", help=says)
+def _more_option(name: str, text: str) -> Option:
+    return click.option(name, type=int, default=0, metavar="K", help=text)
 
 
 def _own_option(port: str) -> Option:
-    """Whether a port is no link of the sets."""
-    says = f"The {port} is a shaft that only clutches join to the sets."
-    return click.option(f"--own-{port}", is_flag=True, help=says)
+    text = f"The {port} is a shaft that only clutches join to the sets."
+    return click.option(f"--own-{port}", is_flag=True, help=text)
 
 
 _TOLERANCE: float = BoxSearch._field_defaults["tolerance"]
@@ -313,4 +306,4 @@ options = gathered(
         help="Of forward gears in the mean of the drag, such as 1=3; else 1.",
     ),
 )
-"""The options of a search and its filters; the command gets `asked`."""
+"""Options of search, filter and order, combined into the argument `asked` of the command."""

@@ -1,4 +1,4 @@
-"""What `vstatics synth box` writes: its result as one text, or a directory with all found boxes."""
+"""Output of `vstatics synth box`: a single text, or a directory with all found boxes."""
 
 from __future__ import annotations
 
@@ -31,94 +31,95 @@ from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes, listed_box
 from vstatics.synthesis.boxes.tables import all_boxes, box_grids
 
 TABLES = {"text": "boxes.txt", "json": "boxes.json"}
-"""The result in a directory, by format."""
+"""File names of the result in a directory, by format."""
 MOST_DRAWN_CASES = 300
-"""So many boxes have a diagram, which is most of the time in which they are written."""
+"""Largest number of boxes with a diagram; drawing takes most of the time of writing."""
 CASE_SECONDS, DIAGRAM_SECONDS = 0.002, 0.15
-"""Of a processor, about, for the files of a box of two sets."""
-OWN = re.compile(r"box-\d{4,}\.(yaml|svg)|boxes\.(svg|html|csv|json|txt)")
-"""Names of files of a search; those of an earlier one are removed."""
+"""Approximate processor times for the case and the diagram of a box of two sets. [s]"""
+RESULT_NAMES = re.compile(r"box-\d{4,}\.(yaml|svg)|boxes\.(svg|html|csv|json|txt)")
+"""Names of the files of a search, which the next search in the directory removes."""
 RECORD = ".vstatics-boxes"
-"""Has the hash of each file as a search has written it, so that what is edited is not lost."""
+"""File with the hashes of all written files, by which edited files are recognised."""
 
 
 @dataclass(frozen=True)
 class FoundBoxes:
-    """What a search has given."""
+    """Result of a search."""
 
     search: BoxSearch
     searched: int
+    """Number of examined boxes."""
     with_ratios: int
-    """So many boxes have the ratios, whether they are wanted or not."""
+    """Number of boxes with the wanted ratios, before the filter."""
     boxes: tuple[RankedBox, ...]
-    """Those that are wanted, in their order."""
+    """Boxes that pass the filter, in order."""
     given_up: int
-    """Choices of shift elements that may be boxes, too."""
+    """Number of element sets that could be boxes but were given up."""
 
     @cached_property
     def listing(self) -> BoxListing:
-        """As it is answered; its cases take some time."""
+        """Record of the found boxes for JSON; the cases of the boxes take some time."""
         boxes = tuple(starmap(listed_box, enumerate(self.boxes, 1)))
         return BoxListing(self.searched, boxes, self.given_up, wanted_of(self.search))
 
     @property
     def title(self) -> str:
-        """What was searched for."""
+        """Numbers of sets, elements and engaged elements."""
         search = self.search
         sets = f"{search.sets} {plural('set', search.sets)}"
         elements = f"{search.elements} {plural('element', search.elements)}"
         return f"{sets}, {elements}, {search.engaged} engaged"
 
     def text(self, form: str, style: TextStyle) -> bytes:
-        """The result in a format; in JSON lines each box is one."""
-        own = {
+        """Return the result in a format; JSON lines have a line for each box."""
+        by_format = {
             "json": lambda _: as_json(self.listing, "json"),
-            "jsonl": lambda _: "".join(as_json(one, "jsonl") for one in self.listing.boxes),
+            "jsonl": lambda _: "".join(as_json(box, "jsonl") for box in self.listing.boxes),
         }
         return self._text(
-            form, style, own, lambda: box_grids(self.searched, self.boxes, self.given_up)
+            form, style, by_format, lambda: box_grids(self.searched, self.boxes, self.given_up)
         )
 
     def table(self, style: TextStyle) -> bytes:
-        """All boxes as a table in CSV."""
+        """Return all boxes as a table in CSV."""
         return self._text("csv", style, {}, lambda: iter([all_boxes(self.boxes)]))
 
     def _text(
         self,
         form: str,
         style: TextStyle,
-        own: Mapping[str, Callable[[str | None], str]],
+        by_format: Mapping[str, Callable[[str | None], str]],
         grids: Callable[[], Iterator[Grid]],
     ) -> bytes:
-        shown = CaseOutput([self.title], own, grids)
-        [made] = texts.alone(self.title, shown, Destination(form, None, style))
-        return made
+        shown = CaseOutput([self.title], by_format, grids)
+        [content] = texts.alone(self.title, shown, Destination(form, None, style))
+        return content
 
 
 class BoxFiles(NamedTuple):
-    """What the files of a box are made of."""
+    """A box whose files are to be written."""
 
     name: str
-    """Without suffix."""
+    """File name without suffix."""
     case: Transmission
     is_drawn: bool
 
 
 def write_folder(
-    folder: str, found: FoundBoxes, style: TextStyle, called: Workers, *, quiet: bool
+    folder: str, result: FoundBoxes, style: TextStyle, called: Workers, *, quiet: bool
 ) -> None:
-    """Write all found boxes into a directory: cases, diagrams, tables, a page.
+    """Write all found boxes into a directory: cases, diagrams, tables and a page.
 
     Raises
     ------
     OSError
-        If a file can't be written.
+        If a file cannot be written.
     """
     from vstatics.synthesis.report.boxes import box_pages
 
     os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-    items = _items(found)
-    own: dict[str, str] = {}
+    items = _items(result)
+    hashes: dict[str, str] = {}
     state = StateFolder(folder, has_results=True)
     with (
         state.appending(RECORD) as record,
@@ -126,24 +127,28 @@ def write_folder(
     ):
 
         def put(name: str, content: bytes) -> None:
-            own[name] = hash_of(content)
-            record(f"\n{own[name]}".encode())  # before it is there, so a killed one can go on
-            _put(folder, name, content)
+            hashes[name] = hash_of(content)
+            # recorded before the file exists, so that a killed search can go on
+            record(f"\n{hashes[name]}".encode())
+            path = os.path.join(folder, name)  # noqa: PTH118
+            if os.path.islink(path):  # noqa: PTH114 (the target of a link stays unchanged)
+                os.unlink(path)  # noqa: PTH108
+            replace(path, content)
 
         for item, contents in called.each(box_files, items):
             for suffix, content in contents.items():
                 put(f"{item.name}{suffix}", content)
             advance(1)
-        pages = box_pages(found.listing) if found.boxes else {}
+        pages = box_pages(result.listing) if result.boxes else {}
         for name, content in pages.items():
             put(name, content)
         advance(1)
-        _forget(folder, own)
-        put("boxes.csv", found.table(TextStyle(raw=style.raw)))
-        for form, name in TABLES.items():  # the document last: where it is all is
-            put(name, found.text(form, style))
-    state.replace(RECORD, "".join(f"{known}\n" for known in own.values()).encode())
-    if found.boxes and not quiet and (lacking := missing("plot", "a diagram")):
+        _forget(folder, hashes)
+        put("boxes.csv", result.table(TextStyle(raw=style.raw)))
+        for form, name in TABLES.items():  # JSON last: with this file, the directory is complete
+            put(name, result.text(form, style))
+    state.replace(RECORD, "".join(f"{known}\n" for known in hashes.values()).encode())
+    if result.boxes and not quiet and (lacking := missing("plot", "a diagram")):
         files.say(f"warning: {folder}: no box has a diagram: {lacking} [E014]")
     elif len(items) > MOST_DRAWN_CASES and not quiet:
         some = "those of the Pareto list, the first of each family, and the next in order"
@@ -151,12 +156,12 @@ def write_folder(
 
 
 def drawn_count(boxes: int) -> int:
-    """Return how many boxes have a diagram: none without the extra for pictures."""
+    """Return the number of boxes with a diagram: 0 without the extra for pictures."""
     return 0 if missing("plot", "a diagram") else min(boxes, MOST_DRAWN_CASES)
 
 
 def writing_seconds(boxes: int) -> float:
-    """About how long one process writes so many boxes.
+    """Estimate the time in which a process writes boxes [s].
 
     >>> round(writing_seconds(2000))
     49
@@ -164,54 +169,45 @@ def writing_seconds(boxes: int) -> float:
     return boxes * CASE_SECONDS + drawn_count(boxes) * DIAGRAM_SECONDS
 
 
-def _items(found: FoundBoxes) -> list[BoxFiles]:
-    """Each box with its name; not more of them are drawn than anybody can look at."""
-    numbers = range(1, len(found.boxes) + 1)
+def _items(result: FoundBoxes) -> list[BoxFiles]:
+    numbers = range(1, len(result.boxes) + 1)
     drawn, count = set(numbers), drawn_count(len(numbers))
     if count < len(drawn):
-        drawn = {box.number for box in drawn_boxes(found.listing, count)}
-    width = max(4, len(str(len(found.boxes))))
+        drawn = {box.number for box in drawn_boxes(result.listing, count)}
+    width = max(4, len(str(len(result.boxes))))
     return [
         BoxFiles(f"box-{number:0{width}}", box.found.case, number in drawn)
-        for number, box in zip(numbers, found.boxes, strict=True)
+        for number, box in zip(numbers, result.boxes, strict=True)
     ]
 
 
 def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
-    """The files of a box by their suffixes: its case, and its stick diagram."""
+    """Return the files of a box by suffix: the case, and the stick diagram if drawn."""
     data, _lost = case_data(item.case, "yaml")
-    made = {".yaml": data}
+    contents = {".yaml": data}
     if item.is_drawn:
         from vstatics.synthesis.pictures.stick import stick_diagram
 
-        made[".svg"] = stick_diagram(item.case)
-    return made
-
-
-def _put(folder: str, name: str, content: bytes) -> None:
-    """Write a file; a link of that name goes, and the file that it leads to stays as it is."""
-    path = os.path.join(folder, name)  # noqa: PTH118
-    if os.path.islink(path):  # noqa: PTH114
-        os.unlink(path)  # noqa: PTH108
-    replace(path, content)
+        contents[".svg"] = stick_diagram(item.case)
+    return contents
 
 
 def of_others(folder: str) -> str:
-    """A file with a name that a search gives, but not as one wrote it; "" if there is none."""
+    """Return the name of a file that a search would replace but no search wrote, or ""."""
     if not os.path.isdir(folder):  # noqa: PTH112
         return ""
     known = frozenset[str]()
     with suppress(OSError), StateFolder(folder, has_results=True).reading(RECORD) as record:
         known = frozenset(record.read().decode(errors="replace").split())
-    for name in sorted(filter(OWN.fullmatch, os.listdir(folder))):  # noqa: PTH208
+    for name in sorted(filter(RESULT_NAMES.fullmatch, os.listdir(folder))):  # noqa: PTH208
         path = os.path.join(folder, name)  # noqa: PTH118
         if not os.path.islink(path) and hash_of_file(path) not in known:  # noqa: PTH114
             return name
     return ""
 
 
-def _forget(folder: str, kept: Container[str]) -> None:
+def _forget(folder: str, new_names: Container[str]) -> None:
     """Remove files of an earlier search."""
     for name in os.listdir(folder):  # noqa: PTH208
-        if OWN.fullmatch(name) and name not in kept:
+        if RESULT_NAMES.fullmatch(name) and name not in new_names:
             os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118

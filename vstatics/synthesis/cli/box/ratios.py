@@ -1,4 +1,4 @@
-"""The wanted ratios of a box as they are typed: a number or a range for each gear, tolerances."""
+"""Options for the wanted ratios: a number or a range for each gear, and tolerances."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from vstatics.synthesis.gears.names import in_order, names_of_gears
 
 
 class WantedRatio(NamedTuple):
-    """The ratio of a gear: a number, to be met within a tolerance, or a range."""
+    """Wanted ratio of a gear: a number to be met within a tolerance, or a range."""
 
     middle: float
-    """[-]"""
+    """Ratio, or geometric mean of the ends of a range. [-]"""
     width: float | None = None
-    """Half of ln(one end/the other end) of a range. [-]"""
+    """Half of ``|ln(first end/second end)|`` of a range. [-]"""
 
 
 def wanted_ratio(text: str) -> WantedRatio:
-    """A ratio, or a range of ratios of one sign with either end first.
+    """Read a ratio, or a range of ratios of equal sign with either end first.
 
     Raises
     ------
@@ -37,23 +37,24 @@ def wanted_ratio(text: str) -> WantedRatio:
     """
     if ":" not in text:
         return WantedRatio(number(text))
-    one, other = pair(text, "5.8:6.2")
-    if one * other <= 0 or one == other:
+    first, second = pair(text, "5.8:6.2")
+    if first * second <= 0 or first == second:
         raise ValueError("expected two different ratios of one sign, such as 5.8:6.2")
-    return WantedRatio(math.copysign(math.sqrt(one * other), one), abs(math.log(one / other)) / 2)
+    middle = math.copysign(math.sqrt(first * second), first)
+    return WantedRatio(middle, abs(math.log(first / second)) / 2)
 
 
 class WantedTolerances(NamedTuple):
-    """The largest |ln(i/wanted)| of gears: in general, and of some by name."""
+    """Largest ``|ln(i/wanted)|`` of gears."""
 
     general: float
-    """[-]"""
+    """Tolerance of gears without a separate tolerance. [-]"""
     by_gear: Mapping[str, float]
-    """[-]"""
+    """Separate tolerances of gears, by name. [-]"""
 
 
 def wanted_tolerances(default: float) -> Callable[[Sequence[str]], WantedTolerances]:
-    """Reads tolerances; the default is that in general where only others are given.
+    """Return a parser of tolerances, with a default of the general tolerance.
 
     >>> wanted_tolerances(0.01)(["1=.04,R=.2"])
     WantedTolerances(general=0.01, by_gear={'1': 0.04, 'R': 0.2})
@@ -71,30 +72,30 @@ def wanted_tolerances(default: float) -> Callable[[Sequence[str]], WantedToleran
 
 
 def _tolerance(text: str) -> float:
-    found = number(text)
-    if not 0 < found <= COARSEST:
+    tolerance = number(text)
+    if not 0 < tolerance <= COARSEST:
         raise ValueError(f"expected a number above 0, up to {COARSEST:g}")
-    return found
+    return tolerance
 
 
 class WantedGears(NamedTuple):
-    """The gears of a box, as its search has them."""
+    """Wanted gears, as fields of `BoxSearch`."""
 
     targets: tuple[float, ...]
-    """Ratios, the middles of ranges. [-]"""
+    """Wanted ratios, and middles of wanted ranges. [-]"""
     tolerance: float
-    """[-]"""
+    """General tolerance. [-]"""
     tolerances: tuple[float, ...]
-    """Of each gear, where they are not the same. [-]"""
+    """Tolerance of each gear; empty for `tolerance` everywhere. [-]"""
 
 
 def wanted_gears(targets: Sequence[WantedRatio], tolerance: WantedTolerances) -> WantedGears:
-    """Ratios with their tolerances.
+    """Combine wanted ratios with tolerances.
 
     Raises
     ------
     BadParameter
-        If there is no gear of a name, or it has a range of its own.
+        If the gear of a tolerance does not exist, or its ratio is a range.
 
     Examples
     --------
@@ -102,9 +103,9 @@ def wanted_gears(targets: Sequence[WantedRatio], tolerance: WantedTolerances) ->
     >>> wanted_gears(ratios, WantedTolerances(0.01, {"R": 0.2})).tolerances
     (0.01, 0.05, 0.2)
     """
-    middles = tuple(one.middle for one in targets)
+    middles = tuple(target.middle for target in targets)
     names = names_of_gears(middles)
-    ranges = {name for name, one in zip(names, targets, strict=True) if one.width is not None}
+    ranges = {name for name, target in zip(names, targets, strict=True) if target.width is not None}
     with wrong_value("--tolerance"):
         for name in tolerance.by_gear:
             if name not in names:
@@ -116,7 +117,7 @@ def wanted_gears(targets: Sequence[WantedRatio], tolerance: WantedTolerances) ->
     if not tolerance.by_gear and not ranges:
         return WantedGears(middles, tolerance.general, ())
     of_gears = tuple(
-        tolerance.by_gear.get(name, tolerance.general) if one.width is None else one.width
-        for name, one in zip(names, targets, strict=True)
+        tolerance.by_gear.get(name, tolerance.general) if target.width is None else target.width
+        for name, target in zip(names, targets, strict=True)
     )
     return WantedGears(middles, tolerance.general, of_gears)

@@ -1,4 +1,4 @@
-"""Carrying out a search for boxes: to stdout, a file or a directory; interrupted ones go on."""
+"""Search for boxes and output to a stream, a file or a directory; resumes after interruptions."""
 
 from __future__ import annotations
 
@@ -37,24 +37,23 @@ from vstatics.synthesis.cli.box.options import BoxAsked
 from vstatics.synthesis.cli.box.output import FoundBoxes, write_folder
 
 NEAREST_SECONDS = 10.0
-"""A search that took longer is not made again for the box that comes nearest; so long it is
-looked for."""
+"""Limit of the time of a search for the nearest box, and of the search before it. [s]"""
 FINEST = 0.01
-"""The least tolerance with which that one is looked for. [-]"""
+"""Smallest tolerance of the search for the nearest box. [-]"""
 
 
 class BoxRun(NamedTuple):
-    """What is searched for, by whom, and where to."""
+    """Request for boxes, with output and workers."""
 
     asked: BoxAsked
     to: Destination
     sharing: Sharing
     quiet: bool
     complete: bool
-    """Whether a list that may lack boxes is a failure."""
+    """True if a list from which boxes can be missing is a failure."""
 
     def workers(self, pieces: int) -> Workers:
-        """Who does so many pieces."""
+        """Return the workers for the pieces of a search."""
         asked, scheduler = self.asked, self.sharing.scheduler
         work = BoxWork(asked.search, asked.efficiency, pieces, asked.weights)
         jobs = max(min(self.sharing.processes, pieces), 1)
@@ -62,36 +61,37 @@ class BoxRun(NamedTuple):
 
 
 def carry_out(run: BoxRun) -> int:
-    """Search, write what is found, and tell what became of it; the exit status."""
+    """Search, write the found boxes, print a summary and return the exit status."""
     began = time.perf_counter()
     with progress(None, "made ready", quiet=run.quiet):
         prepare(run.asked.search)  # once, not in every process
         count = cut(run.asked.search)
     for why in CACHE_TROUBLE[:1]:
         files.say(f"machine code that is kept can't be used, so it is compiled again: {why}")
-    found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
-    if isinstance(found, int):
-        return found
+    result = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
+    if isinstance(result, int):
+        return result
     took = time.perf_counter() - began
     if not (run.quiet or is_stream(run.to.output)):
-        files.say(_summary(str(run.to.output), found, took))
-    if found.boxes:
-        return FAILED if run.complete and found.given_up else DONE
-    if found.with_ratios:
-        files.say(f"no box is found: {_boxes(found.with_ratios)} with these ratios, none as wanted")
+        files.say(_summary(str(run.to.output), result, took))
+    if result.boxes:
+        return FAILED if run.complete and result.given_up else DONE
+    if result.with_ratios:
+        with_ratios = _boxes(result.with_ratios)
+        files.say(f"no box is found: {with_ratios} with these ratios, none as wanted")
     else:
         search = run.asked.search
         within = "these ranges" if search.tolerances else f"{search.tolerance:g} of these ratios"
         missed = _nearest(run) if took < NEAREST_SECONDS else ""
-        files.say(f"no box is found: none of {found.searched} comes within {within}{missed}")
+        files.say(f"no box is found: none of {result.searched} comes within {within}{missed}")
     return FAILED
 
 
 def _nearest(run: BoxRun) -> str:
-    """A word on the box that comes nearest, where it is found soon by wider tolerances."""
+    """Return a phrase about the nearest box, if wider tolerances soon find a box."""
     search, end = run.asked.search, time.perf_counter() + NEAREST_SECONDS
     if search.tolerances or search.sequence is not None:
-        return ""  # there is no one tolerance that tells which is nearer
+        return ""  # without a common tolerance, no box is the nearest
     while search.tolerance < COARSEST:
         search = search._replace(tolerance=min(max(2 * search.tolerance, FINEST), COARSEST))
         wider = run._replace(asked=run.asked._replace(search=search))
@@ -113,7 +113,7 @@ def _nearest(run: BoxRun) -> str:
 
 
 def rounded_up(error: float) -> float:
-    """An error in three digits, no less than it is.
+    """Round an error up to three digits.
 
     >>> rounded_up(0.0339211)
     0.034
@@ -123,47 +123,47 @@ def rounded_up(error: float) -> float:
 
 
 def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
-    """Search, and write to stdout or what is no file; an exit status if it is stopped."""
+    """Search and write to a stream; return the exit status if stopped."""
     pieces = SearchedPieces(count)
     try:
         with run.workers(count) as called:
-            found = _found(run, pieces, called)
+            result = _search(run, pieces, called)
     except StoppedError as stopped:
         files.say(f"stopped after {pieces.done} of {count} pieces of the search")
         return stopped_by(stopped.signal)
-    files.write_data(found.text(run.to.form, run.to.style), run.to.output)
-    return found
+    files.write_data(result.text(run.to.form, run.to.style), run.to.output)
+    return result
 
 
 def _to_store(run: BoxRun, count: int) -> FoundBoxes:
-    """Search, and write a file or a directory; pieces lie beside it meanwhile."""
+    """Search and write a file or a directory; a directory next to it stores finished pieces."""
     output = str(run.to.output).rstrip("/") or "/"
     with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
         whole = f"{count} pieces of the search"
         with going_on_later(
             output, store, lambda: kept_pieces(len(store.finished()), whole, store, output)
         ):
-            made, quiet = description(run.asked.search, count), run.quiet
-            run.sharing.open(store, output, made, count, "piece is searched", quiet=quiet)
+            searched_for, quiet = description(run.asked.search, count), run.quiet
+            run.sharing.open(store, output, searched_for, count, "piece is searched", quiet=quiet)
             with run.workers(count) as called:
-                found = _found(run, SearchedPieces(count, store), called)
+                result = _search(run, SearchedPieces(count, store), called)
                 if run.to.is_folder:
-                    write_folder(output, found, run.to.style, called, quiet=quiet)
+                    write_folder(output, result, run.to.style, called, quiet=quiet)
                     store.drop()
                 else:
-                    store.folder.replace(ASSEMBLED, found.text(run.to.form, run.to.style))
+                    store.folder.replace(ASSEMBLED, result.text(run.to.form, run.to.style))
                     store.finish()
     if run.to.is_folder and run.to.form != "xlsx":
-        files.write_data(found.text(run.to.form, run.to.style), None)
-    return found
+        files.write_data(result.text(run.to.form, run.to.style), None)
+    return result
 
 
-def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
-    """Search what is not searched, and measure what is found."""
+def _search(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
+    """Search the pending pieces, and calculate the figures of the found boxes."""
     with progress(pieces.count, "pieces", quiet=run.quiet) as advance:
         advance(pieces.done)
-        for piece, found in called.each(find, pieces.pending):
-            pieces.take(piece, found)
+        for piece, boxes_of_piece in called.each(find, pieces.pending):
+            pieces.take(piece, boxes_of_piece)
             advance(1)
     asked = run.asked
     if pieces.given_up:
@@ -181,11 +181,10 @@ def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
     return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen, pieces.given_up)
 
 
-def _summary(output: str, found: FoundBoxes, seconds: float) -> str:
-    """What became of the search."""
-    families = family_count(found.boxes)
-    count = f"{_boxes(len(found.boxes))} in {families} {'family' if families == 1 else 'families'}"
-    return f"{output}: {count} of {found.searched} that were looked at; {seconds:.3g} s"
+def _summary(output: str, result: FoundBoxes, seconds: float) -> str:
+    families = family_count(result.boxes)
+    count = f"{_boxes(len(result.boxes))} in {families} {'family' if families == 1 else 'families'}"
+    return f"{output}: {count} of {result.searched} that were looked at; {seconds:.3g} s"
 
 
 def _boxes(count: int) -> str:

@@ -1,4 +1,4 @@
-"""Gears of a box whose ratios are not told, as they are typed: how many, their spread and steps."""
+"""Options for gears without given ratios: number, spread and steps."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from vstatics.core.cli.shared.values import pair
 from vstatics.synthesis.boxes.box import ANY_QUOTIENT, WantedSequence
 
 ends = partial(pair, example="1.2:1.8")
-"""Reads two numbers with a colon between."""
+"""Parser of two numbers with a colon between."""
 
 
 def gear_counts(text: str) -> tuple[int, int]:
-    """The fewest and the most gears; one number is both.
+    """Read the smallest and the largest number of gears; a single number is both.
 
     >>> gear_counts("6:8"), gear_counts("6")
     ((6, 8), (6, 6))
@@ -31,7 +31,7 @@ def wanted_sequence(
     *,
     falling: bool,
 ) -> WantedSequence | None:
-    """What is asked of the gears besides --ratios.
+    """Return the gears that are wanted in addition to --ratios.
 
     Raises
     ------
@@ -42,9 +42,9 @@ def wanted_sequence(
     >>> wanted_sequence((6, 8), (5.0, 7.0), None, falling=True).steps
     (1.0, 1000000.0)
     """
-    said = spread is not None or steps is not None or falling
+    has_details = spread is not None or steps is not None or falling
     alone = "--spread, --steps, --falling say what --gears have: expected --gears A:B"
-    refuse((said and gears_wanted is None, alone))
+    refuse((has_details and gears_wanted is None, alone))
     if gears_wanted is None:
         return None
     return WantedSequence(*gears_wanted, spread or ANY_QUOTIENT, steps or ANY_QUOTIENT, falling)

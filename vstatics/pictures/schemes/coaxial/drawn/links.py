@@ -37,7 +37,7 @@ def draw_links(ink: SchemeInk, layout: CoaxialLayout) -> None:
             runs, points = passed(lines, met)
         look: Look = {"title": ink.titles.links.get(link, ""), "zorder": 3}
         for color, there in ((style.faint, False), (style.ink, True)):
-            segments = [line for line, one in runs if one == there]
+            segments = [line for line, has_torque in runs if has_torque == there]
             pen.lines(segments, color=color, kind="wire", solid_capstyle="projecting", **look)
         _joints(pen, lines, points)
     for x, y in wires.crossings():

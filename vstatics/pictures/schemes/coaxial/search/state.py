@@ -67,7 +67,7 @@ def in_two_parts(bars: Bars) -> set[int]:
     >>> in_two_parts((8, 16, 9, 8))
     {1}
     """
-    return {one >> 3 for one, other in pairwise(sorted({*bars})) if one >> 3 == other >> 3}
+    return {low >> 3 for low, high in pairwise(sorted({*bars})) if low >> 3 == high >> 3}
 
 
 def fresh(link: int, bars: Bars) -> int | None:
