@@ -21,17 +21,15 @@ class SchemeTold(NamedTuple):
     titles: Titles
     name: str
     """Title of the picture."""
-    note: str = ""
 
 
-def told_of(  # noqa: PLR0913 - what is drawn, and how
+def told_of(
     results: Results,
     scheme: Scheme,
     style: Style,
     gears: Sequence[int],
     *,
     subject: str,
-    note: str = "",
 ) -> SchemeTold:
     """Return the captions of a picture with at most a single gear, by number from 1.
 
@@ -49,4 +47,4 @@ def told_of(  # noqa: PLR0913 - what is drawn, and how
         texts += [gear_title(shown.gear.name, style)]
         texts += [fault(message, style) for message in shown.faults]
     titles = titles_of(results, scheme, style, gear, shown)
-    return SchemeTold(state, titles, title(results.case, ", ".join(texts)), note)
+    return SchemeTold(state, titles, title(results.case, ", ".join(texts)))

@@ -128,15 +128,11 @@ def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
     left = -3.0 if is_left else left - 3
     right = section.width + 3 if is_right else right + 3
     yield SignRoom(left, right, -places.half, places.half)
-    for x, both in ((0.0, up.left), (section.width, up.right)):
+    wheels = ((section.x(number), both) for number, both in enumerate(up.wheels))
+    for x, both in ((0.0, up.left), (section.width, up.right), *wheels):
         for bar in both:
             if bar is not None:
                 y = places.heights[bar]
-                yield SignRoom(x - 3, x + 3, min(y, 0.0) - 3, max(y, 0.0) + 3)
-    for number, both in enumerate(up.wheels):
-        for bar in both:
-            if bar is not None:
-                y, x = places.heights[bar], section.x(number)
                 yield SignRoom(x - 3, x + 3, min(y, 0.0) - 3, max(y, 0.0) + 3)
     if isinstance(section, BoxSection):
         return

@@ -59,6 +59,20 @@ class _LeftArm(NamedTuple):
     """True for a connection below and above."""
 
 
+def without_ended(
+    train: CoaxialTrain, state: SectionState, carrier: int | None = None
+) -> SectionState:
+    """Remove the bars of links without further connections, except those of a carrier."""
+    below, above, done = state
+    bars = below + above
+    ended = {bar >> 3 for bar in bars if not train.masks[bar >> 3] & ~done} - {carrier}
+    if not ended:
+        return state
+    ended -= in_two_parts(bars)
+    low, high = (tuple(bar for bar in row if bar >> 3 not in ended) for row in (below, above))
+    return SectionState(low, high, done)
+
+
 class SetMoves(NamedTuple):
     """Possible ways to draw the next gear set of a train."""
 
@@ -130,7 +144,7 @@ class SetMoves(NamedTuple):
             for mirrored, more in self._wheel(above[::-1], low, ring, ring_bit):
                 high = mirrored[::-1]
                 now = SectionState(low, high, done | sun_bit | ring_bit)
-                remaining = self._without_ended(now, carrier)
+                remaining = without_ended(self.train, now, carrier)
                 step = _Begun(remaining, cost + extra + more, (*seen, (low, high)))
                 yield from self._meshed(step, planes[1:], carrier)
 
@@ -144,18 +158,6 @@ class SetMoves(NamedTuple):
             yield (*row, part), FOLD * (link in links_of(row + others))
         if self.crossing & bit and link in links_of(row):
             yield row, CROSSING * next(n for n, b in enumerate(row[::-1]) if b >> 3 == link)
-
-    def _without_ended(self, state: SectionState, carrier: int) -> SectionState:
-        """Remove the bars of gears that nothing else connects."""
-        below, above, done = state
-        bars = below + above
-        masks = self.train.masks
-        ended = {bar >> 3 for bar in bars if not masks[bar >> 3] & ~done} - {carrier}
-        if not ended:
-            return state
-        ended -= in_two_parts(bars)
-        low, high = (tuple(bar for bar in row if bar >> 3 not in ended) for row in (below, above))
-        return SectionState(low, high, done)
 
     def _left_behind(self, begun: _Begun, arm: _LeftArm) -> Iterator[Move]:
         """Yield the states to the right of a set, with all connections of the carrier."""

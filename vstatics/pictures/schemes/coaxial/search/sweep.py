@@ -17,6 +17,7 @@ from typing import NamedTuple
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.search.moves import Moves
 from vstatics.pictures.schemes.coaxial.search.remainder import can_go_on
+from vstatics.pictures.schemes.coaxial.search.set_moves import without_ended
 from vstatics.pictures.schemes.coaxial.search.stacked import stacked
 from vstatics.pictures.schemes.coaxial.search.state import (
     PAIR,
@@ -26,7 +27,6 @@ from vstatics.pictures.schemes.coaxial.search.state import (
     Bars,
     SectionState,
     SweepStep,
-    in_two_parts,
 )
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
@@ -208,7 +208,7 @@ class _SweepSearch(NamedTuple):
         steps: tuple[SweepStep, ...] = ()
         cost = 0
         while True:
-            state = self._ended(state)
+            state = without_ended(self.moves.train, state)
             connection = self._next(state)
             if connection is None:
                 break
@@ -216,17 +216,6 @@ class _SweepSearch(NamedTuple):
             steps, cost = (*steps, step), cost + length * len(state.below + state.above)
         for below, above in _thinned(state.below, state.above):
             yield SectionState(*_numbered(below, above), state.done), steps, cost
-
-    def _ended(self, state: SectionState) -> SectionState:
-        """Remove the bars of links without further connections."""
-        below, above, done = state
-        masks, bars = self.moves.train.masks, below + above
-        ended = {bar >> 3 for bar in bars if not masks[bar >> 3] & ~done}
-        if not ended:
-            return state
-        ended -= in_two_parts(bars)
-        low, high = (tuple(bar for bar in row if bar >> 3 not in ended) for row in (below, above))
-        return SectionState(low, high, done)
 
     def _next(self, state: SectionState) -> tuple[SectionState, SweepStep, int] | None:
         """Return a connection of two neighbours, or of the outermost bar to the housing."""
