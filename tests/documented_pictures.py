@@ -18,7 +18,8 @@ from typing import NamedTuple
 
 from click.testing import CliRunner
 
-from tests.test_readme import DOCUMENTS, ROOT, blocks, write_file
+from tests.commands import ROOT
+from tests.test_readme import DOCUMENTS, blocks, write_file
 from vstatics.core.cli import main
 
 IMAGE = re.compile(

@@ -10,8 +10,9 @@ from typing import get_args
 
 import pytest
 
+from tests.commands import ROOT
 from tests.installed import ANNEXES, needs
-from tests.test_readme import ROOT, blocks
+from tests.test_readme import blocks
 from vstatics.core.statics.result_arrays import GearTable
 from vstatics.core.tables.quantities import BY_NAME
 
