@@ -90,7 +90,7 @@ class PictureKind(NamedTuple):
     refused: Mapping[str, str] = _NOTHING
     """Common options that the kind lacks, each with the reason."""
     plots: str = ""
-    """Name of the function that plots a document, for kinds that show documents."""
+    """Name of the function that plots a document; empty for pictures of a case."""
     least_width: float = 0.0
     """Smallest width of the picture with readable labels. [mm]"""
     alike: bool = False

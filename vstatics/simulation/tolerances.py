@@ -52,7 +52,7 @@ ROOT_TIME = 1e-15
 
 # speeds, torques, margins
 STANDING = 1e-9
-"""Speed, torque or impulse that is 0 except for rounding, relative to the largest of its kind."""
+"""Relative speed, torque or impulse up to which a value counts as 0."""
 NO_MARGIN = 1e-10
 """Violation of a margin that counts, relative to the scale of the margin."""
 LEAST_VALUE = 1e-30
@@ -90,7 +90,7 @@ NO_SPLIT = 1e-12
 WITHIN_LIMITS = 1e-6
 """Violation of limits allowed in a split, the accuracy of least squares, by the largest slack."""
 SHARED_TORQUE = 1e-6
-"""Share of a torque in a redundant direction that counts."""
+"""Component of a torque in a redundant direction above which the torque is indeterminate."""
 SAME_VALUES = 1e-9
 """Relative difference of values at an instant that is not a jump."""
 MADE_CAPACITY = 1e-9

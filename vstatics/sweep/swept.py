@@ -113,9 +113,10 @@ class Sweep(Iterator[Chunk]):
         Returns
         -------
         Dataset
-            A grid has a dimension for each varied number, with its values [-]; other variants have
-            the dimension `variant`, with the varied numbers along it. With a row for each gear the
-            dataset also has `gear`. Variables are the columns, by heading, and `status` in words.
+            The dimensions of a grid are the varied numbers, with their values as coordinates. Other
+            variants have the dimension `variant`, with the varied numbers as coordinates. With a
+            row for each gear there is also the dimension `gear`. Each column is a variable named by
+            its heading; the variable `status` holds words.
             Cells of a grid removed by a condition are NaN with the status `left out`; other
             removed variants are absent. The attribute `units` is missing if a variable is
             relative to the input [-], or is not part of a single table.

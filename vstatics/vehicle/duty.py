@@ -97,7 +97,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
 
 
 def _efficiency(results: Results, gear: str) -> float:
-    """Return output by input power of a gear, also if back-driven; NaN without power."""
+    """Return output power divided by input power, also if the output drives the losses."""
     number = results.case.gear_number(gear)
     if not results.dragged[number - 1]:
         return float(results.efficiency[number - 1])

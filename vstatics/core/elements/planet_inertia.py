@@ -1,4 +1,4 @@
-"""Inertia of planets, as exact functions of link speeds, without links for the planets."""
+"""Inertia of planets, whose speeds follow exactly from the speeds of links."""
 
 from __future__ import annotations
 

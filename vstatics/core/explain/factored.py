@@ -229,7 +229,7 @@ def _product(
 
 
 def _position(polynomial: Polynomial) -> tuple[int, ...]:
-    """Return the indices of the symbols that occur, for the order of factors."""
+    """Return the indices of the symbols in a polynomial, the sort key of factors."""
     occurring = {place for powers, _ in polynomial.terms() for place, p in enumerate(powers) if p}
     return tuple(sorted(occurring))
 

@@ -69,7 +69,7 @@ class RatioFormula(NamedTuple):
     """
     symbols: Sequence[Symbol]
     speeds: Mapping[str, float]
-    """Given speeds in the formula; empty in a formula of the ratio. [-]"""
+    """Given speeds that occur in the formula, by symbol; empty for a ratio. [-]"""
     value: float
     """Value of the formula. [-]"""
     shared: Mapping[str, Sequence[str]]

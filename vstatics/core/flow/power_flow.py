@@ -112,7 +112,7 @@ class PowerFlow(NamedTuple):
 
     @property
     def node_powers(self) -> list[NodePower]:
-        """Throughput as a list."""
+        """Power through each node, as a list."""
         return [NodePower(*item) for item in self.throughput.items()]
 
     @property

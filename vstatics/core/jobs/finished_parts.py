@@ -203,7 +203,7 @@ class FinishedParts:
 def _whole_parts(file: IO[bytes]) -> Iterator[tuple[str, _Stretch]]:
     """Give the parts behind the first line, each with its case, without damaged parts.
 
-    A line that is cut or damaged ends them: nobody knows where the next one begins.
+    Reading stops at a truncated or damaged line, because the start of the next part is unknown.
     """
     while (text := unsealed(file.readline()[:-1])) is not None:
         name, case, named_files, length, known = json.loads(text)

@@ -69,7 +69,7 @@ def further_pages(path: str, count: int = 1) -> Iterator[str]:
 
 
 def set_pages_aside(path: str) -> str:
-    """Rename an earlier picture and the further pages; return the first new name."""
+    """Rename all pages of an earlier picture; return the new name of the first page."""
     for further in further_pages(path):
         set_aside(further)
     return set_aside(path)

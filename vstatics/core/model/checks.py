@@ -141,7 +141,7 @@ def _bare(
     drags: Mapping[int, float],
     torque: float | None,
 ) -> Iterator[Problem]:
-    """Warn about the unitless numbers of a table of drags; `torque` is the input torque [N*m]."""
+    """Warn about drags without a unit that are probably in N*m; `torque` is the input torque."""
     bare = {part: drag for part, drag in drags.items() if not isinstance(drag, Law | OfLoad)}
     has_units = len(bare) < len(drags)
     for part, drag in bare.items():

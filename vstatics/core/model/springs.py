@@ -128,7 +128,7 @@ def straight_curve(stiffness: float) -> TwistCurve:
 
 
 class SpringLimit(NamedTuple):
-    """Torque limit proportional to the torque of a spring, as tyre grip to the wheel load, (5.8).
+    """Torque limit that grows with the torque of another spring, as tyre grip with wheel load.
 
     Parameters
     ----------

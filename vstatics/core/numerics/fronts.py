@@ -1,6 +1,6 @@
 """Pareto fronts: the points that no other point dominates, by several objectives.
 
-A point dominates another point if it is as good in all objectives and better in one. Equal points
+A point dominates another point if it is no worse in all objectives and better in one. Equal points
 do not dominate each other. Smaller is better everywhere; points with NaN are in no front.
 """
 

@@ -89,7 +89,7 @@ ROUNDED_NUMBER = 1e-12
 ROUNDED_PART = 1e-9
 """Part of the largest number of a kind below which a printed value is rounding."""
 ROUNDED_DEVIATION = 1e-14
-"""Standard deviation, as a part of the numbers, that is the rounding of their last digits."""
+"""Relative standard deviation up to which only last digits of the numbers differ."""
 ATOL = 1e-12
 """Default absolute tolerance of a comparison of results."""
 RTOL = 1e-9

@@ -21,7 +21,7 @@ from vstatics.core.statics.torques import Torques, acting_torques, solve_torques
 
 
 class LossyTorques(NamedTuple):
-    """Torques with losses under a set of signs, and the resulting losses and efficiency."""
+    """Torques with losses for assumed signs of the power flows, with losses and efficiency."""
 
     signs: Signs
     torques: Torques

@@ -380,7 +380,7 @@ class IdealSigns(NamedTuple):
     """Sign of the flow without losses through each mechanism, and the reasons for no flow."""
 
     signs: Signs
-    """+1, -1 or 0; NaN if torque or motion is indeterminate."""
+    """Signs of the flows: +1, -1 or 0; NaN if torque or motion is indeterminate."""
     unloaded: Sequence[bool]
     """Marks of mechanisms without torque."""
     still: Sequence[bool]

@@ -244,7 +244,7 @@ def _inverses(results: Results, digits: int | None) -> Iterator[str]:
 
 
 def results_html(results: Results) -> str:
-    """Return the gears of a case as an HTML table; arrays of variants as a line.
+    """Return the gears of a case as an HTML table, or one line about many variants.
 
     Examples
     --------

@@ -29,7 +29,7 @@ _NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to",
 _TURNING = {UNIT_OF[measure] for measure in STRAIGHT}
 """Units of quantities that can also belong to links that move straight."""
 _ABSCISSAS = {"time": "s", "speed": "rad/s", "angle": "rad"}
-"""Abscissas of the points of a torque -> units of the abscissas."""
+"""Units of the abscissa of a torque given by points, by the key `over`."""
 
 Texts = Mapping[str, bytes]
 """Contents of files by name."""

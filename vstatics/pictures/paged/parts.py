@@ -124,6 +124,6 @@ def address(section: str, gear: str) -> str:
 
 
 def line_of(facts: Iterable[tuple[str, str]]) -> Markup:
-    """Return figures in a line, each below a name."""
+    """Return facts side by side in a line, each value below its name."""
     shown = (tag("div", tag("dt", name), tag("dd", text)) for name, text in facts)
     return tag("dl", *shown, class_="overview")

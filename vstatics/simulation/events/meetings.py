@@ -29,7 +29,7 @@ class CornerPlace(NamedTuple):
     """Place of a corner in a system."""
 
     corner: int
-    """Index of the corner."""
+    """Index of the corner of a formula among the corners of the run."""
     number: int
     """Index among the numbers that the corner compares."""
 

@@ -187,7 +187,7 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
 
 @lru_cache(maxsize=1)
 def _powers() -> Floats:
-    """Return the matrix from Chebyshev coefficients over 0 to 1 to coefficients of powers."""
+    """Return the matrix that converts Chebyshev coefficients on [0, 1] to those of powers."""
     powers = np.zeros((DEGREE + 1, DEGREE + 1))
     for number in range(DEGREE + 1):
         series = np.polynomial.Chebyshev.basis(number, domain=[0.0, 1.0])
@@ -560,7 +560,7 @@ class Closed:
         return np.asarray(result[:, 0, -1])
 
     def _account(self, states: Floats, times: Floats, before: Floats, length: float) -> Floats:
-        """Fill in works and losses; return the rates at the Gauss points of each part."""
+        """Write works and losses into the states; return their rates at the Gauss points."""
         equations = self.equations
         first = equations.works.start
         count, nodes = times.shape

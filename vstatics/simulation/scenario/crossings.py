@@ -48,7 +48,7 @@ def met(tree: Tree) -> Iterator[Pairs]:
 
 
 def asked(tree: Tree) -> Iterator[Pairs]:
-    """Yield the arguments of tables, each paired with the steps of the table in order."""
+    """Yield the arguments of tables, each with every breakpoint of its table, ascending."""
     for part in parts(tree):
         if isinstance(part, Applied) and isinstance(part.name, TableCall):
             table = part.name.table

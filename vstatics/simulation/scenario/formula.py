@@ -169,7 +169,7 @@ class Formula(NamedTuple):
         return tuple(place for place, jumps in corners(self.whole, name).items() if jumps)
 
     def between(self, name: str, low: float, high: float) -> Formula:
-        """Return the formula between two jumps along a variable."""
+        """Return the formula that holds between two neighbouring jumps along a variable."""
         return self._replace(tree=between(self.whole, name, low, high))
 
     @property

@@ -107,7 +107,7 @@ def _of_formula(law: Formula) -> tuple[list[LawJump], list[LawPiece]]:
 def _between_surfaces(
     law: Formula, sides_at_jumps: tuple[tuple[int, str], ...], jumps: list[LawJump]
 ) -> Iterator[LawPiece]:
-    """Yield the pieces of a law between moving jumps, which are added to `jumps`."""
+    """Yield the pieces of a law between its moving jumps, and append the jumps to `jumps`."""
     surfaces = law.surfaces
     if len(surfaces) > _MOST_SURFACES:
         surfaces = {}

@@ -78,8 +78,8 @@ HOLDS = Programme(constant(math.inf), is_dog=True)
 def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
     """Return the programme of each shift element.
 
-    A freewheel has the capacity in the case. An element without a control stays as at the start, or
-    follows the shifts.
+    A freewheel has the capacity that the case gives, or an unlimited capacity. An element without a
+    control keeps the state of the start, or follows the shifts.
 
     Parameters
     ----------
@@ -203,7 +203,7 @@ def cut_note(time: float, name: str, largest: float) -> str:
 
 
 def within(law: Curve, largest: float) -> Curve:
-    """Return a control clipped at 0 and at the capacity in the case.
+    """Return a curve clipped to the range from 0 to `largest`.
 
     >>> within(Points((0.0, 4.0), (-10.0, 30.0)), 20.0)
     Points(x=(0.0, 1.0, 3.0, 4.0), y=(0.0, 0.0, 20.0, 20.0), over='time')

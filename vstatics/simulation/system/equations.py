@@ -303,7 +303,7 @@ class Equations:
         return powers
 
     def _with_driving(self, torques: Floats) -> Floats:
-        """Return the torques of ports, including drivers; a time axis can follow."""
+        """Return the torques of ports with those of driving contacts, shape (ports[, times])."""
         if not self.driving:
             return torques
         with_drivers = torques.copy()

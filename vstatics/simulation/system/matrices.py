@@ -184,7 +184,7 @@ class MovingVariator(NamedTuple):
     reference: float
     """Ratio of the constraint row."""
     contact: int
-    """Index of the contact."""
+    """Index of the contact that enforces the ratio, in `MotionSystem.contacts`."""
     efficiency: float
 
 
@@ -238,7 +238,7 @@ class PortLayout:
         self.frictions = self.outside + self.converters
         """Index of the first contact among the pieces of curves, after loads and converters."""
         self.curves = self.frictions + len(system.contacts)
-        """Index of the first spring among the pieces of curves."""
+        """Index of the first spring in `States.pieces`, after loads, converters and contacts."""
         angles = {load.link for load in system.outside if load.needs_angle}
         angles |= {contact.switch.link for contact in system.contacts if contact.switch}
         angles |= {system.names.index(quantity.of) for quantity in seen if quantity.word == "angle"}

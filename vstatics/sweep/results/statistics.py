@@ -40,7 +40,7 @@ class Statistics(NamedTuple):
 
 
 def statistics(numbers: Floats) -> Statistics:
-    """Return the statistics of numbers, without NaN.
+    """Return the statistics of numbers; NaN is ignored.
 
     Examples
     --------

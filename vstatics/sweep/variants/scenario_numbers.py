@@ -44,7 +44,7 @@ _ALL_GIVEN = ("numbers", "set")
 
 
 class NumberPath(NamedTuple):
-    """Number of a scenario or of the case."""
+    """Path to a number of a scenario or of its case."""
 
     keys: Keys
     of_case: bool

@@ -35,7 +35,7 @@ class RankedBox(NamedTuple):
     core: int
     """Number of the core, from 1; gearboxes of a family and core differ by clutches alone."""
     pareto: bool
-    """True if no other gearbox is better in one figure of the Pareto list and as good in all."""
+    """True if no gearbox is better in one figure of the Pareto list and no worse in the others."""
 
 
 def ranked(

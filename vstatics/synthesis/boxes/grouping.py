@@ -96,7 +96,7 @@ def _parted(group: Any, sizes: Floats) -> list[Any]:
 def pareto(figures: Floats | Integers) -> Booleans:
     """Return marks of rows that no other row dominates.
 
-    A row dominates another row if it is better in one column and as good in all others.
+    A row dominates another row if it is better in one column and no worse in all others.
 
     Parameters
     ----------

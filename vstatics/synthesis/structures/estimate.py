@@ -32,7 +32,7 @@ from vstatics.synthesis.structures.growth import (
 from vstatics.synthesis.structures.json_lines import lines
 
 GROWN_SCHEMES = 600_000
-"""Approximate number of schemes that grow for each number of sets, per order of members."""
+"""Number of schemes grown in each step, before division by the orders of members."""
 FEW_SETS = 4
 """Number of sets above which fewer schemes grow in each step."""
 COUNTED_SETS = 6

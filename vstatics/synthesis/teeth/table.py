@@ -115,7 +115,7 @@ def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
 
 
 def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
-    """Return an order of the places, and nodes with bounds, halved along the widest ratio.
+    """Return an order of the places, and nodes with bounds, halved along the widest range.
 
     >>> order, nodes, low, high = _halves(np.array([[3.0], [1.0], [2.0]]))
     >>> order.tolist(), nodes.tolist()
@@ -153,7 +153,7 @@ def _reduced(function: np.ufunc, values: Floats, level: Integers) -> Floats:
 
 
 def _sorted_within(order: Integers, sizes: Floats, level: Integers, widest: Integers) -> Integers:
-    """Return an order in which each part of a level is sorted by the widest ratio."""
+    """Return the order with each node of a level sorted by the ratio of its widest range."""
     sorted_order = order.copy()
     of_part, more = counted(level[:, 1] - level[:, 0])
     places = level[of_part, 0] + more

@@ -178,7 +178,7 @@ def gears_answer(
 
 
 def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
-    """Return notes about slopes of springs with points, and warnings about given torques."""
+    """Return notes on the slopes of springs with points, and warnings about converters."""
     from vstatics.torsion.system.working_points import mean_gear
 
     by_name = {gear.name: gear for gear in reading.case.gears}

@@ -62,7 +62,7 @@ class Correlation(NamedTuple):
 
     @property
     def parts(self) -> list[tuple[float, float, float]]:
-        """Variance [unit^2], a and b [1/s] of each part."""
+        """Variance [unit^2], a [1/s] and b [1/s] of each part ``exp(-a |t|) cos(b t)``."""
         speed = 1.0 if self.speed is None else self.speed
         return [(self.variance * share, a * speed, b * speed) for share, a, b in self.correlation]
 

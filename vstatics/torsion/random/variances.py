@@ -32,7 +32,7 @@ class Signal(NamedTuple):
     """Quantity that depends linearly on the states and on the input."""
 
     row: Floats
-    """Coefficients of the states."""
+    """Coefficients of the states in the sum that gives the quantity."""
     at_once: float = 0.0
     """Coefficient of the input."""
 

@@ -145,7 +145,7 @@ def _is_shaft(spring: SchemeSpring) -> bool:
 
 
 def _path(count: int, springs: tuple[SchemeSpring, ...]) -> _Path | str:
-    """Return the path through all masses, of which each has two shafts at most, or a reason."""
+    """Return the path through all masses, or the reason why there is no single path."""
     between = [spring for spring in springs if len(spring.twist) == 2]
     ends = [mass for mass in range(count) if sum(mass in s.twist for s in between) < 2]
     if not ends:

@@ -334,7 +334,7 @@ BranchRule = Literal["r", "b", "u"]
 
 _SHARES: dict[BranchRule, Callable[[float], float]] = {
     "r": lambda part: part,  # (П1.7), which the book recommends
-    "b": lambda part: part**2,  # (П1.6), of Banakh
+    "b": lambda part: part**2,  # rule of Banakh, equation (П1.6)
     "u": lambda _: 0.0,
 }
 """Share of a mass in the removed inertia, as a function of the stiffness ratio |Kij|/Kjj."""

@@ -93,7 +93,7 @@ def part(request: PartRequest) -> Vibration | None:
 
 
 OF_GEAR = ("frequencies", "energy")
-"""Keys of the tables shown of each gear."""
+"""Keys of the tables that are shown for each gear."""
 
 
 def frequencies(gears: Sequence[GearModes]) -> Grid:

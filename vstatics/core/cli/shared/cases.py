@@ -1,4 +1,4 @@
-"""Options and arguments of commands with cases, and the reading and calculation of each case."""
+"""Options of commands that take cases, and the reading and calculation of each case."""
 
 from __future__ import annotations
 

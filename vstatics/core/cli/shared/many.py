@@ -1,4 +1,4 @@
-"""Several cases, each to a file in a directory, or all to one stream."""
+"""Runs of several cases, with the outputs in files of a directory or in one stream."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ class Places:
         self.planet: dict[int, int] = {}
         """Position in NNM of each non-standard mechanism."""
         self.given: dict[tuple[str, int, int], int] = {}
-        """Position of a link in NWZ or NMZ, by ``("speeds", gear, link)``."""
+        """Position in NWZ or NMZ, by ``("speeds", gear, link)`` or ``("torques", gear, link)``."""
         self._spots: dict[str, Spot] = {}
 
     @property

@@ -1,11 +1,11 @@
 """Search for the torque on a link that balances the powers of electric machines and a battery.
 
-A link gives its machine the power ``P = -external torque x speed``; the battery receives ``P
-efficiency``, or gives ``P/efficiency`` if P is below 0. The surplus is the sum over all machines
-minus the charging power that the case demands. It is a piecewise nearly linear function of the
-unknown torque. It is calculated on a grid of torques of both signs and all sizes, and between
-every change of sign a root is searched for by the Illinois rule (Dowell, Jarratt 1971) and
-bisection.
+A link gives its machine the power ``P = -external torque x speed``; the battery receives
+``P x efficiency``, or gives ``P/efficiency`` if P is below 0. The surplus is the sum over all
+machines minus the charging power that the case demands. It is a piecewise nearly linear function of
+the unknown torque. It is calculated on a grid of torques of both signs and all sizes. In the first
+`MOST_SOLUTIONS` intervals in which its sign changes, roots are searched for by the Illinois rule
+(Dowell, Jarratt 1971) and bisection.
 """
 
 from __future__ import annotations

@@ -129,7 +129,7 @@ class AxesBoard:
 
     @cached_property
     def entry(self) -> frozenset[int]:
-        """Links of the input."""
+        """Links that are inputs."""
         return frozenset(port.link for port in self.ports if port.role == "input")
 
     @cached_property

@@ -24,7 +24,7 @@ from vstatics.pictures.schemes.titles import teeth_of
 SIGN = 16.0
 """Length of a sleeve or a pack of plates with connections. [pt]"""
 SPRING = 24.0
-"""Length of a spring with connections. [pt]"""
+"""Length of the symbol of a spring, with its connecting lines. [pt]"""
 PACK_PITCH = 24.0
 """Distance between packs of plates in a drum. [pt]"""
 WHEEL = 5.0

@@ -1,4 +1,4 @@
-"""Find all gearboxes of a scheme and its ports, from speeds in gears to fitted ratios; compiled."""
+"""Compiled search for the gearboxes of a scheme, from speeds in each gear to fitted ratios."""
 
 from __future__ import annotations
 

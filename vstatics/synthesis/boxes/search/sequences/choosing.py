@@ -15,7 +15,7 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 
 class Goal(NamedTuple):
-    """Choices that are looked for."""
+    """Sizes of a search for choices of ratios, and the limit of its effort."""
 
     targets: int
     """Number of targets; the first gears of a choice serve the targets."""

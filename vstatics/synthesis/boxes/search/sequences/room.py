@@ -67,7 +67,7 @@ class ChoiceRoom(NamedTuple):
     reach: Integers
     """Targets that each ratio reaches, as bits, shape (ratios,)."""
     ends: Floats
-    """Range of ln(i) of each ratio, reversed for a reverse gear; shape (ratios, 2). [-]"""
+    """Range of ln(i) of each ratio, (inf, -inf) in reverse; shape (ratios, 2). [-]"""
     steps: Floats
     """Range of ln(i/j) of each pair of ratios, shape (ratios, ratios, 2). [-]"""
     order: Integers
@@ -135,7 +135,7 @@ def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int
     gears = targets + wanted.most
     halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW_SEQUENCE_CELL))
     deep = 2 + sets * math.ceil(max(halvings, 0)) if wanted.most else 1
-    rows = targets + 2 * wanted.most  # targets, steps, spread, falls
+    rows = targets + 2 * wanted.most  # targets, steps, spread, pairs of falling steps
     return SequenceRoom(
         wanted=wanted,
         ratio_of=integers(ratios),
