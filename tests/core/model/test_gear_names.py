@@ -7,13 +7,7 @@ import pytest
 from tests.commands import CASES, MZKT, vstatics
 from tests.installed import HERE
 from tests.shipped import shipped_results
-from vstatics import (
-    Gear,
-    Results,
-    Transmission,
-    load,
-    solve,
-)
+from vstatics import Gear, Results, Transmission, load, solve
 
 EIGHT = shipped_results("zf-8hp70.yaml")
 

@@ -40,16 +40,7 @@ from tests.installed import HERE
 from tests.oracle import gears as oracle
 from tests.oracle.cases import NASTY
 from tests.trains import is_regular, no_losses, random_train
-from vstatics import (
-    Damping,
-    Gear,
-    Mechanism,
-    Results,
-    ShiftElement,
-    Spring,
-    Transmission,
-    solve,
-)
+from vstatics import Damping, Gear, Mechanism, Results, ShiftElement, Spring, Transmission, solve
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import Friction, Load
 from vstatics.core.model.struts import Strut

@@ -13,7 +13,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.record.answer import AskedAnswer
 from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.record.rows import rows_of_kind
+from vstatics.simulation.record.row_names import rows_of_kind
 from vstatics.simulation.run import simulate
 
 WHEEL = "links: [o]\ninertias: {o: 2}\ngears: {g: []}\n"

@@ -19,13 +19,7 @@ from vstatics.core.cli.shared.options import completing, refuse
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
-from vstatics.core.errors import (
-    Problem,
-    ReadError,
-    Severity,
-    plural,
-    spoken,
-)
+from vstatics.core.errors import Problem, ReadError, Severity, plural, spoken
 from vstatics.core.readers.kinds import document_function
 from vstatics.core.statics.diagnosis import freedom, given_conditions
 from vstatics.core.statics.freewheels import with_engaged

@@ -16,15 +16,7 @@ from typing import Any
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.tape import Untraceable
 from vstatics.core.numerics.tolerances import NEAR_ONE
-from vstatics.core.numerics.traced import (
-    Number,
-    absolute,
-    is_nan,
-    is_traced,
-    may_lie,
-    plain,
-    sign,
-)
+from vstatics.core.numerics.traced import Number, absolute, is_nan, is_traced, may_lie, plain, sign
 from vstatics.core.statics import matrix
 from vstatics.core.statics.efficiency import Efficiency
 from vstatics.core.statics.ideal import IdealGear, direction_of, ideal_gear, is_nothing

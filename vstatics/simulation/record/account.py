@@ -10,7 +10,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant
 from vstatics.simulation.record.motion import Energy
-from vstatics.simulation.record.rows import friction_areas
+from vstatics.simulation.record.row_names import friction_areas
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.system.equations import Equations
 

@@ -17,7 +17,7 @@ from vstatics.core.suggestions import nearest
 from vstatics.simulation.record.account import heat_and_losses
 from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.converters import efficiencies, speed_ratios, turning
-from vstatics.simulation.record.rows import Kind, friction_areas, roads_of, rows_of_kind
+from vstatics.simulation.record.row_names import Kind, friction_areas, roads_of, rows_of_kind
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel

@@ -19,10 +19,10 @@ from vstatics.simulation.events.margins import Margins
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.record.account import energy_account
 from vstatics.simulation.record.asked import empty_columns
-from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Damage, Event, Motion, Reached
-from vstatics.simulation.record.rows import roads_of
+from vstatics.simulation.record.picture_tables import chosen
+from vstatics.simulation.record.row_names import roads_of
 from vstatics.simulation.record.segments import Piece, peaks
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import cut_note

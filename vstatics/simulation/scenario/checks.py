@@ -22,11 +22,7 @@ from vstatics.core.model.torsional_checks import of_converter
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.suggestions import nearest
-from vstatics.simulation.scenario.control_checks import (
-    ascending,
-    control_problems,
-    of_range,
-)
+from vstatics.simulation.scenario.control_checks import ascending, control_problems, of_range
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
     OF_MOTION,

@@ -18,7 +18,7 @@ from vstatics.core.readers.expressions.grammar import parse
 from vstatics.core.readers.expressions.operands import TableName
 from vstatics.core.suggestions import nearest
 from vstatics.simulation.record.asked import ALWAYS, TABLES
-from vstatics.simulation.record.rows import rows_of_kind
+from vstatics.simulation.record.row_names import rows_of_kind
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.variants.motion_names import LANGUAGE, RunNames
 from vstatics.sweep.results.columns import OPTION, items

@@ -12,7 +12,7 @@ from vstatics.core.readers.expressions.grammar import Language
 from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.names import written
-from vstatics.simulation.record.rows import Kind
+from vstatics.simulation.record.row_names import Kind
 from vstatics.simulation.variants.motion_tables import TABLES, along_time
 from vstatics.simulation.variants.numbers import ScenarioNumbers
 from vstatics.sweep.results.meanings import PART_NUMBERS, Selection, VariedNumber

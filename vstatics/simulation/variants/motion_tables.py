@@ -16,7 +16,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.record.asked import TABLES as ASKED
 from vstatics.simulation.record.motion import EventKind, Motion
-from vstatics.simulation.record.rows import Kind
+from vstatics.simulation.record.row_names import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from vstatics.core.readers import Format
     from vstatics.core.readers.documents import CaseDocument
     from vstatics.core.readers.reading import Reading
-    from vstatics.simulation.record.rows import Kind
+    from vstatics.simulation.record.row_names import Kind
     from vstatics.simulation.scenario.file import ScenarioFile
 
 
@@ -124,7 +124,7 @@ class ScenarioNumbers:
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
         """Return the names of the rows of tables of a kind."""
-        from vstatics.simulation.record.rows import rows_of_kind
+        from vstatics.simulation.record.row_names import rows_of_kind
 
         return rows_of_kind(kind, self.own.scenario)
 

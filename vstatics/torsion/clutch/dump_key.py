@@ -12,13 +12,7 @@ from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.part_checks import called, expect, of_link
 from vstatics.core.model.shape import LINK, ByKey, KeyShape, Leaf, ListOf
 from vstatics.core.model.torsional_keys import ABOVE_0
-from vstatics.torsion.clutch.clutch_dump import (
-    MASSES,
-    NEEDED,
-    NUMBERS,
-    ClutchDump,
-    dump_record,
-)
+from vstatics.torsion.clutch.clutch_dump import MASSES, NEEDED, NUMBERS, ClutchDump, dump_record
 
 _PARTS = {
     "J1": "the engine and the driving parts of the clutch",

@@ -19,8 +19,8 @@ from vstatics.simulation.pictures.elements import states
 from vstatics.simulation.pictures.gears import element_sets, gear_pieces
 from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, capacity_side, numbers_of
 from vstatics.simulation.pictures.panels import panels
-from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.motion import Event, Motion
+from vstatics.simulation.record.picture_tables import chosen
 from vstatics.simulation.report.runs.instants import chosen_instants
 from vstatics.simulation.tolerances import NO_RANGE
 

@@ -15,12 +15,7 @@ from vstatics.pictures.schemes.axes.letters.labels import DeviceLabel
 from vstatics.pictures.schemes.axes.letters.link_names import END_NAME_GAP, ends_of, free_names
 from vstatics.pictures.schemes.axes.letters.obstacles import obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces
-from vstatics.pictures.schemes.axes.wires import (
-    LinkLines,
-    branches,
-    crossings,
-    link_lines,
-)
+from vstatics.pictures.schemes.axes.wires import LinkLines, branches, crossings, link_lines
 from vstatics.pictures.schemes.ink import AXIS_DASHES, SchemeInk, centred, draw_arrow
 from vstatics.pictures.schemes.scheme import SchemePort
 

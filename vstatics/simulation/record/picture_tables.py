@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.simulation.record.account import heat_and_losses
 from vstatics.simulation.record.changes import PieceMotion
-from vstatics.simulation.record.rows import roads_of
+from vstatics.simulation.record.row_names import roads_of
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import programme_along
