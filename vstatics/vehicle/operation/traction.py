@@ -50,7 +50,17 @@ class GearPerformance(NamedTuple):
 
 
 class Performance(NamedTuple):
-    """Performance of a vehicle at full load."""
+    """Performance of a vehicle at full load.
+
+    Examples
+    --------
+    >>> from vstatics import Vehicle, example, solve, summarize
+    >>> engine = Vehicle(1000, 0.5, engine=[(0, 125), (400, 125)])
+    >>> summary = summarize(solve(example("simpson").replace(vehicle=engine)))
+    >>> performance = Performance.of(summary)
+    >>> performance.top_speed if performance else 0.0  # direct drive: 400 rad/s, 0.5 m
+    720.0
+    """
 
     gears: Mapping[str, GearPerformance]
     top_speed: float
