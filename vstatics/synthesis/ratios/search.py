@@ -89,7 +89,7 @@ def start_count(space: FitSpace) -> int:
 
 
 def fit_starts(space: FitSpace) -> FitPoints:
-    """Return the starting points: the ratios of the case if valid, half good points, half any.
+    """Return the starts: the ratios of the case if valid, then random points, half of them good.
 
     Raises
     ------

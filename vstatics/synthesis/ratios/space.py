@@ -40,7 +40,7 @@ class FitSpace(NamedTuple):
     targets: Floats
     """Wanted ratio of each gear. [-]"""
     roots: Floats
-    """Square roots of the weights, the largest 1."""
+    """Square roots of the weights, scaled so that the largest is 1."""
     advance: Advance
     """Function that is called at every step of a search."""
 

@@ -32,7 +32,7 @@ class Sequence(NamedTuple):
     steps: tuple[float, float]
     """Range of ln(ratio/next ratio); the lower end separates the gears. [-]"""
     falling: bool
-    """True if no step can be larger than the step below."""
+    """True if no step can be larger than the step between the next lower gears."""
     singly: bool
     """True if neighbouring gears must differ by a single shift."""
 
