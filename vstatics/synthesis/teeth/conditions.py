@@ -27,7 +27,7 @@ from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits
 
 FOOT = 2.5
-"""Excess of the diameter of a ring gear over the pitch circle, for teeth and rim. [modules]"""
+"""Outer diameter minus pitch diameter of a ring gear, for teeth and rim. [modules]"""
 
 
 @dataclass(frozen=True)

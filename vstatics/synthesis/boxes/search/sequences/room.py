@@ -79,7 +79,7 @@ class ChoiceRoom(NamedTuple):
     free: Booleans
     """True if a ratio is not assigned to a gear, shape (ratios,)."""
     looks: Integers
-    """Number of examined gears, shape (1,)."""
+    """Number of gears put into choices so far, shape (1,)."""
 
 
 class SequenceRoom(NamedTuple):
