@@ -39,7 +39,7 @@ class CycleLosses(NamedTuple):
     """Losses over the steps, and torques of engaged shift elements."""
 
     energies: dict[str, float]
-    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``. [J]"""
+    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``. [J]"""
     outside: dict[str, None]
     """Names of the laws that were evaluated outside their points."""
 

@@ -41,7 +41,7 @@ class CycleEnergy(NamedTuple):
     """Energy of rotating parts, including sudden changes of speed in shifts."""
     brakes: float
     lost: Mapping[str, float]
-    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
 @json_keys("duration", "distance", "fuel", "energy", "messages")

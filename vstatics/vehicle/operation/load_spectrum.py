@@ -61,7 +61,7 @@ class DutyEnergy(NamedTuple):
     in_: float
     out: float
     lost: Mapping[str, float]
-    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
 @json_keys("energy", "efficiency", "exponent", "members")
