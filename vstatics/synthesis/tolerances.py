@@ -8,13 +8,11 @@ NEAR_DIRECT = 1e-6
 KEPT_PART = 2.0**-12
 """Least relative size of a difference that retains enough digits. [-]"""
 DETERMINED = 1e-9
-"""Largest relative singular value, and distance of a share of a torque from 1, that count as 0.
-[-]"""
+"""Largest relative singular value, and deviation of a torque share from 1, that count as 0. [-]"""
 NO_TORQUE = 1e-12
 """Largest torque per input torque that counts as 0. [-]"""
 MET_RATIO = 1e-9
-"""Largest deviation of the output torque from the ratio; a larger deviation means lost digits.
-[-]"""
+"""Largest deviation of the output torque from the ratio without a loss of digits. [-]"""
 
 # ratios
 PART_FOR_ZERO_BOUND = 1e-3

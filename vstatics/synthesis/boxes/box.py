@@ -87,8 +87,7 @@ class BoxSearch(NamedTuple):
     brake_counts: tuple[int, ...] | None = None
     """Allowed numbers of brakes; any number if not given."""
     singly: bool = False
-    """True to search only gearboxes that can exchange a single element between neighbouring
-    gears."""
+    """True to search only gearboxes in which neighbouring gears can differ by a single exchange."""
 
     sequence: WantedSequence | None = None
     """Forward gears in addition to the targets, given by number, spread and steps."""
@@ -183,11 +182,9 @@ ANY_QUOTIENT = (1.0, LARGEST_BOX_RATIO**2)
 MOST_BOX_SETS = 5
 """Largest number of gear sets; more sets have more schemes than can be examined."""
 SHAFT_ELEMENTS = 3
-"""Smallest number of shift elements at a shaft without a gear-set member; two would act as one
-clutch."""
+"""Smallest number of shift elements at a further shaft; two would act as a single clutch."""
 MOST_LINKS = 10
-"""Largest number of moving links, so that all possible brakes and clutches fit into the bits of an
-integer."""
+"""Largest number of moving links, whose possible brakes and clutches are bits of an integer."""
 MOST_ELEMENTS = 12
 """Largest number of shift elements."""
 MOST_SEQUENCE = 24

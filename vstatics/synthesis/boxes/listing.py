@@ -71,8 +71,7 @@ class ListedBox(NamedTuple):
     """Two gear sets that form each named Ravigneaux set."""
     number: int = 0
     input: Count = 0
-    """Number of the input link in the code; 0 in a document that was read, which does not need
-    it."""
+    """Number of the input link in the code; 0, because not needed, in a document that was read."""
     output: Count = 0
     held: Sometimes[Count] = None
 

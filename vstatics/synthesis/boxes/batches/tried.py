@@ -2,8 +2,8 @@
 
 Some of the sets of shift elements of a choice of ports are listed, and some of these are examined;
 the results are scaled to all sets. The amount of work is counted in steps, which are the same on
-every machine, and
-converted to seconds by the times of the machine on which the steps were measured.
+every machine, and converted to seconds by the times of the machine on which the steps were
+measured.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from vstatics.synthesis.boxes.search.kernel import find_gears
 from vstatics.synthesis.boxes.search.trying import Some, some_boxes, some_sequences, some_sets
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
-"""Times to try one addition to a set, to examine a cell, and a cell of a sequence. [s]"""
+"""Times to try an addition to a set, to examine a cell, and to examine a cell of a sequence. [s]"""
 SET = 2e-6
 """Time to examine a set of shift elements, in addition to the time for its cells. [s]"""
 PORT, PORT_GEAR = 0.2e-3, 0.04e-6

@@ -27,7 +27,7 @@ class _CaseSet(NamedTuple):
 
 
 def built_box(case: Transmission) -> FoundBox | None:
-    """Return a case as a found gearbox; None if it has parts except sets, brakes and clutches.
+    """Return a case as a found gearbox; None if it has parts other than sets, brakes or clutches.
 
     One-way clutches are left out; a brake or clutch between the same links is engaged instead.
     Only gears with the largest number of engaged elements are gears of the box.

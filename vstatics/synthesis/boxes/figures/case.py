@@ -148,8 +148,7 @@ def planet_ratio(ratio: float) -> float:
     """Return the ratio of sun speed to planet speed relative to the carrier; NaN if impossible.
 
     A planet that meshes with sun and ring has half the difference of their tooth numbers. Two
-    planets
-    that mesh with each other, in line between sun and ring, each have a quarter of it.
+    planets that mesh with each other, in line between sun and ring, each have a quarter of it.
 
     Examples
     --------

@@ -68,7 +68,7 @@ def element_sets(table: Combinations, port: PortGears, room: SetRoom) -> int:
 
 @compiled
 def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
-    """List the usable combinations and choose the first branch; return False without any."""
+    """List the usable combinations and choose the first branch; return False if no set exists."""
     if not _list_gears(table, port, room):
         return False
     room.sets[0] = 0
