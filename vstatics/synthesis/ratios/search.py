@@ -11,9 +11,9 @@ from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
 
 ANCHORED = (0.1, 0.01)
-"""Decreasing weights of the ratios of the case, where the wanted ratios leave a choice.
+"""Weights, in turn, of deviations from the ratios of the case, to settle undetermined ratios.
 
-A last step without them follows.
+A last step without these deviations follows.
 """
 
 
@@ -89,7 +89,7 @@ def start_count(space: FitSpace) -> int:
 
 
 def fit_starts(space: FitSpace) -> FitPoints:
-    """Return the starting points: the ratios of the case if valid, half good points, half any.
+    """Return the starts: the ratios of the case if valid, then random points, half of them good.
 
     Raises
     ------
