@@ -36,9 +36,9 @@ class RunSection(NamedTuple):
     moves: Markup = NOTHING
     """Interactive run, which replaces `course` on a screen."""
     in_full: bool = False
-    """Print the plan, too."""
+    """Whether the speed plan is printed, too."""
     has_marks: bool = False
-    """Mark times of events for a script."""
+    """Whether times of events are marked for a script."""
     without: str = ""
 
     @property
