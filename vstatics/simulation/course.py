@@ -350,7 +350,7 @@ class EventRun:
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a formula with a jump met now, or earlier by a choice without admissible state."""
+        """Return a jump of a formula that is met now, or was met before by a failing choice."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
         paths = {self._path_of(*choice) for choice in choices}
