@@ -111,7 +111,7 @@ class EventRun:
         """Length of the last step. [s]"""
         self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
-        """Corners next to the present motion."""
+        """Corners of formulas on both sides of the present motion, with their comparisons."""
         self.latest = self.mark = 0.0
         self.at_once = self.events = 0
 

@@ -57,7 +57,7 @@ FOLLOWING = ("state", "awaited", "corner")
 
 
 class Watch(NamedTuple):
-    """Identity of a margin."""
+    """Identity of a margin: its kind, the part that it belongs to, and a side."""
 
     kind: Watched
     of: int
@@ -330,7 +330,7 @@ class Margins:
         return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
-        """Return the scale of each margin."""
+        """Return the scale of each margin, relative to which a violation can be rounding."""
         units = np.where(self.is_torque, scales.torque, scales.speed)
         at = self.deciding
         for _, _, limit in self.limits_of_states:

@@ -29,7 +29,7 @@ from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INERTIAS
 
 _AMPLE = 1e300
-"""Finite substitute for an infinite margin."""
+"""Finite substitute for an infinite margin, so that margins can be subtracted."""
 _NEARER = (1.0, 1e-2, 1e-4)
 """Factors of the look-ahead, tried in turn while no choice is found."""
 _MOST_TURNED = 8

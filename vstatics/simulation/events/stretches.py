@@ -287,7 +287,7 @@ class Closed:
         self.bending = np.array([*sorted(timed.union(ports.bending)), *rates], dtype=int)
         """Ports with nonlinear torques, followed by the rates of control values."""
         self.torques = len(self.bending) - len(rates)
-        """Number of torques in `bending`."""
+        """Number of the first entries of `bending`, which are torques and not rates of values."""
         self.is_given = ports.is_affine and not rates
         looks = {*rates, *equations.seeing}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)

@@ -18,7 +18,7 @@ class ElementStates(NamedTuple):
 
     name: str
     element: int
-    """Index of the element."""
+    """Index of the shift element in `Motion.elements`."""
     slips: tuple[Span, ...]
     """Start and end times. [s]"""
     sticks: tuple[Span, ...]

@@ -41,7 +41,7 @@ class ShiftPhase(NamedTuple):
     end: float
     """[s]"""
     gear: str = ""
-    """Gear of a phase `part`."""
+    """Gear of a phase `part`; empty for other phases."""
 
 
 GearSets = Mapping[str, frozenset[str]]

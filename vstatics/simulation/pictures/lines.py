@@ -57,11 +57,11 @@ class MotionPanel(NamedTuple):
     """Lines with a common scale."""
 
     kind: str
-    """Value of ``data-panel`` of the group."""
+    """Kind of the panel, which is also the value of ``data-panel`` in the SVG group."""
     text: str
     """Title of the scale."""
     unit: float
-    """Divisor of the values."""
+    """Divisor that converts values in SI units to the unit of the scale."""
     lines: tuple[MotionLine, ...]
     left_out: tuple[str, ...] = ()
     """Names of links or components whose lines are left out."""

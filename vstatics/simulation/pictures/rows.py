@@ -41,7 +41,7 @@ class RunRow(NamedTuple):
 
     name: str
     label: str
-    """Name as written, wrapped."""
+    """Name, wrapped into lines as in the picture."""
     states: ElementStates | None
     words: Sequence[EventWord]
 

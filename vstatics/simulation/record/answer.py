@@ -16,7 +16,7 @@ Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
 
 
 class AskedAnswer(NamedTuple):
-    """Additional tables of a run."""
+    """Additional tables of a run, each under its name."""
 
     accelerations: Rows = None
     jerks: Rows = None

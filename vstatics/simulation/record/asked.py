@@ -186,7 +186,7 @@ TABLES: Mapping[str, AskedTable] = {
     "efficiency": AskedTable("converter", "", _efficiencies),
     "reduced_inertia": AskedTable("number", "kg*m^2", _reduced_inertia),
 }
-"""Additional tables by name."""
+"""Tables that can be requested in addition, by name."""
 PER_AREA = "_per_area"
 """Suffix of the names of tables that need the area of a shift element."""
 MOST_EMPTY = 12

@@ -177,7 +177,7 @@ class Record:
         self.messages.append(Message("N606", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
-        """Begin a piece at a state."""
+        """Begin a piece of the run, with its margins, at a state."""
         equations = margins.equations
         self.pieces.append(Piece(margins, equations.time, state))
         self.time = equations.time

@@ -38,7 +38,7 @@ class Piece:
         return PieceMotion(self.margins.equations, self.times[0], end)
 
     def add(self, time: float, state: Floats) -> None:
-        """Add an instant."""
+        """Add an instant with its state to the end of the piece."""
         self.times.append(time)
         self.states.append(state)
 

@@ -32,7 +32,7 @@ class RunSection(NamedTuple):
     course: Drawn | None = None
     """Picture over time; None without pictures."""
     plan: Drawn | None = None
-    """Picture in the speed plan."""
+    """Speed plan with the speeds of the run; None without pictures."""
     moves: Markup = NOTHING
     """Interactive run, which replaces `course` on a screen."""
     in_full: bool = False

@@ -44,7 +44,7 @@ OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
 OF_TORQUES = ("acceleration", "torque", "power")
 """Words of quantities that follow from torques and so cannot determine a torque."""
 OF_EVENTS = ("locks", "slips")
-"""Words of events."""
+"""Words of events, which only conditions of sequence steps can use."""
 _OF_NAMES = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
 
 

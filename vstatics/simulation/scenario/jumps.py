@@ -23,7 +23,7 @@ _MOST_SURFACES = 4
 
 
 class LawJump(NamedTuple):
-    """Place at which a law jumps."""
+    """Speed or angle of a link at which a torque law jumps."""
 
     over: Over
     at: Curve
@@ -50,7 +50,7 @@ class LawJump(NamedTuple):
 
 
 class LawPiece(NamedTuple):
-    """Law between jumps."""
+    """Part of a law between two neighbouring jumps."""
 
     law: Points | Formula
     when: tuple[tuple[int, str], ...] = ()

@@ -39,7 +39,7 @@ class Programme(NamedTuple):
     curve: Curve
     """Capacity [N*m], or pressure [Pa]; infinite for a positive connection."""
     factor: float = 1.0
-    """Factor of the curve."""
+    """Factor of the curve, for example the torque of a pack per pressure and coefficient."""
     is_dog: bool = False
     """True for an element that joins at once, with an unlimited capacity or zero."""
     largest: float | None = None
@@ -51,7 +51,7 @@ class Programme(NamedTuple):
     table: LookupTable | None = None
     """Coefficients of friction by slip and temperature, if not constant."""
     rub: Look | None = None
-    """Coefficient of friction from the table."""
+    """Coefficient of friction from `table`, as a function of visible quantities."""
     follows: SpringLimit | None = None
     """Limit by the torque of a second spring, with the curve as the base."""
 

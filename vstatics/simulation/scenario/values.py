@@ -357,7 +357,7 @@ def _floats(values: Iterable[float]) -> tuple[Any, ...]:
 
 
 def _plain(value: Any) -> Any:
-    """Return numbers without units."""
+    """Return a number, or a tuple of numbers, as plain floats; None remains None."""
     if isinstance(value, tuple):
         return _floats(value)
     return None if value is None else float(value)

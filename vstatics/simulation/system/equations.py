@@ -38,7 +38,7 @@ _NONE = np.zeros(0)
 _MOST_CONVERTER_STEPS = 100
 """Number of steps into which a run is divided at least if a torque is a formula of time."""
 _NEWTON = 30
-"""Largest number of Newton steps."""
+"""Largest number of Newton steps for the speeds of motions without inertia."""
 _LIMIT_ROUNDS = 8
 """Largest number of iterations for slopes of spring limits that depend on the motion."""
 

@@ -89,7 +89,7 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
 
 
 class Compared(NamedTuple):
-    """Pair of compared numbers."""
+    """Pair of numbers that a formula, or the check of a limit, compares."""
 
     first: Look
     second: Look

@@ -42,7 +42,7 @@ The constraints of mechanisms carry a torque first; drags and sticking meshes sh
 
 
 class Multiplier(NamedTuple):
-    """Constraint torque."""
+    """Identity of a constraint torque: its kind and the part that it acts in."""
 
     kind: str
     """`mesh` (on the first link of a mechanism), `friction` (of a sticking mesh) or `contact`."""

@@ -139,7 +139,7 @@ class ScenarioNumbers:
 
     @property
     def base_case(self) -> Transmission:
-        """Case as written."""
+        """Case as in the documents, without varied numbers."""
         return self.own.scenario.case
 
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> NumberPath:
@@ -191,7 +191,7 @@ class ScenarioNumbers:
         return known.value
 
     def follows_teeth(self, path: NumberPath) -> bool:
-        """Return whether a number is a ratio or efficiency that the document leaves to the teeth."""
+        """Return whether a number is a ratio or efficiency that the document leaves to teeth."""
         of_element = path.of_case and path.keys[0] == "elements" and len(path.keys) == 3
         is_such = of_element and path.keys[2] in OF_MECHANISM
         return is_such and written_number(path, self.trees) is None

@@ -39,7 +39,7 @@ _TABLES = {
 
 
 class _RunColumns:
-    """Columns of a run without duplicates."""
+    """Columns of a run on a page; equal columns are stored once."""
 
     def __init__(self) -> None:
         self.values: list[Floats] = []
