@@ -240,7 +240,7 @@ class Finder:
         if values[-1] >= 0:
             return last
         kind = self.margins.watches[index].kind
-        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # as formulas of limits can
+        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # a formula can jump
         if not jumps and kind not in ("split", *FOLLOWING):  # smooth: a polynomial
             powers: list[float] = (_TO_POWERS @ values).tolist()
 

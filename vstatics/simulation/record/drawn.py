@@ -27,7 +27,7 @@ _MOST_BISECTIONS = 20
 _MOST_NEAR_CORNERS = 2000
 """Largest number of instants added at corners; more corners are rounding noise."""
 _MOST_DRAWN, _MOST_HURRIED = (200_000, 8_000_000), (20_000, 500_000)
-"""Largest number of instants of a run, and of values in all columns, with time or in a hurry."""
+"""Largest number of instants of a run, and of values in all columns; fewer if a user waits."""
 
 
 class _SteppedCourse(NamedTuple):
