@@ -34,7 +34,7 @@ _ASKED = {
     "efficiency": ("efficiency", 1.0),
     "reduced_inertia": ("reduced inertia, kg·m²", 1.0),
 }
-"""Title and divisor of additional tables."""
+"""Title of the scale, and divisor of the values, of panels of additional tables."""
 
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
