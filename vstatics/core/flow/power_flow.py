@@ -1,4 +1,8 @@
-"""Power flow of a gear as data: graph, losses, recirculating power, ports."""
+"""Power flow of a gear as data: graph, losses, recirculating power, ports.
+
+Powers are relative to the power at the input link. ``entering = leaving + sum(losses)``, except for
+rounding. The edges are the transmitted power (`forward`, without cycles) plus the cycles (`loops`).
+"""
 
 from __future__ import annotations
 
@@ -31,7 +35,7 @@ class MemberPower(NamedTuple):
 
 
 class NodePower(NamedTuple):
-    """Power through a node."""
+    """Power through a node [-], NaN if indeterminate."""
 
     node: Flat[Node]
     power: float
@@ -79,9 +83,9 @@ class PowerFlow(NamedTuple):
     The mapping is empty in a flow without losses.
     """
     entering: float
-    """Power that enters by all ports. [-]"""
+    """Power that enters through all ports. [-]"""
     leaving: float
-    """Power that leaves by all ports. [-]"""
+    """Power that leaves through all ports. [-]"""
     loops: tuple[Loop, ...]
     """Cycles of recirculating power, as far as determinate."""
     locked_in: tuple[Loop, ...]

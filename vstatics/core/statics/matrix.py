@@ -153,7 +153,21 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
 
 
 def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
-    """Return the structural-distribution matrix AJK; see `distribution_matrix`."""
+    """Return the structural-distribution matrix AJK, shape (..., links, devices) [-].
+
+    See `distribution_matrix`.
+
+    Examples
+    --------
+    A brake on the ring gear (link 3) of a planetary gear set:
+
+    >>> from vstatics.core.model.transmission import ShiftElement
+    >>> mechanism = Mechanism(1, 3, 2, -2.5)
+    >>> structural_matrix(Transmission(3, [ShiftElement(3, 0)], [mechanism], [Gear([1])]))
+    array([[ 0. ,  1. ],
+           [ 0. , -3.5],
+           [ 1. ,  2.5]])
+    """
     if ratios is None:
         given = np.array([mechanism.ratio for mechanism in case.mechanisms], dtype=np.float64)
     else:
@@ -312,7 +326,10 @@ def torque_rows(
     drag: Mapping[int, Number] = MappingProxyType({}),
     external: Mapping[int, Number] | None = None,
 ) -> list[Equation]:
-    """Return the equilibrium of each link of a gear, ``A M + e_out Mx = T`` (figure 4).
+    """Return the equilibrium of each link of a gear (figure 4).
+
+    ``A M + e_out Mx - E_held Mh = T``, with the columns A, the torques M on first links, the output
+    torque Mx, the holding torques Mh, and the known external torques T including drag.
 
     Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
     the holding torque of each of `held_links`. A shift element that is not engaged carries no

@@ -1,5 +1,8 @@
 """Torques of a gear: the equilibrium of its links, and drag of links and open shift elements.
 
+`solve_torques` solves the equilibrium of `matrix.torque_rows`; torques that are not unique are NaN.
+Drag is known from the speeds and acts as an external torque.
+
 Drag opposes motion, so it takes power. A link is braked against its rotation; an open shift element
 brakes its links against each other, with equal and opposite torques. Torques are in units of the
 input torque, which is negative when coasting. There drag has the other sign, and the power that it

@@ -247,7 +247,7 @@ class Parts(NamedTuple):
     """Equal parts of a stretch of time."""
 
     begin: float
-    """[s]"""
+    """Start of the first part. [s]"""
     length: float
     """Length of each part. [s]"""
     number: int

@@ -1,9 +1,15 @@
 """Equations of motion between two events, as a system of first-order differential equations.
 
-The state is ``[q, e, phi, x, W]``: motions with inertia, twists of springs, recorded angles, values
-(control states and temperatures), works of ports, losses of dampers, slip work of springs, and
-losses of meshes. Motions without inertia are not part of the state: their speeds follow from the
-balance of torques along them.
+The state is ``[q, e, phi, v, W]``:
+
+- q: speeds of the motions with inertia; ``dq/dt`` is linear in the torques of the ports;
+- e: twists of springs; ``de/dt`` is the rate of the port, unless the spring slips;
+- phi: recorded angles;
+- v: values, which are control states and temperatures;
+- W: works of ports, losses of dampers, slip work of springs, and losses of meshes.
+
+`Equations.derivative` is the right-hand side. Motions without inertia are not part of the state:
+their speeds follow from the balance of torques along them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,8 @@
-"""Search for mechanism ratios: from starts all over the bounds to different minima."""
+"""Search for mechanism ratios by least squares from many starting points (multistart).
+
+`fit_starts` samples the bounds and keeps points at which all gears have the wanted sign.
+`found_ratios` minimizes from each of them and returns the minima that differ, the best first.
+"""
 
 from __future__ import annotations
 
@@ -97,7 +101,7 @@ def fit_starts(space: FitSpace) -> FitPoints:
         If no point is found at which all gears have the wanted sign.
     """
     count = start_count(space)
-    random = np.random.default_rng(14)
+    random = np.random.default_rng(14)  # a fixed seed, so that runs agree
     turning = np.zeros(len(space.targets))
     with np.errstate(all="ignore"):
         for number in range(ROUNDS):

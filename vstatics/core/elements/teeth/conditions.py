@@ -31,6 +31,8 @@ Amount = TypeVar("Amount", float, Floats)
 def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
     """Return the clearance between the tips of neighbouring planets [modules].
 
+    ``2 a sin(pi/n) - (z + 2)``: distance of the axes minus the tip diameter.
+
     Parameters
     ----------
     span : float or ndarray
