@@ -89,9 +89,12 @@ class PowerFlow(NamedTuple):
     loops: tuple[Loop, ...]
     """Cycles of recirculating power, as far as determinate."""
     locked_in: tuple[Loop, ...]
-    """Cycles within parts that rotate as a block; not counted, as nothing moves inside."""
+    """Cycles of power within parts that rotate as a block.
+
+    They do not count as recirculating power, because nothing moves inside such parts.
+    """
     teeth: tuple[ToothPower, ...] = ()
-    """Rolling power of every mechanism with possible teeth, and of each mesh."""
+    """Rolling power of every mechanism that can have teeth, and of each mesh."""
 
     @property
     def unknown(self) -> tuple[Node, ...]:

@@ -39,7 +39,7 @@ Column = Mapping[int, Coefficient]
 """Torque on each link, by link number, when the torque on the first link is 1."""
 
 ON_ELEMENT = (1, -1)
-"""Torques on the links (a, b) of a shift element."""
+"""Torques on the first and the second link of a shift element."""
 
 INPUT_SPEED = "the input speed"
 """Name of the given input speed in messages."""
@@ -48,12 +48,15 @@ GIVEN_SPEED = "the given speed of link "
 
 
 def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
-    """Return the torques on the links (f, s, h) of a mechanism: 1, -u, and u - 1 as two terms."""
+    """Return the torques on the three links of a mechanism: 1, -u, and u - 1 as two terms.
+
+    u is the basic ratio.
+    """
     return 1, -ratio, (ratio, -1)
 
 
 def column(ratio: Any) -> tuple[Any, Any, Any]:
-    """Return the torques on the links (f, s, h) of a mechanism as plain values.
+    """Return the torques on the first, second and third link of a mechanism as plain values.
 
     The ratio is a number, an array or a symbol.
 
@@ -204,13 +207,13 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
 
 
 Quantity = Literal["ratio", "efficiency"]
-"""Number of a mechanism that can differ between variants."""
+"""Name of a number of a mechanism that can differ between variants."""
 
 EXPECTED = {
     "ratio": "a finite ratio other than 0",
     "efficiency": "an efficiency above 0 and up to 1",
 }
-"""Phrase for the possible numbers of each quantity, in messages."""
+"""Description of the permitted numbers of each quantity, for messages."""
 
 
 def expected_ratio(between: tuple[float, float]) -> str:

@@ -125,7 +125,7 @@ def _direction(speed: Number) -> Number:
 
 
 def without_load(case: Transmission) -> list[str]:
-    """Return the names of links and shift elements whose drag has a unit that needs a load.
+    """Return the names of links and shift elements whose drag is unknown without a load.
 
     Examples
     --------
@@ -172,7 +172,7 @@ class Torques(NamedTuple):
     certain: bool = True
     """True if rounding leaves digits of the pivots."""
     of_columns: list[Number] | None = None
-    """Values of `factors` if they differ from `on_first_link`."""
+    """Factors of the columns, see `factors`, if they differ from `on_first_link`."""
 
     @property
     def factors(self) -> list[Number]:
