@@ -30,7 +30,6 @@ NAMES = {
 }
 """The annex of each public name of the package that is not of the core."""
 FILES: dict[str, tuple[str, ...]] = {
-    "simulation/cli/test_damage.py": ("vehicle",),
     "simulation/published/test_pages.py": ("torsion",),
     "simulation/published/test_published_starts.py": ("torsion",),
     "simulation/report/runs/test_browser.py": ("page",),
