@@ -47,10 +47,9 @@ if TYPE_CHECKING:
     from vstatics.core.explain.explanation import Explanation, explain_gear
     from vstatics.core.flow.power import flows
     from vstatics.core.flow.power_flow import GearFlow, PowerFlow
-    from vstatics.core.statics.distribution import distribution_matrix
     from vstatics.core.statics.result_arrays import Message
     from vstatics.core.statics.results import Results
-    from vstatics.core.statics.solve import solve
+    from vstatics.core.statics.solve import distribution_matrix, solve
     from vstatics.core.statics.state import GearState
     from vstatics.core.summary import Summary, summarize
     from vstatics.core.writers.saving import save

@@ -45,7 +45,7 @@ CORE = Annex(
         "Verdict": "vstatics.core.comparison.verdicts",
         "check": "vstatics.core.checking",
         "compare": "vstatics.core.comparison.compare",
-        "distribution_matrix": "vstatics.core.statics.distribution",
+        "distribution_matrix": "vstatics.core.statics.solve",
         "example": "vstatics.core.examples",
         "exercise": "vstatics.core.explain.exercise",
         "explain_gear": "vstatics.core.explain.explanation",

@@ -17,7 +17,6 @@ from vstatics.core.errors import CaseError, Problem
 from vstatics.core.extras import higher
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.statics.gear_steps import spread, steps
 from vstatics.core.statics.matrix import expected_ratio
 from vstatics.core.statics.points.parts import alike_rows
 from vstatics.core.statics.results import Results
@@ -37,6 +36,7 @@ from vstatics.sweep.chunk import (
     joined,
     rows_of,
 )
+from vstatics.sweep.gear_steps import spread, steps
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.meanings import OMEGA, PART_NUMBERS, SPREAD, STEP
 from vstatics.sweep.variants.path_numbers import CasePath

@@ -25,7 +25,7 @@ from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
 from vstatics import solve as solved
 from vstatics.core.readers.named.reader import read_json, read_yaml
-from vstatics.core.statics.distribution import distribution_matrix
+from vstatics.core.statics.solve import distribution_matrix
 from vstatics.core.writers import deck, listing, named
 from vstatics.core.writers.result_json import document
 

@@ -11,12 +11,14 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, runtime_checkabl
 from vstatics.core.errors import Problem, listed, typed_number
 from vstatics.core.model.bodies import Bodies, join
 from vstatics.core.model.parts import (
+    NO_LOAD,
     Direction,
     Gear,
     Law,
     Load,
     Mechanism,
     Member,
+    OfLoad,
     OwnDevice,
     Planet,
     ShiftElement,
@@ -203,7 +205,9 @@ class TransmissionFields:
 
         `coast` turns the torque against the input speed if true, along the speed if false.
         """
-        load = (gear.load or Load()).or_else(self.load or Load())
+        if gear.load is None and self.load is None:
+            return NO_LOAD
+        load = (gear.load or NO_LOAD).or_else(self.load or NO_LOAD)
         coast = self.gear_coast(gear)
         if coast is None or not load.torque:
             return load
@@ -372,6 +376,8 @@ class TransmissionFields:
 
     def _in_gear(self, gear: Gear, torques: Mapping[int, float]) -> dict[int, float]:
         """Relate torques that were given with a unit to the input torque of a gear."""
+        if not any(isinstance(torque, OfLoad) for torque in torques.values()):
+            return dict(torques)
         unit = abs(self.torque_unit(gear))
         return {part: related(torque, unit) for part, torque in torques.items()}
 

@@ -19,6 +19,7 @@ from vstatics.core.model.parts import (
     HOUSING,
     KW_OF_RPM_NM,
     MECHANISM_KINDS,
+    NO_LOAD,
     CoefficientTable,
     Friction,
     Gear,
@@ -455,7 +456,7 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
 
 def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
     """Check an operating point."""
-    load = load or Load()
+    load = load or NO_LOAD
     if not isinstance(load, Load):
         yield Problem(
             "E238", f"read {type_and_value(load)}, expected a Load, in rpm and N*m", (*path, "load")

@@ -440,6 +440,10 @@ class Load(NamedTuple):
         return Load(self.speed, other.torque)
 
 
+NO_LOAD = Load()
+"""Operating point of a case that gives neither speed nor torque."""
+
+
 def load_of(
     speed: float | None = None, torque: float | None = None, power: float | None = None
 ) -> Load:

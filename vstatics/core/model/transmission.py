@@ -15,6 +15,7 @@ from vstatics.core.model.fields import AnyDrawing, IdleConvention, TransmissionF
 from vstatics.core.model.part_checks import of_mechanism
 from vstatics.core.model.parts import (
     HOUSING,
+    NO_LOAD,
     Gear,
     Load,
     Mechanism,
@@ -149,7 +150,7 @@ class Transmission(TransmissionFields):
             return self
         loads = (gear.load and Load(torque=torque).or_else(gear.load) for gear in self.gears)
         gears = [gear._replace(load=load) for gear, load in zip(self.gears, loads, strict=True)]
-        return replace(self, load=Load(torque=torque).or_else(self.load or Load()), gears=gears)
+        return replace(self, load=Load(torque=torque).or_else(self.load or NO_LOAD), gears=gears)
 
     def as_pairs(self, gear: Gear) -> Transmission | None:
         """Return the case with variators replaced by gear pairs of equal ratios in a gear.

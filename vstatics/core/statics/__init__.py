@@ -15,5 +15,5 @@ without losses), `efficiency`, `losses`, `signs` (first without losses, then by 
 `freewheels`, `state` (a gear as one object and as numbers, with `power`, `bodies` and `status`),
 `variants` (arrays of states), `result_arrays`, `results`, `solution`. The room `points` lets any
 number vary, in SI units. `diagnosis`, `idling` and `digits` find what a message should report.
-`solve` and `distribution` contain the public functions, which check the types of arguments.
+`solve` contains the public functions, which check the types of their arguments.
 """

@@ -1,4 +1,4 @@
-"""The public function `solve`, which checks the types of its arguments."""
+"""The public functions of the solver, which check the types of their arguments."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from vstatics.core.arguments import refusing
 from vstatics.core.model.transmission import IdleConvention, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.matrix import structural_matrix
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solution import solution
 
@@ -86,3 +88,35 @@ def solve(  # noqa: PLR0913
     return solution(
         case, ratios=ratios, efficiencies=efficiencies, coast=coast, idle=idle, vary=vary
     )
+
+
+@refusing()
+def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
+    """Return the structural-distribution matrix AJK.
+
+    Parameters
+    ----------
+    case : Transmission
+    ratios : array_like, shape (..., mechanisms), optional
+        Basic ratios. Default: the ratios of the case. [-]
+
+    Returns
+    -------
+    ndarray, shape (..., links, shift elements + mechanisms + springs)
+        Torque on each link per torque on the first link of each device. [-]
+
+    Raises
+    ------
+    ValueError
+        If there is not one ratio for each mechanism.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2, 0)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> distribution_matrix(case)
+    array([[ 0. ,  1. ],
+           [ 1. ,  2.5],
+           [ 0. , -3.5]])
+    """
+    return structural_matrix(case, ratios)

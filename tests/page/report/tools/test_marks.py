@@ -7,7 +7,7 @@ import numpy as np
 from tests.chance import count, seeded
 from tests.trains import random_train
 from vstatics import solve
-from vstatics.core.statics.distribution import distribution_matrix
+from vstatics.core.statics.solve import distribution_matrix
 from vstatics.core.tables.result_tables import of_results
 from vstatics.page.report.tools.marks import with_tool_marks
 

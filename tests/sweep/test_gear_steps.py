@@ -6,9 +6,9 @@ import numpy as np
 
 from tests.chance import seeded
 from vstatics.core.model.transmission import Gear, Mechanism, Transmission
-from vstatics.core.statics.gear_steps import spread, steps
 from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import design
+from vstatics.sweep.gear_steps import spread, steps
 
 
 def test_random_ratios_have_the_steps_of_their_design_table() -> None:
