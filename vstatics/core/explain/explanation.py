@@ -176,14 +176,16 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         reason=reason,
         ratio=float(results.ratio[number]),
         efficiency=float(results.efficiency[number]),
-        messages=[
-            f"{message.severity}: {message.text}"
-            for message in results.messages
-            if message.gear == actual.name
-        ],
+        messages=list(_messages_about(results, actual.name)),
         balance=machine_balance(results, number),
         tried=tried_signs(state) or None,
     )
+
+
+def _messages_about(results: Results, gear: str) -> Iterator[str]:
+    for message in results.messages:
+        if message.gear == gear:
+            yield f"{message.severity}: {message.text}"
 
 
 def _pairs(case: Transmission, place: int) -> Transmission:

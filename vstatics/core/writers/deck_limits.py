@@ -96,18 +96,8 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
     case = results.case
     yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
-    yield (
-        "efficiencies over speed or torque",
-        _mechanisms(case, "efficiency", lambda part: isinstance(part.efficiency, Law)),
-    )
-    yield (
-        "second efficiencies",
-        _mechanisms(
-            case,
-            "back_efficiency",
-            lambda part: part.back_efficiency not in (None, part.efficiency),
-        ),
-    )
+    yield "efficiencies over speed or torque", _mechanisms(case, "efficiency", _has_efficiency_law)
+    yield "second efficiencies", _mechanisms(case, "back_efficiency", _has_second_efficiency)
     yield (
         "the drag of shift elements",
         {
@@ -169,6 +159,14 @@ def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear]
 def _load_path(index: int, key: str, of_gear: object) -> Path:
     """Return the path of a key that a gear takes from the case unless the gear has a value."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
+
+
+def _has_efficiency_law(part: Mechanism) -> bool:
+    return isinstance(part.efficiency, Law)
+
+
+def _has_second_efficiency(part: Mechanism) -> bool:
+    return part.back_efficiency not in (None, part.efficiency)
 
 
 def _acts(drag: float) -> bool:

@@ -66,11 +66,7 @@ def simulate(asked: SimulateOptions) -> int:
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
     asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
-    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
-    used = [option for option, given in events.items() if given is not None]
-    refuse(
-        *((asked.method != "events", f"{option} is for the method `events`.") for option in used)
-    )
+    _check_method(asked)
     to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
     if asked.sampling.samples is not None:
@@ -87,11 +83,7 @@ def simulate(asked: SimulateOptions) -> int:
     if asked.damage:
         expect_damage(read.reading)
     step, duration = asked.step, read.scenario.duration
-    if step is not None and duration / step > MOST_INSTANTS:
-        raise click.BadParameter(
-            f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_INSTANTS:g}",
-            param_hint="--step",
-        )
+    _check_step(step, duration)
     from vstatics.simulation.run import simulate as simulated
 
     try:
@@ -118,6 +110,15 @@ def simulate(asked: SimulateOptions) -> int:
     return FAILED if failed else DONE
 
 
+def _check_method(asked: SimulateOptions) -> None:
+    """Refuse options that only the method `events` has, with another method."""
+    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
+    used = [option for option, given in events.items() if given is not None]
+    refuse(
+        *((asked.method != "events", f"{option} is for the method `events`.") for option in used)
+    )
+
+
 def _check_format(asked: SimulateOptions, form: str) -> None:
     refuse(
         (
@@ -129,6 +130,14 @@ def _check_format(asked: SimulateOptions, form: str) -> None:
             "--damage is told in text and JSON: expected -o with .txt or .json.",
         ),
     )
+
+
+def _check_step(step: float | None, duration: float) -> None:
+    if step is not None and duration / step > MOST_INSTANTS:
+        raise click.BadParameter(
+            f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_INSTANTS:g}",
+            param_hint="--step",
+        )
 
 
 def show(

@@ -304,6 +304,19 @@ def named_numbers() -> tuple[KeyShape, ...]:
     )
 
 
+def _state(rate: Parsed) -> ByKey:
+    return ByKey(
+        "State",
+        "A number that changes by itself.",
+        (
+            KeyShape("rate", rate, "Its change with time, by a formula.", required=True),
+            KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
+            KeyShape("min", ANYTHING, "It does not fall below."),
+            KeyShape("max", ANYTHING, "It does not rise above."),
+        ),
+    )
+
+
 def _sequence(when: Parsed, value: Parsed) -> ByForm:
     step = ByKey(
         "Step",
@@ -360,7 +373,36 @@ def _no_steps(_: str) -> NoReturn:
 
 def scenario_shape(words: Vocabulary) -> ByKey:
     """Return the keys of a scenario whose formulas can use the names of a vocabulary."""
-    moving, timed = words.only(*OF_MOTION), words.only()._replace(values=())
+    return ByKey(
+        "Scenario",
+        "What happens to a case over time; bare numbers are in SI.",
+        (
+            *_general_keys(),
+            *_keys_over_time(words),
+            *_shift_keys(),
+            *_control_keys(words),
+            *_evaluation_keys(),
+        ),
+    )
+
+
+def _general_keys() -> tuple[KeyShape, ...]:
+    """Return the keys of description, case, duration and start."""
+    return (
+        KeyShape("name", TEXT, "Name of the scenario, on one line."),
+        KeyShape("description", TEXT, "What happens, as long as you like."),
+        KeyShape("source", TEXT, "Where its data come from."),
+        KeyShape("case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)),
+        KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
+        KeyShape(
+            "start", START, "The speeds at t = 0; not needed where `speeds` determine all of them."
+        ),
+    )
+
+
+def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
+    """Return the keys of capacities, torques, speeds, speed ratios and limits over time."""
+    moving = words.only(*OF_MOTION)
     capacity = curve(
         "a capacity, or a formula of t", ["si_torque", "pressure"], moving, unit=TORQUE_UNIT
     )
@@ -372,18 +414,7 @@ def scenario_shape(words: Vocabulary) -> ByKey:
         TORQUE_UNIT,
     )
     limit = curve("a torque, or a formula of t", ["si_torque", "force"], moving, unit=TORQUE_UNIT)
-    speed = curve("a speed, or a formula of t", ["si_speed", "velocity"], timed, unit=SPEED_UNIT)
-    ratio = curve("a speed ratio, or a formula of t", ["angle"], timed)
-    value = curve("a number, or a formula", ANY_MEASURE, words.only(*OF_MOTION, *OF_TORQUES))
-    keys = (
-        KeyShape("name", TEXT, "Name of the scenario, on one line."),
-        KeyShape("description", TEXT, "What happens, as long as you like."),
-        KeyShape("source", TEXT, "Where its data come from."),
-        KeyShape("case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)),
-        KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
-        KeyShape(
-            "start", START, "The speeds at t = 0; not needed where `speeds` determine all of them."
-        ),
+    return (
         KeyShape(
             "controls",
             Numbers("shift element", _control(capacity)),
@@ -395,6 +426,28 @@ def scenario_shape(words: Vocabulary) -> ByKey:
             Numbers("link", OneOrMany(_law(torque))),
             "Outside torques on links in N*m, positive like the input's; a law, or several.",
         ),
+        *_motion_keys(words),
+        KeyShape(
+            "limits",
+            Numbers(
+                "spring",
+                ByForm(
+                    "a torque, a formula, or points [[time, torque], ...]", limit, _TORQUE_POINTS
+                ),
+            ),
+            "Torques within which springs stay, over time or by what is seen, in N*m; else "
+            "the `limit` of the case.",
+            examples=({"tyre": [[0, 3000], [2, 1800]]},),
+        ),
+    )
+
+
+def _motion_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
+    """Return the keys of speeds and speed ratios that are given over time."""
+    timed = words.only()._replace(values=())
+    speed = curve("a speed, or a formula of t", ["si_speed", "velocity"], timed, unit=SPEED_UNIT)
+    ratio = curve("a speed ratio, or a formula of t", ["angle"], timed)
+    return (
         KeyShape(
             "speeds",
             Numbers(
@@ -422,18 +475,12 @@ def scenario_shape(words: Vocabulary) -> ByKey:
             "Speed ratios of variators over time, w_second/w_first, any sign, 0 included.",
             examples=({"hydro": [[0, 0.2], [2, -0.2]]},),
         ),
-        KeyShape(
-            "limits",
-            Numbers(
-                "spring",
-                ByForm(
-                    "a torque, a formula, or points [[time, torque], ...]", limit, _TORQUE_POINTS
-                ),
-            ),
-            "Torques within which springs stay, over time or by what is seen, in N*m; else "
-            "the `limit` of the case.",
-            examples=({"tyre": [[0, 3000], [2, 1800]]},),
-        ),
+    )
+
+
+def _shift_keys() -> tuple[KeyShape, ...]:
+    """Return the keys of shifts, and of converters that replace converters of the case."""
+    return (
         KeyShape(
             "converters",
             ByName("converter", CONVERTER),
@@ -444,24 +491,17 @@ def scenario_shape(words: Vocabulary) -> ByKey:
             ListOf(SHIFT, "shifts", unique=False),
             "Shifts by names of gears, in their order; of several at one time the last holds.",
         ),
+    )
+
+
+def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
+    """Return the keys of named numbers and tables, and of states and sequences."""
+    value = curve("a number, or a formula", ANY_MEASURE, words.only(*OF_MOTION, *OF_TORQUES))
+    return (
         *named_numbers(),
         KeyShape(
             "states",
-            ByName(
-                "state",
-                ByKey(
-                    "State",
-                    "A number that changes by itself.",
-                    (
-                        KeyShape(
-                            "rate", value, "Its change with time, by a formula.", required=True
-                        ),
-                        KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
-                        KeyShape("min", ANYTHING, "It does not fall below."),
-                        KeyShape("max", ANYTHING, "It does not rise above."),
-                    ),
-                ),
-            ),
+            ByName("state", _state(value)),
             "Numbers that change by themselves, dx/dt = rate, by their names.",
             examples=({"p": {"rate": "(command - p)/0.06"}},),
         ),
@@ -476,6 +516,12 @@ def scenario_shape(words: Vocabulary) -> ByKey:
             ByName("sequence", _sequence(condition(words), value)),
             "What is done one after the other, each once a condition is true.",
         ),
+    )
+
+
+def _evaluation_keys() -> tuple[KeyShape, ...]:
+    """Return the keys of target speeds and of samples."""
+    return (
         KeyShape(
             "targets",
             Numbers("link", ByForm("a speed, or a list of speeds", SPEED, ListOf(SPEED))),
@@ -488,7 +534,6 @@ def scenario_shape(words: Vocabulary) -> ByKey:
             "Distributions of numbers of this scenario or its case, by their paths.",
         ),
     )
-    return ByKey("Scenario", "What happens to a case over time; bare numbers are in SI.", keys)
 
 
 SCENARIO = scenario_shape(Vocabulary())

@@ -81,29 +81,14 @@ class ScenarioValues:
                 for link, given in values.get("targets", {}).items()
             },
             settings={name: float(value) for name, value in values.get("set", {}).items()},
-            states=tuple(
-                ControlState(
-                    name,
-                    _as_curve(state["rate"]),
-                    float(state["start"]),
-                    _limit(state.get("min"), -math.inf),
-                    _limit(state.get("max"), math.inf),
-                )
-                for name, state in values.get("states", {}).items()
-            ),
+            states=tuple(_state(name, state) for name, state in values.get("states", {}).items()),
             sequences=tuple(self._sequences(values.get("sequences", {}))),
             speeds={
                 link: self._given_speed(speed, link)
                 for link, speed in values.get("speeds", {}).items()
             },
             limits={
-                number: self._curve(
-                    limit,
-                    "force"
-                    if any(map(self.case.is_straight, self.case.springs[number - 1 : number]))
-                    else "si_torque",
-                    ("limits", number),
-                )
+                number: self._curve(limit, self._limit_measure(number), ("limits", number))
                 for number, limit in values.get("limits", {}).items()
             },
             speed_ratios={
@@ -287,6 +272,10 @@ class ScenarioValues:
         x, y = zip(*points, strict=True) if points else ((), ())
         return Points(x, y, along)
 
+    def _limit_measure(self, spring: int) -> Measure:
+        springs = self.case.springs[spring - 1 : spring]
+        return "force" if any(map(self.case.is_straight, springs)) else "si_torque"
+
     def _number(self, value: Any, measure: Measure, path: Path, why: str = "") -> float:
         """Return a number, and report a unit that does not belong."""
         if isinstance(value, InUnit) and value.measure not in (None, measure):
@@ -334,6 +323,16 @@ def _road(given: Road) -> Road:
 
 def _limit(given: float | None, unlimited: float) -> float:
     return unlimited if given is None else float(given)
+
+
+def _state(name: str, given: Mapping[str, Any]) -> ControlState:
+    return ControlState(
+        name,
+        _as_curve(given["rate"]),
+        float(given["start"]),
+        _limit(given.get("min"), -math.inf),
+        _limit(given.get("max"), math.inf),
+    )
 
 
 def _shift(given: Mapping[str, Any], at: float) -> Shift:

@@ -83,16 +83,7 @@ def motion_system(
     contacts, outside = _loads(scenario, len(elements))
     frictions = (*_spring_friction(case, rows), *_drag_contacts(case, dragging, rows))
     contacts_of = (*elements, *contacts, *frictions)
-    given = [
-        Contact(
-            case.link_name(link),
-            unit(link - 1, case.links),
-            OPEN,
-            switch=Switch(link - 1, LawJump("speed", speed)),
-            is_given=True,
-        )
-        for link, speed in scenario.speeds.items()
-    ]
+    given = [*_given_speed_contacts(scenario)]
     moving = [*_moving_variators(scenario, len(contacts_of) + len(given))]
     system = MotionSystem(
         scenario=scenario,
@@ -307,6 +298,15 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
     return contacts, outside
 
 
+def _given_speed_contacts(scenario: Scenario) -> Iterator[Contact]:
+    """Yield a contact for each link whose speed is given over time."""
+    case = scenario.case
+    for link, speed in scenario.speeds.items():
+        switch = Switch(link - 1, LawJump("speed", speed))
+        row = unit(link - 1, case.links)
+        yield Contact(case.link_name(link), row, OPEN, switch=switch, is_given=True)
+
+
 def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact, MovingVariator]]:
     """Yield contacts and records of moving variators, with contact indices from `first`."""
     case = scenario.case
@@ -393,19 +393,21 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
             )
         elif torque:
             torques.append(DragTorque(is_element, number, torque))
-    problems += [
-        Problem(
-            "E695",
-            f"the efficiency of {mechanism.name} depends on speed or torque, expected "
-            "a number in a scenario",
-            ("case", "mechanisms", number, "efficiency"),
-        )
-        for number, mechanism in enumerate(case.mechanisms, 1)
-        if isinstance(mechanism.efficiency, Law) or isinstance(mechanism.back_efficiency, Law)
-    ]
+    problems += _variable_efficiencies(case)
     if problems:
         raise CaseError(problems)
     yield from torques
+
+
+def _variable_efficiencies(case: Transmission) -> Iterator[Problem]:
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        if isinstance(mechanism.efficiency, Law) or isinstance(mechanism.back_efficiency, Law):
+            yield Problem(
+                "E695",
+                f"the efficiency of {mechanism.name} depends on speed or torque, expected "
+                "a number in a scenario",
+                ("case", "mechanisms", number, "efficiency"),
+            )
 
 
 def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_element: bool) -> Path:  # noqa: FBT001

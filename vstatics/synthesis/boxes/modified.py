@@ -41,31 +41,8 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     """
     plain = on_own_links(case)
     gearbox = plain.case.replace(mechanisms=case_mechanisms(plain))
-    if gearbox.springs:
-        raise CaseError(
-            "E921",
-            "the case has springs: expected a gearbox whose shafts turn as one piece",
-            ("springs",),
-        )
-    mechanisms = [
-        mechanism for mechanism in gearbox.mechanisms if mechanism.ratio != 1 or mechanism.kind
-    ]
-    if not mechanisms:
-        raise CaseError(
-            "E920", "there is no planetary set: expected a gearbox of these", ("mechanisms",)
-        )
-    for mechanism in mechanisms:
-        is_pair = mechanism.third == HOUSING and not mechanism.is_set
-        if mechanism.kind or is_pair or mechanism.ratio == -1:
-            message = (
-                f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
-            )
-            raise CaseError("E920", message, ("mechanisms", mechanism.name))
-    body = [*range(gearbox.links + 1)]  # lowest link of those joined at ratio 1
-    for mechanism in gearbox.mechanisms:
-        if mechanism.ratio == 1:
-            low, high = sorted((body[mechanism.first], body[mechanism.second]))
-            body = [low if link == high else link for link in body]
+    mechanisms = _planetary_sets(gearbox)
+    body = _joined_links(gearbox)
     sets = [_members(mechanism, body) for mechanism in mechanisms]
     on_sets = {link for members in sets for link in members}
     others = sorted({*body} - on_sets - {HOUSING})
@@ -106,6 +83,41 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
             free,
         ),
     )
+
+
+def _planetary_sets(case: Transmission) -> list[Mechanism]:
+    """Return the planetary sets, without 1:1 shafts.
+
+    Raises
+    ------
+    CaseError
+        If the case has springs, other mechanisms, or no planetary set.
+    """
+    if case.springs:
+        message = "the case has springs: expected a gearbox whose shafts turn as one piece"
+        raise CaseError("E921", message, ("springs",))
+    sets = [mechanism for mechanism in case.mechanisms if mechanism.ratio != 1 or mechanism.kind]
+    if not sets:
+        message = "there is no planetary set: expected a gearbox of these"
+        raise CaseError("E920", message, ("mechanisms",))
+    for mechanism in sets:
+        is_pair = mechanism.third == HOUSING and not mechanism.is_set
+        if mechanism.kind or is_pair or mechanism.ratio == -1:
+            message = (
+                f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
+            )
+            raise CaseError("E920", message, ("mechanisms", mechanism.name))
+    return sets
+
+
+def _joined_links(case: Transmission) -> list[int]:
+    """Return for each link the lowest link that shafts join to it."""
+    body = [*range(case.links + 1)]
+    for mechanism in case.mechanisms:
+        if mechanism.ratio == 1:
+            low, high = sorted((body[mechanism.first], body[mechanism.second]))
+            body = [low if link == high else link for link in body]
+    return body
 
 
 def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:
