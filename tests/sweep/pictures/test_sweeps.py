@@ -138,6 +138,12 @@ def test_what_cannot_be_drawn_is_told(asked: dict[str, object], said: str) -> No
         drawn(map, saddle(), **asked)
 
 
+def test_curves_over_a_column_without_numbers_are_refused() -> None:
+    sweep = WrittenSweep([1], ["ok"], {"x": [np.nan], "z": [1.0]}, ("x",))
+    with pytest.raises(CaseError, match="no row of the sweep has x"):
+        drawn(curves, sweep, x="x")
+
+
 def test_several_rows_at_a_place_are_told() -> None:
     with pytest.raises(CaseError, match="runs over y too: expected --by"):
         drawn(curves, saddle(), x="x", by="x")

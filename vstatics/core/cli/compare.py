@@ -52,7 +52,7 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
         multiple=True,
         metavar="TABLE",
         callback=value(left_out),
-        shell_complete=completing(lambda: (path.name for path in QUANTITIES)),
+        shell_complete=completing(lambda: (quantity.name for quantity in QUANTITIES)),
         help="Do not compare this table, by name or alias; may be given several times.",
     ),
 )
@@ -94,7 +94,7 @@ def compare(
         (all_numbers and summary, "--all and --summary exclude each other"),
         (form in ("json", "junit") and (all_numbers or summary), f"{form} has all numbers"),
     )
-    folders = [os.path.isdir(caseh) for caseh in (actual, expected)]  # noqa: PTH112
+    folders = [os.path.isdir(path) for path in (actual, expected)]  # noqa: PTH112
     if any(folders):
         for path in (actual, expected):
             refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110

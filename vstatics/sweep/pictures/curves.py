@@ -84,6 +84,8 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     panels = [_curves(numbers(sweep, name), across, shown, style) for name in names]
     if not any(np.isfinite(curve.y).any() for panel in panels for curve in panel):
         raise CaseError("E433", "no row of the sweep has a number to draw")
+    if not np.isfinite(across).any():
+        raise CaseError("E433", f"no row of the sweep has {x}, so there is nothing to draw")
     more = style.text("lines are drawn, of")
     note = f"{len(shown)} {more} {len(every)}" * (len(shown) < len(every))
     scale = _scale(across)

@@ -138,6 +138,29 @@ def test_fault_has_its_place_and_words(
         assert word in errors[0].message
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("KFRI(I),I=1,NP: 2 1", "KFRI(I),I=1,NP: 1 2 1", "KFRI: read 3 values, expected 2 (NP)"),
+        ("KWZ(I),I=1,NP: 0 1", "KWZ(I),I=1,NP: 3 0 1", "KWZ: read 3 values, expected 2 (NP)"),
+    ],
+)
+def test_too_many_counts_are_the_only_fault(old: str, new: str, message: str) -> None:
+    text = (BAD_FILES / "no-fault.dat").read_text("utf-8").replace(old, new)
+    with pytest.raises(ReadError) as raised:
+        deck.read(text.encode(), "counts.dat")
+    assert [problem.message for problem in raised.value.problems] == [message]
+
+
+def test_missing_gears_are_reported_before_later_fields_of_the_same_place() -> None:
+    text = (BAD_FILES / "no-fault.dat").read_text("utf-8")
+    text = text[: text.index("KFRI")] + "IDLE="
+    with pytest.raises(ReadError) as raised:
+        deck.read(text.encode(), "cut.dat")
+    messages = [p.message for p in raised.value.problems if p.severity == "error"]
+    assert [message.partition(" ")[0] for message in messages] == ["KFRI", "IDLE:"]
+
+
 def test_every_deck_with_a_fault_is_tested() -> None:
     files = {file.stem for file in BAD_FILES.glob("*.dat")}
     assert files == {fault[0] for fault in FAULTS} | {"no-fault"}

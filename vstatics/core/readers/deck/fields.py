@@ -88,7 +88,9 @@ class Fields:
         for position, count in enumerate(counts):
             label = f"{key}({position + 1})"
             total += max(count, 0)
-            if count < 0 and position not in values.unreadable:
+            if position in values.unreadable:
+                counts[position] = -1
+            elif count < 0:
                 self.error(label, f"read {count}, expected a count, 0 or more")
                 counts[position] = -1
             elif not self._fits(label, total):

@@ -121,8 +121,6 @@ def _parts(fields: Fields) -> dict[str, Any]:
     element_members = _members(fields, "shift_elements", elements, names)
     mechanism_members = _members(fields, "mechanisms", mechanisms, names)
     planets = _planets(fields, mechanisms)
-    idle = fields.optional("IDLE", 0, range(2), "0 (published) or 1 (exact)")
-    coast = fields.optional("COAST", -1, range(2), "0 (driving) or 1 (coasting)")
     parts: dict[str, Any] = {
         "shift_elements": [ShiftElement(**member) for member in element_members],
         "mechanisms": [
@@ -132,10 +130,12 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "gears": _gears(fields, gears, names),
         "input": _port(fields, "INP", 1),
         "output": _port(fields, "IOUT", 0),
-        "idle": "exact" if idle == 1 else "published",
-        "coast": None if coast == -1 else coast == 1,
         "name": names.get("T", ""),
     }
+    idle = fields.optional("IDLE", 0, range(2), "0 (published) or 1 (exact)")
+    coast = fields.optional("COAST", -1, range(2), "0 (driving) or 1 (coasting)")
+    parts["idle"] = "exact" if idle == 1 else "published"
+    parts["coast"] = None if coast == -1 else coast == 1
     links = sizes["J"]
     if None in sizes.values():
         fields.hidden += [("links",), ("input",), ("output",)]

@@ -173,11 +173,8 @@ class Walk:
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
         ]
         if spot.path[-1] == "links":  # the model has no part `links` within a record
-            inner = [
-                alternative._replace(path=(*spot.path[:-1], alternative.path[-1]))
-                for alternative in inner
-            ]
-        first, *second = [self.read(alternative, Leaf("link")) for alternative in inner]
+            inner = [end._replace(path=(*spot.path[:-1], end.path[-1])) for end in inner]
+        first, *second = [self.read(end, Leaf("link")) for end in inner]
         return first, *(second or [HOUSING])
 
     def _either(self, spot: Spot, shape: Either) -> Any:
