@@ -22,7 +22,7 @@ from vstatics.core.model.parts import Friction
 from vstatics.core.model.springs import Spring, between
 from vstatics.core.model.transmission import ShiftElement
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
+from vstatics.simulation import Capacity, Formula, Scenario, Start, constant, simulate
 
 STIFFNESS, DAMPING, INERTIA = 1e4, 1.0, 0.1
 
@@ -118,3 +118,15 @@ def test_a_chain_of_200_links_takes_no_more_than_some_eigenvalues() -> None:
         [sys.executable, "-c", code], env=alone, capture_output=True, text=True, check=True
     )
     assert float(made.stdout) < 60
+
+
+@pytest.mark.parametrize("law", ["100*tanh(angle)/angle", "100*(speed*angle)/angle"])
+def test_a_torque_of_0_divided_by_0_at_the_start_stops_a_run(law: str) -> None:
+    """The torque is a number at all later instants; only its start is 0/0."""
+    spring = Spring(between(2), 100.0, damping=1.0)
+    case = links(1.0, 2.0, elements=(ShiftElement(1, 2, "C"),), springs=(spring,))
+    start = Start(speeds={1: 10.0, 2: 10.0}, engaged=(1,))
+    motion = simulate(Scenario(case, 1.0, start, torques=((1, Formula(law)),)))
+    assert motion.stopped is not None
+    assert motion.stopped.id == "E605"
+    assert motion.time.tolist() == [0.0]

@@ -92,6 +92,17 @@ def test_all_forms_of_torques() -> None:
     )
 
 
+def test_zeros_of_points_keep_their_sign() -> None:
+    read = scenario("""controls: {B: [[0, -0.0], [1, 5]]}
+torques: {wheel: {resistance: -0.0}}
+""")
+    control, (_, law) = (read.controls or {})[1], read.torques[0]
+    assert isinstance(control, Capacity)
+    assert isinstance(control.law, Points)
+    assert isinstance(law, Resistance)
+    assert math.copysign(1.0, control.law.y[0]) == math.copysign(1.0, law.torque) == -1.0
+
+
 def test_what_else_a_scenario_has() -> None:
     read = scenario_file("""start: {speeds: {in: 600 rpm, wheel: 36 km/h}, engaged: [B], settled: true}
 torques: {wheel: {road: {mass: 1, radius: 0.5}}}

@@ -145,8 +145,7 @@ def start_instant(
 def seen_at(system: MotionSystem, at: Instant) -> list[float]:
     """Return all quantities visible to formulas at an instant, except functions of torques."""
     rates = system.port_rows @ at.speeds
-    seen: list[float] = np.concatenate([rates, at.twists, at.angles, at.values]).tolist()
-    return seen
+    return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
 
 
 def break_times(system: MotionSystem, until: float) -> list[float]:

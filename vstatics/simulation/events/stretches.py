@@ -465,11 +465,11 @@ class Closed:
             given[~self.is_used] = 0.0
             if before is not None and largest(now - before) <= limit:
                 self.latest = now[:, -1]
-                if largest(given @ to_values - now) > 4 * limit:
+                if not largest(given @ to_values - now) <= 4 * limit:  # NaN fails, too
                     return None
                 first = np.power(-1.0, np.arange(_ORDERS))[:, None]
                 begin = self._bent(np.array([parts.begin]), state[: self.size, None], given, first)
-                if largest(given @ first - begin) > _MOST_AT_START * limit:
+                if not largest(given @ first - begin) <= _MOST_AT_START * limit:
                     return None
                 return self._followed(parts, state, given, to_powers)
             before = now

@@ -260,7 +260,7 @@ class ScenarioValues:
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
-            return constant(self._number(given, measure, path, why))
+            return constant(self._number(given, measure, path, why) or 0.0)  # no -0.0
         over = STRAIGHT.get(_OVER[along], "time") if measure == "force" else _OVER[along]
         points = [
             (
@@ -281,7 +281,7 @@ class ScenarioValues:
         if isinstance(value, InUnit) and value.measure not in (None, measure):
             read, unit = UNIT_OF[value.measure], UNIT_OF[measure]
             self.spots.tell(path, f"read a number in {read}, expected one in {unit}{why}")
-        return float(value or 0.0)
+        return 0.0 if value is None else float(value)
 
     def _torques(self, given: Mapping[int, Iterable[Any]]) -> Iterator[tuple[int, TorqueLaw]]:
         for link, laws in given.items():

@@ -374,7 +374,7 @@ class Equations:
 
         Returns
         -------
-        ndarray, shape (ports + values, size of [q, e, phi, x])
+        ndarray, shape (ports + values, size of [q, e, phi, v])
         """
         looks, first = self.seeing, self.layout.ports
         slopes = np.zeros((first + len(self.layout.values), self.works.start))

@@ -197,7 +197,7 @@ class Ports:
             angle = float(angles[place]) if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
         if self.looks:
-            seen = np.concatenate([rates, twists, angles, values]).tolist()
+            seen = [*rates.tolist(), *twists.tolist(), *angles.tolist(), *values.tolist()]
             for port, look in self.looks:
                 torques[port] = look.at(time, seen)
         for index, (converter, piece) in enumerate(self.converters):

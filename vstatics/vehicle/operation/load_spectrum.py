@@ -26,7 +26,7 @@ from vstatics.vehicle.duty import Cycle
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads
 
 EXPONENT = 3.0
-"""Exponent of equivalent torques, typical of tooth roots and roller bearings (10/3). [-]"""
+"""Exponent of equivalent torques, near that of tooth roots and roller bearings (10/3). [-]"""
 
 LARGEST_DUTY = 1e30
 """Largest number of a point in SI units, which keeps energies and sums finite."""
