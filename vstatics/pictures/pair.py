@@ -66,8 +66,8 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Fig
     from vstatics.pictures.drawing.join import LetteredFigure, joined
 
     def lettered(width: float, height: float) -> list[list[LetteredFigure]]:
-        figures_of_case = style._replace(width=width, height=height)
-        drawn = [_drawn(both, place, kind, figures_of_case) for place in range(len(both))]
+        sized = style._replace(width=width, height=height)
+        drawn = [_drawn(both, place, kind, sized) for place in range(len(both))]
         return [
             [LetteredFigure(letter, case.name, figure) for figure in figures]
             for letter, case, figures in zip(LETTERS, both, drawn, strict=True)
@@ -75,21 +75,11 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Fig
 
     if kind in BESIDE:
         halves = lettered(style.width / 2, math.inf)
-        whole = [
-            figure
-            for figures_of_case in lettered(style.width, math.inf)
-            for figure in figures_of_case
-        ]
+        whole = [figure for figures in lettered(style.width, math.inf) for figure in figures]
         high = AS_HIGH * max(figure.size[1] for figure in whole)
-        if all(
-            len(figures_of_case) == 1 and figures_of_case[0].size[1] <= high
-            for figures_of_case in halves
-        ):
-            yield joined(
-                [figure for figures_of_case in halves for figure in figures_of_case],
-                style,
-                side_by_side=True,
-            )
+        if all(len(figures) == 1 and figures[0].size[1] <= high for figures in halves):
+            parts = [figure for figures in halves for figure in figures]
+            yield joined(parts, style, side_by_side=True)
             return
     for pages in zip_longest(*lettered(style.width, _half(style.height))):
         present = [page for page in pages if page]

@@ -163,7 +163,10 @@ def brakes_of(
 def _grounds(
     case: Transmission, state: PictureState, drawn: Sequence[Lever], spots: dict[int, list[Spot]]
 ) -> dict[Spot, str]:
-    """Return the names of brakes at each support: one support of a link, all of the housing."""
+    """Return the supports of a gear, each with the names of its brakes.
+
+    A held link has a single support; the housing has a support at each of its points.
+    """
     good = [spot for link in held_for_good(case) for spot in spots.get(link, ())[:1]]
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
     names |= brakes_of(case, state.gear, spots)

@@ -50,7 +50,7 @@ class PagePart(Protocol):
 
     @property
     def without(self) -> str:
-        """Reason why the section has no pictures; otherwise empty."""
+        """Reason why the section is left out; otherwise empty."""
 
     @property
     def drawn(self) -> Collection[str]:

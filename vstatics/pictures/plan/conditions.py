@@ -107,14 +107,14 @@ class FreeOutputs:
                 )
                 raise CaseError("E406", f"{message}: its elements do the same in many ways")
             if self.is_free(gear.input, gear.output, chosen):
-                maximal = [condition for condition in maximal if not chosen > condition] + [chosen]
+                maximal = [smaller for smaller in maximal if not chosen > smaller] + [chosen]
                 continue
             needed = chosen
             for condition in sorted(chosen):
                 if not self.is_free(gear.input, gear.output, needed - {condition}):
                     needed -= {condition}
             waiting += [chosen - {condition} for condition in sorted(needed)]
-        yield from (tuple(sorted(condition)) for condition in maximal)
+        yield from (tuple(sorted(subset)) for subset in maximal)
 
 
 def speeds_under(

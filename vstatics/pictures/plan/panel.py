@@ -158,11 +158,9 @@ def _rows(
         for between, longest in (("\n", wide), (": ", UPRIGHT_NAME))
     )
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
-    scale = [Label(x.part(x_value) * wide, number(x_value), style.ink) for x_value in outputs]
-    common = [
-        x_value for x_value in (0.0, 1.0) if x_value not in outputs and x.low < x_value < x.high
-    ]
-    scale += [Label(x.part(x_value) * wide, f"{x_value:.0f}", style.soft) for x_value in common]
+    scale = [Label(x.part(output) * wide, number(output), style.ink) for output in outputs]
+    common = [output for output in (0.0, 1.0) if output not in outputs and x.low < output < x.high]
+    scale += [Label(x.part(output) * wide, f"{output:.0f}", style.soft) for output in common]
     return _near(across, turned, wide), _near(scale, scale, wide)
 
 
@@ -173,7 +171,7 @@ def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
     places = spread(wanted, sizes, 0.0, wide)
     if all(abs(place - vertical) <= LEADER for place, vertical in zip(places, wanted, strict=True)):
         return GearRow(across, upright=False, height=max(height(a.text) for a in across))
-    return GearRow(turned, upright=True, height=widest(place.text for place in turned))
+    return GearRow(turned, upright=True, height=widest(label.text for label in turned))
 
 
 def draw_plan(pen: Pen, case: Transmission, drawn: DrawnPlan, above: float, left: float) -> None:

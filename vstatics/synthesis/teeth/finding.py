@@ -78,15 +78,15 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     'at its end is P (-7.118 to -1.576): wider ranges may help'
     """
     gears = {gear.name for gear in problem.links.case.gears}
-    is_alone = False
+    is_excluded = False
     for target in problem.targets:
         reached = target.ends(low[np.newaxis], high[np.newaxis])
         least = float(target.least(low[np.newaxis], high[np.newaxis])[0])
         if reached is not None and least > MET_ERROR:
-            is_alone = True
+            is_excluded = True
             name = f"gear {target.name}" if target.name in gears else target.name
             yield f"{name} can't have {target.wanted:g}: {reach_text(*reached)}"
-    if is_alone or (least := least_possible(problem.targets, low, high)) <= TOLD_ERROR:
+    if is_excluded or (least := least_possible(problem.targets, low, high)) <= TOLD_ERROR:
         return
     ends = narrowed(problem.targets, low, high, least * (1 + NARROW_WINDOW) + NARROW_WINDOW)
     if ends is None:

@@ -47,7 +47,7 @@ def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalMode
 
     A loss factor is replaced at each natural frequency by the equivalent viscous damping,
     ``c * loss_factor / omega``. The eigenvalues then belong to the natural modes, and to rigid
-    modes that are resisted by converters.
+    modes that converters or separate dampers resist.
 
     Examples
     --------

@@ -21,9 +21,8 @@ from vstatics.torsion.vibration.refined import Pencils
 class Pencil(NamedTuple):
     """Matrices of ``M q'' + D q' + K q = 0``, with M = 1, in modal coordinates.
 
-    The coordinates are the natural modes, then rigid modes if converters resist them (D is then not
-    symmetric), then massless motions that are damped.
-
+    The coordinates are the natural modes, then rigid modes if converters or separate dampers resist
+    motions, then massless motions that are damped.
 
     Attributes
     ----------
@@ -34,7 +33,7 @@ class Pencil(NamedTuple):
     rigid : int
         Number of rigid modes, the next coordinates, also with a modal mass of 1.
     symmetric : bool
-        Whether D is symmetric.
+        Whether D is symmetric, as it is without converters.
     """
 
     stiffness: Floats
@@ -119,7 +118,6 @@ def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[F
 
     Massless motions are in elastic equilibrium in the natural modes. Damped ones depart from this
     equilibrium; undamped ones follow them in equilibrium.
-
     """
     if not split.massless.shape[1]:
         return split.massless, split.massless

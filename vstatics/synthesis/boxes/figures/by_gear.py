@@ -142,7 +142,6 @@ def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> Non
     wanted = search.sequence
     fewest, most = (0, 0) if wanted is None else (wanted.least, wanted.most)
     check_weights(names_of_mean([*search.targets, *[1.0] * most]), weights)
-    least = names_of_mean(
-        [*search.targets, *[1.0] * fewest]
-    )  # boxes with more gears have these, too
+    # Boxes with more gears have these gears, too.
+    least = names_of_mean([*search.targets, *[1.0] * fewest])
     check_weights(least, {name: weights[name] for name in least if name in weights})

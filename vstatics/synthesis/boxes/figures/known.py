@@ -81,8 +81,8 @@ class KnownBox(NamedTuple):
 def known_name(box: FoundBox) -> str | None:
     """Return the name of the shipped case equal to a box; of several, the nearest in ratios.
 
-    A case is equal if scheme and elements agree, and if each gear of the case engages elements
-    that give the ratio of a gear of the box.
+    A case is equal if scheme and shift elements agree, and if for each gear of the box a gear of
+    the case engages shift elements that give its ratio.
 
     Parameters
     ----------

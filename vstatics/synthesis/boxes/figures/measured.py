@@ -158,9 +158,8 @@ def measured(
     )
     chosen = least._replace(
         gears=tuple(engaged for _, engaged in sorted(zip(order, sets, strict=True))),
-        error=max(
-            deviation(gear.ratio, gear.target) for gear in gears
-        ),  # the sign of the form can differ
+        # infinite if a ratio has the opposite sign of its target
+        error=max(deviation(gear.ratio, gear.target) for gear in gears),
     )
     losses = [solved(engaged).loss for engaged in sets]
     figures = _figures(chosen, gears, losses, weights, planar=box_is_planar(case))

@@ -93,9 +93,8 @@ def beyond(box: FoundBox, known_ratios: Sequence[float]) -> tuple[float, ...]:
     """
     sets = [*combinations(range(len(box.elements)), len(box.gears[0]))]
     ratios = [ratio for ratio in set_ratios(box, sets).tolist() if not math.isnan(ratio)]
-    further = [
-        float(f"{ratio:.12g}") for ratio in _once(sorted(ratios), known_ratios)
-    ]  # further digits are rounding
+    # Digits after the twelfth are rounding errors.
+    further = [float(f"{ratio:.12g}") for ratio in _once(sorted(ratios), known_ratios)]
     return tuple(further[place] for place in in_order(further))
 
 
