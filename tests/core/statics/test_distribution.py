@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from tests.chance import seeded
 from tests.commands import MZKT
 from tests.core.statics.differential import train
+from tests.shipped import PRINTED
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, distribution_matrix, load
-
-PRINTED = Path(__file__).parents[2] / "published" / "mzkt7922.json"
 
 
 def test_the_published_matrix() -> None:
     """AJK of the report of the MZKT 7922, as printed."""
-    printed = json.loads(PRINTED.read_text(encoding="utf-8"))["AJK"]
-    assert distribution_matrix(load(MZKT)) == pytest.approx(np.array(printed, float), abs=1e-12)
+    printed = np.array(PRINTED["AJK"], float)
+    assert distribution_matrix(load(MZKT)) == pytest.approx(printed, abs=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(8))
