@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -11,11 +9,9 @@ from hypothesis import strategies as st
 
 import vstatics
 from tests.chance import count, generator
+from tests.commands import CASES
 from tests.core.statics.batches import ARRAYS, plainly, random_case, ratios, same, with_numbers
 from vstatics.core.statics.solution import solution
-
-CASES = Path(__file__).parents[3] / "cases"
-
 
 EXTREME = st.sampled_from(
     [1e308, -1e308, 1e200, 1e160, 1e10, -2.0, 0.5, 1.0 + 1e-15, 1e-10, 1e-160, -1e-200, 1e-308]

@@ -21,6 +21,9 @@ from vstatics.page.cli.serve import calculated
 from vstatics.page.serve.document_fields import Texts, documents_of
 from vstatics.page.serve.states import MOST_KEPT, Calculated, ChangedMeanwhileError, ShownStates
 
+until = partial(wait_for, seconds=10)
+"""Wait, for 10 s at most, until the page follows its file."""
+
 
 def write(folder: Path, text: str = BOX) -> Path:
     file = folder / "box.yaml"
@@ -72,7 +75,7 @@ def test_a_file_in_error_is_told_with_its_place_and_takes_no_numbers(tmp_path: P
     with serving(write(tmp_path)) as served:
         wrong = BOX.replace("carrier, ratio", "carier, ratio")
         served.file.write_text(wrong, encoding="utf-8")
-        wait_for(lambda: served.ask("shown").told["state"] == "error")
+        until(lambda: served.ask("shown").told["state"] == "error")
         told = served.ask("shown").told
         line = wrong.split("\n")[4]
         assert told["errors"].startswith(f"{served.file}:5:{line.index('carier') + 1}: error: ")
@@ -83,14 +86,14 @@ def test_a_file_in_error_is_told_with_its_place_and_takes_no_numbers(tmp_path: P
         assert served.save({"P1.ratio": -3}).status == 422
         assert served.file.read_text("utf-8") == wrong
         write(tmp_path)
-        wait_for(lambda: served.ask("shown").told["state"] == "good")
+        until(lambda: served.ask("shown").told["state"] == "good")
 
 
 def test_a_page_can_begin_with_a_file_in_error_or_none(tmp_path: Path) -> None:
     with serving(tmp_path / "box.yaml") as served:
         assert b'data-state="error"' in served.ask("").body
         write(tmp_path)
-        wait_for(lambda: served.ask("shown").told["state"] == "good")
+        until(lambda: served.ask("shown").told["state"] == "good")
 
 
 def test_a_deck_is_shown_and_stays(tmp_path: Path) -> None:
@@ -213,16 +216,16 @@ def test_a_file_behind_a_link_that_others_replace_is_followed(tmp_path: Path) ->
         other = real.with_name("other")
         other.write_text(BOX.replace("-78/30", "-2"), encoding="utf-8")
         other.replace(real)
-        wait_for(lambda: served.ask("shown").told["fields"]["P1.ratio"] == -2)
+        until(lambda: served.ask("shown").told["fields"]["P1.ratio"] == -2)
         assert served.save({"P1.ratio": -3}).status == 200
         assert link.is_symlink()
         kept = real.read_bytes()
         assert b"ratio: -3," in kept
         real.unlink()
-        wait_for(lambda: served.ask("shown").told["state"] == "error")
+        until(lambda: served.ask("shown").told["state"] == "error")
         assert served.save({"P1.ratio": -4}).status == 422
         real.write_bytes(kept)
-        wait_for(lambda: served.ask("shown").told["state"] == "good")
+        until(lambda: served.ask("shown").told["state"] == "good")
 
 
 def test_a_file_that_can_not_be_written_says_so(
