@@ -1,4 +1,4 @@
-"""Record of the annex of sweeps."""
+"""Declaration of the annex of sweeps: its commands, public names and methods."""
 
 from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind
 
