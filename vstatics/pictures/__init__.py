@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 
 def drawn_kinds() -> Mapping[str, PictureKind]:
-    """Return the kinds of pictures of a case in their order, without kinds that show documents."""
+    """Return the kinds of pictures of a case in their order, without kinds that plot documents."""
     return {kind: record for kind, record in picture_kinds().items() if not record.plots}
 
 

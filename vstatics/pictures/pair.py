@@ -24,7 +24,7 @@ LETTERS = "AB"
 BESIDE = ("efficiency",)
 """Kinds that are drawn side by side if half the width does not make the pictures much higher."""
 AS_HIGH = 1.1
-"""Largest ratio of the height in half the width to the height in full width, side by side."""
+"""Largest ratio of the height in half the width to the full-width height for this layout."""
 
 
 class PairedCase(NamedTuple):

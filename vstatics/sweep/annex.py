@@ -1,4 +1,4 @@
-"""Declaration of the annex of sweeps: its commands, public names and methods."""
+"""Declaration of the annex of sweeps: its command, public names, document and pictures."""
 
 from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind
 

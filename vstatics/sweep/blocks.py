@@ -188,7 +188,7 @@ def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
 def _of_mechanisms(
     case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made] = ()
 ) -> dict[str, Floats]:
-    """Return the varied ratios and efficiencies, or the ratios, shape (variants, mechanisms)."""
+    """Return ratios and efficiencies if they vary, else ratios; shape (variants, mechanisms)."""
     varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
     asked = OF_MECHANISM if cases else varied or {"ratio"}
     return {quantity: _numbers_of(case, plan, values, cases, quantity) for quantity in asked}

@@ -23,7 +23,7 @@ LEAST_PARTICIPATION = 1e-9
 APART = 1e-9
 """Square root of the share in the energy of a mode above which a device or body takes part."""
 LOST_PIVOT = 1e-6
-"""Determinant, relative to that of the first variant, up to which the rank is in doubt."""
+"""Measure of regularity, relative to the first variant, up to which a lower rank is possible."""
 RESIDUE = 1e-11
 """Largest residue of a satisfied equation, relative to the largest coefficient times unknown."""
 NO_ROW = 1e-300
@@ -51,7 +51,7 @@ LEAST_RATE = 1e-99
 
 # random vibration
 NEVER_DAMPED = 1e-12
-"""Largest real part of an undamped eigenvalue in magnitude, relative to the largest eigenvalue."""
+"""Largest magnitude of the real part of an undamped eigenvalue, relative to the largest one."""
 UNMOVED = 1e-9
 """Sum, relative to the sum of absolute terms, up to which it counts as a rounding error."""
 WHOLE = 1e-9

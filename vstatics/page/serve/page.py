@@ -93,7 +93,7 @@ def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> 
     changed = Part(CHANGE, [tag("div", *shown_fields(shown, fixed=fixed), class_="fields")])
     first, *others = awaited_sections(material, runs=runs)
     tools = toolbar.tools_of(material.results.case, digits=material.digits)
-    first = first._replace(shown=[*first.shown, tools])  # replaced together
+    first = first._replace(shown=[*first.shown, tools])  # a new section replaces both
     return [*([changed] if shown else []), first, *others]
 
 

@@ -1,4 +1,4 @@
-"""Names of lines, written at the edge of a panel where the lines end."""
+"""Names at the edge of a panel, where the lines or verticals that they name end."""
 
 from __future__ import annotations
 

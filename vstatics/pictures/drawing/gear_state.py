@@ -36,9 +36,9 @@ class PictureState(NamedTuple):
     speeds: Sequence[float]
     """Relative speed of each link, the housing first; NaN if undetermined. [-]"""
     joined: Bodies
-    """Lowest number of the links that rotate with each link, the housing first."""
+    """Lowest link that engaged elements and shafts connect to each link, the housing first."""
     is_still: Sequence[bool]
-    """True for each mechanism or gear set without relative motion; False in a gear with faults."""
+    """True for each mechanism or gear set without relative motion, if the gear is calculable."""
     roles: Sequence[Role]
     """Role of each mechanism: idle, or locked up."""
     loaded_springs: Sequence[bool]
@@ -46,7 +46,7 @@ class PictureState(NamedTuple):
     loaded_elements: Sequence[bool]
     """True for shift elements with torque, or with unknown torque."""
     loaded_links: Sequence[frozenset[int]]
-    """For each mechanism or gear set: the links on which it exerts a torque."""
+    """For each mechanism or gear set: the links on which it exerts a known or unknown torque."""
     leaving: Mapping[tuple[int, str], float]
     """Power that leaves the gear, as far as known, by link and role of the port. [-]
 

@@ -35,7 +35,7 @@ _UPRIGHT: Look = {"rotation": 90, "ha": "center", "va": "center", "linespacing":
 
 
 class AxisScale(NamedTuple):
-    """Linear scale along an edge of a panel.
+    """Linear or logarithmic scale along an edge of a panel.
 
     >>> AxisScale(0.0, 4.0).part(1.0), AxisScale(1.0, 100.0, is_log=True).part(10.0)
     (0.25, 0.5)
@@ -302,7 +302,7 @@ def zigzag(x: float, y: float, half: float, high: float) -> list[Point]:
 
 
 def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str]:
-    """Return the numbers of a scale, all with as many decimals as one of the values needs.
+    """Return the numbers of a scale, all with the decimals that the most precise value needs.
 
     >>> tick_texts([-0.5, 0.0, 0.5, 1.0]), tick_texts([0.0, 2000.0]), tick_texts([1.0], [0.25])
     (['−0.5', '0.0', '0.5', '1.0'], ['0', '2000'], ['1.00'])

@@ -11,19 +11,19 @@ EFFICIENCY_STEP = 0.001
 LEAST_SHOWN_POWER = 0.0005
 """Smallest relative power that is not shown as 0.000. [-]"""
 SAME_POWER = 1e-9
-"""Relative difference up to which powers of a port and a run count as equal: written once. [-]"""
+"""Relative difference up to which a port and its run have equal powers, written once. [-]"""
 SAME_CROSSINGS = 1 - 1e-9
 """Ratio of costs below which an order of a column counts as better, since sums are rounded. [-]"""
 STANDS_IN_ALL_MODES = 1e-9
 """Relative amplitude below which a link counts as at rest in a mode. [-]"""
 NO_LEVER_TORQUE = 1e-12
-"""Relative torque or speed below which a value counts as 0. [-]"""
+"""Torque or speed, relative to the input, below which it counts as 0. [-]"""
 SAME_LEVER_COST = 1e-9
 """Smallest improvement of the cost of an order of levers that counts."""
 LEAST_POINT_DISTANCE = 1e-3
-"""Smallest distance of two points of a lever for its height, relative to the lever. [-]"""
+"""Smallest relative distance of two points from which the height of a lever is calculated. [-]"""
 SAME_RUN_SPEED = 1e-6
-"""Relative difference up to which speeds in a run count as equal, and torques as 0. [-]"""
+"""Relative difference up to which speeds or torques in a run count as equal, or as 0. [-]"""
 NO_RUN_TORQUE = 1e-9
 """Torque below which a curve counts as rounding noise, relative to the largest torque. [-]"""
 SAME_CURVE = 1e-9

@@ -32,7 +32,7 @@ class BackRow(NamedTuple):
 
     @property
     def needed(self) -> float:
-        """Width that the nodes and the text need between the ends of the band [pt]."""
+        """Width that the nodes on the way back need between the ends of the band, or 0 [pt]."""
         return self.cell.wide + SPACE if self.cell else 0.0
 
 

@@ -26,10 +26,10 @@ BAND_CLEARANCE = 8.0
 LOSS_LENGTH = 8.0
 """Length of a loss, in addition to half the width. [pt]"""
 BEND = 2.4
-"""Square of the horizontal length of a smooth curve, relative to band width times rise. [-]"""
+"""Smallest squared length of a smooth curve along the row, relative to width times rise. [-]"""
 
 Key = tuple[int, int]
-"""Layer of a cell, and the number of the cell in `FlowCell`."""
+"""Layer of a cell, and its `FlowCell.number`."""
 
 
 def signs(run: Run, loss: float = 0.0) -> list[float]:

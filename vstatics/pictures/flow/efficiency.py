@@ -35,7 +35,7 @@ BAR_WIDTH = 0.66
 EFFICIENCY_SCALE_WIDTH, GEARS_NAME_HEIGHT = 58.0, 24.0
 """Room for the scale, and for the common name of the gears. [pt]"""
 LEAST_OF_HEAD = 330.0
-"""Smallest width of a figure, which leaves room for the title. [pt]"""
+"""Smallest width of a figure without scale and margin, which leaves room for the title. [pt]"""
 PANEL_ROW_GAP = 12.0
 """Distance between panels, vertically. [pt]"""
 

@@ -201,7 +201,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: its longest way; bands with numbers count double."""
+    """Return the layer of each run: its longest way from the left; numbered bands count double."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)

@@ -17,7 +17,7 @@ COLUMN_ROUNDS = 4
 Near = Mapping[Key, Sequence[tuple[Key, float, float]]]
 """Neighbours of each cell, each with the exchanged power [-] and a relative depth [pt].
 
-The band is horizontal if the neighbour is at this depth relative to the cell.
+The band is horizontal if the cell is at this depth relative to the neighbour.
 """
 
 

@@ -75,7 +75,7 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
 
 
 def _cuts(drawn: Graph) -> dict[int, list[Band]]:
-    """Return the bands that a cut after each layer cuts; loops are not cut."""
+    """Return the bands that are cut after each layer, without layers where loops would be cut."""
     by_layer = {}
     for layer in range(max(drawn.layers)):
         behind = [place > layer for place in drawn.layers]

@@ -25,7 +25,7 @@ class Part(NamedTuple):
 
 
 class PartRequest(NamedTuple):
-    """Request for a section that an annex provides: results, style, and what to show."""
+    """Request for a section that an annex provides: results, drawing function, and extent."""
 
     results: Results
     draw: Draw

@@ -50,7 +50,7 @@ class BoxText(NamedTuple):
 
     @property
     def name(self) -> str:
-        """First line: the name without kind or ratio."""
+        """Name, in one or more lines, without kind or ratio."""
         return self.lines.rpartition("\n")[0]
 
     @property

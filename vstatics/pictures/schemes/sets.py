@@ -281,7 +281,10 @@ def _glyphs(section: HalfSection) -> Iterator[Glyph]:
 
 
 def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
-    """Return the side or sides to which the axle of each planet leaves."""
+    """Return alternatives, each with the side to which the axle of each planet leaves.
+
+    All axles leave to the same side, unless gears block axles on both sides.
+    """
     planets = list(section.group.planets)
     clear = [
         (side,) * len(planets)

@@ -68,7 +68,7 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
 
 
 def _packed_bytes(plan: SweepPlan, rows: Chunk) -> int:
-    """Return the length of some rows in Parquet, whose compression is as in the whole file."""
+    """Return the length of some rows in Parquet, whose compression resembles the whole file."""
     file = io.BytesIO()
     write_parquet(file, plan.output_headings, [rows], by_gear=plan.by_gear)
     return file.tell()

@@ -121,7 +121,7 @@ def _pages(highs: Sequence[float], room: float) -> list[list[int]]:
 
 
 def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:
-    """Return the column whose values each have a curve by default: the second varied number."""
+    """Return the default column whose values each have a curve: the other varied number."""
     if sweep.gears:
         return ""
     left = running(sweep, [selected.x])

@@ -107,7 +107,7 @@ class GearRows(NamedTuple):
 
 
 class WithStatus(NamedTuple):
-    """Tables, and in addition the table `ok` of variants with the status ok."""
+    """Tables, and in addition the table `ok`, which marks the rows with the status ok."""
 
     tables: Tables
     good: Booleans

@@ -97,7 +97,7 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
         parts = split(typed)
         path = _path(parts, trees)
         root = _spelled_out(trees.root(path), path.keys)
-        before = [parts[0]] * (len(path.keys) - len(parts))  # for keys that precede
+        before = [parts[0]] * (len(path.keys) - len(parts))  # for keys added in front
         typed_at = zip(path.keys, [*before, *parts], strict=True)
         node = find_node(root, [PathPart(key, part.at) for key, part in typed_at])
         if node is not None:

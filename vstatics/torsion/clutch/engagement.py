@@ -26,7 +26,7 @@ class Engagement(NamedTuple):
     rate: float
     """Rate K in ``1 - exp(-K t)``. [1/s]"""
     factor: float
-    """First maximum of the torque of the spring after t = 3/K, divided by M_C of the clutch. [-]"""
+    """First maximum of the spring torque after t = 3/K, relative to the final clutch torque. [-]"""
 
 
 def engagement(rate: float, inertia: float, compliance: float) -> Engagement:

@@ -236,7 +236,7 @@ def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
 
 
 def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
-    """Return a mask of the modes in which neither devices nor converters dissipate energy."""
+    """Return a mask of the modes in which devices, dampers and converters dissipate no energy."""
     resisted = np.zeros(natural.omegas.shape)
     stored = np.zeros(natural.omegas.shape)
     for device in system.elastic:

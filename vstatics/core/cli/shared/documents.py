@@ -54,7 +54,7 @@ def is_a(kind: str, data: bytes, name: str) -> bool:
 
 
 def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
-    """Return the problem of a document that a command cannot use as a case, or None.
+    """Return the problems of a document that a command cannot use as a case; empty if it can.
 
     Documents of a kind can be used if the annex declares the function `taken` for the kind.
     """

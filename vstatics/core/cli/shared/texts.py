@@ -38,7 +38,7 @@ class CaseOutput(NamedTuple):
     answer: Callable[[], Answer] | None = None
     """Function that returns the record written as JSON."""
     lay_out: Callable[[Any], str] | None = None
-    """Function that writes the record as JSON with line breaks of its own."""
+    """Function that writes the record as JSON with special line breaks."""
     problems: Sequence[Problem] = ()
     """Problems of the output, in addition to the problems of the case."""
 

@@ -265,7 +265,7 @@ def wrong_use(options: Sequence[str]) -> Iterator[None]:
 
 
 _ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
-"""Pattern of a name with the sign = ; a name in double quotes can contain commas."""
+"""Pattern of a name, the sign ``=`` and a value; a name in double quotes can contain commas."""
 
 
 _ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'

@@ -163,7 +163,7 @@ class AxesBoard:
 
     @cached_property
     def bands(self) -> Mapping[int, float]:
-        """Height, above each axis, of the space between shafts and drums [pt]."""
+        """Height of the space between shafts and drums, for each axis [pt]."""
         return {axis: _band(self, axis) for axis in range(len(self.axes.axes))}
 
     def _occupied(self, index: int, station: Station) -> list[int]:
@@ -201,7 +201,7 @@ class AxesBoard:
 
     @cached_property
     def road_wheels(self) -> Mapping[int, int]:
-        """Station of the differential for each link with a road wheel at its end.
+        """Index of the station of the differential for each link with a road wheel at its end.
 
         A side of a differential is followed along springs to a link with an output, or to a link
         that a spring, such as a tyre, connects to the output.

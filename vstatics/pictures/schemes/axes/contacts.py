@@ -26,7 +26,8 @@ class AxisContact(NamedTuple):
     device: int
     """Index of the component in `Scheme.devices`, -1 for a port."""
     kind: str
-    """``wheel``, ``sign``, ``set``, ``port``, ``bar`` on a link, or ``road`` at a road wheel."""
+    """``wheel``, ``sign``, ``set``, ``port``, ``bar`` on the line of the link, or ``road`` at a
+    road wheel."""
     end: float = 0.0
     """Radius of a gear, or distance from the middle of a gear set. [pt]"""
     way_round: float = 0.0
@@ -137,7 +138,7 @@ def _of_drum(station: Station, way: int, x: float) -> Iterator[AxisContact]:
 def port_contacts(
     board: AxesBoard, chosen: StationOrder, contacts: Sequence[AxisContact]
 ) -> Iterator[AxisContact]:
-    """Yield contacts for the ports of links that leave a row at an end."""
+    """Yield contacts at the ends of rows, for ports and road wheels."""
     ends = {port.link: port.link in chosen.rightward for port in board.ports}
     for link, differential in board.road_wheels.items():
         cage = board.stations[differential].devices[0]

@@ -18,7 +18,7 @@ CROSSED = frozenset({"bevel_pair", "worm"})
 """Kinds that connect crossing axes, drawn as parallel axes with slanted teeth."""
 
 FREE_IDLER = 0.6
-"""Size of an idler, if unknown, divided by the size of the first gear."""
+"""Size of an idler of unknown size, relative to the size of the first gear. [-]"""
 
 
 class AxisJoint(NamedTuple):

@@ -1,4 +1,4 @@
-"""Gear sets on one of several axes, drawn as a half-section of their own."""
+"""Gear sets on one of several axes, drawn as a separate half-section."""
 
 from __future__ import annotations
 

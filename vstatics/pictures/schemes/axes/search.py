@@ -76,7 +76,10 @@ def _steps(board: AxesBoard) -> Iterator[Step]:
 def _moved(
     board: AxesBoard, chosen: StationOrder, *, index: int, length: int
 ) -> Iterator[StationOrder]:
-    """Yield orders with neighbouring groups moved to all other places, in both directions."""
+    """Yield orders with `length` neighbouring groups, also reversed, at each possible place.
+
+    Places that do not change the order within a row are skipped.
+    """
     at = next(n for n, group in enumerate(chosen.groups) if index in group)
     if index != chosen.groups[at][0] or at + length > len(chosen.groups):
         return

@@ -48,7 +48,8 @@ class Station(NamedTuple):
     axes: Sequence[int]
     """Axes of the station, two for a gear pair."""
     links: Sequence[int]
-    """Connected links: of a drum, the drum first; of a half-section, its left and right link."""
+    """Connected links: of a pair, in the order of its gears; of a drum, the drum first; of a
+    half-section, its left and right link."""
     half: float
     """Half the width. [pt]"""
     names: Sequence[str] = ()
@@ -61,7 +62,7 @@ class Station(NamedTuple):
     teeth: Sequence[str] = ()
     """Tooth numbers of a gear pair, empty if not shown."""
     layout: CoaxialLayout | None = None
-    """Layout of the half-section, for a station of this kind."""
+    """Layout of the half-section; None for a station of another kind."""
 
     @property
     def reach(self) -> tuple[float, float]:

@@ -118,7 +118,7 @@ def sign_height(placing: AxesPlaces, device: int) -> float:
 
 
 def _brake_height(placing: AxesPlaces, station: Station, device: int) -> float:
-    """Return the height of the lower end of a brake [pt], above all drums if it holds a drum."""
+    """Return the height of the lower end of a brake [pt]; for a drum, it is above all drums."""
     (axis,), (link,) = station.axes, station.links
     if placing.spans[link].level >= 0:
         return placing.sign_height(axis)

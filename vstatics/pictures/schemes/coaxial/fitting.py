@@ -25,8 +25,8 @@ NAMED = (
 )
 """Variants of a layout to try, from wide to narrow.
 
-A variant has the number of letters in a line, whether links lack names, and whether gears have
-tooth numbers alone.
+A variant has the number of letters in a line, whether only the links at the ends have names, and
+whether gears have tooth numbers alone.
 """
 MOST_SHRUNK_NAMED = 2.5
 """Largest reduction of lengths for which links and gears are named; below, symbols vanish. [-]"""

@@ -54,7 +54,7 @@ class CoaxialLayout(NamedTuple):
 
     @property
     def uprights(self) -> list[Upright]:
-        """Upright parts of components from left to right."""
+        """Uprights of components, and of the ends of the axis, from left to right."""
         return self.places.frame.uprights
 
     def section(self, up: Upright) -> HalfSection:

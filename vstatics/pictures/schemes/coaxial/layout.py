@@ -32,7 +32,7 @@ class Upright:
     """Kind: ``top``, ``pair``, ``wall``, ``set``, or ``start`` and ``end`` of the axis."""
     index: int
     bars: Sequence[Bar]
-    """Lower and upper bar that it connects; a single bar for tops and ends."""
+    """Lower and upper bar that it connects; a single bar for tops and ends, empty for sets."""
     gap: Sequence[Bar] = ()
     """Neighbouring bars on both sides of the symbol of a pair."""
     is_turned: bool = False

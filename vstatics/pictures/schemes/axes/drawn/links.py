@@ -86,7 +86,7 @@ def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
     for line, is_used in pieces(sheet, link, wires.level):
         color = style.ink if is_used else style.faint
         pen.line(*line, color=color, kind="wire", title=title, **look)
-        if span.level > 0:  # second line of a hollow shaft
+        if span.level > 0:  # line on the other side of a hollow shaft
             y = placing.y(axis, -span.height)
             pen.line(*((x, y) for x, _ in line), color=color, **look)
     for device, path in wires.upright:

@@ -118,7 +118,7 @@ def _meets(boxes: Boxes, others: Boxes) -> NDArray[np.bool_]:
 
 
 def _candidates(placing: AxesPlaces, wanted: WantedLabel) -> tuple[Boxes, NDArray[np.float64]]:
-    """Return possible boxes of a text around the named part, and the cost of each distance."""
+    """Return possible boxes of a text around the named part, and the cost of each box."""
     (x, y), scale = wanted.above, placing.letters
     half = placing.wide(wanted.text, size=wanted.size, bold=wanted.is_name) / 2 + CLEAR
     tall = LINE * wanted.size * scale * (wanted.text.count("\n") + 1)

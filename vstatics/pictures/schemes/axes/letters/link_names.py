@@ -67,7 +67,7 @@ def free_names(
 
 
 def _covers(placing: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: float) -> bool:
-    """Return True if a name with a left end would cover a gear of another link, or a symbol."""
+    """Return True if a name that begins at the point `left` would cover an obstacle."""
     (x, y), half = left, 4.0 * placing.letters
     return any(
         item.box.left < x + wide

@@ -25,7 +25,7 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 NONE, TAKEN, KEPT, NEW = range(4)
 """Connection of a carrier to the next bar: no bar, or a bar that ends, continues or begins."""
 _Plane = tuple[tuple[int, int], tuple[int, int]]
-"""Sun and ring of a plane of gears, each with its bit."""
+"""Links of the sun and the ring of a plane, and the bits of both."""
 
 
 class _Begun(NamedTuple):
@@ -54,7 +54,7 @@ class _LeftArm(NamedTuple):
     carrier: int
     bit: int
     joined: set[int]
-    """Indices of bars that are connected to the carrier."""
+    """Numbers of the bars that are connected to the carrier."""
     left: tuple[bool, bool]
     """True for a connection below and above."""
 
