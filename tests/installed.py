@@ -15,7 +15,7 @@ import pytest
 from vstatics.core.annexes import COMMANDS, annexes
 
 TESTS = Path(__file__).parent
-OPTIONS = {"--duty": "vehicle", "--box": "synthesis"}
+OPTIONS = {"--duty": "vehicle", "--exponent": "vehicle", "--box": "synthesis"}
 """The annex of each option that a command of the core has of it."""
 NAMES = {
     **dict.fromkeys(("Picture", "plot"), "pictures"),
@@ -45,7 +45,8 @@ HERE = {annex.name for annex in annexes()}
 _FOLDER = re.compile(rf"\b(?:vstatics|tests|docs)[./]({'|'.join(ANNEXES)})\b")
 _CALL = re.compile(rf"\bvstatics[ .]({'|'.join({**COMMANDS, **NAMES})})\b")
 _IMPORT = re.compile(r"^(?:>>> )?from vstatics import (.*)$", re.MULTILINE)
-_METHOD = re.compile(r"\w\.plot\(")
+_METHOD = re.compile(r"[\w)]\.plot\(")
+_SCENARIO = re.compile(r"\bscenarios/")
 
 
 def missing(names: Iterable[str]) -> list[str]:
@@ -84,7 +85,8 @@ def used_in(text: str) -> set[str]:
     >>> sorted(used_in("from vstatics import load, sweep\\nfound = results.plot('lever')"))
     ['pictures', 'sweep']
     """
-    known = {**NAMES, **COMMANDS}
+    known = {**NAMES, **COMMANDS, **OPTIONS}
     words = [*_CALL.findall(text), *re.findall(r"\w+", " ".join(_IMPORT.findall(text)))]
-    words += ["plot"] * bool(_METHOD.search(text))
+    words += ["plot"] * bool(_METHOD.search(text)) + ["simulate"] * bool(_SCENARIO.search(text))
+    words += re.findall(r"--[a-z]+", text)
     return {known[word] for word in words if word in known} | {*_FOLDER.findall(text)}

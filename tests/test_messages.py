@@ -17,6 +17,7 @@ from tests.commands import ROOT, json_answer, vstatics
 from tests.installed import ANNEXES, missing
 from tests.rooms import PACKAGE, modules, nodes
 from vstatics.core import readers
+from vstatics.core.annexes import KEYS
 from vstatics.core.cli import main
 from vstatics.core.errors import DOUBTS
 from vstatics.core.writers.explained import ExplainedMessage, explained, known_ids
@@ -108,7 +109,9 @@ def test_every_example_is_of_an_id() -> None:
 @pytest.mark.parametrize("one", EXAMPLES, ids=lambda one: one.id)
 def test_an_example_tells_its_message(one: ExplainedMessage) -> None:
     Path("example.yaml").write_text(str(one.example), encoding="utf-8")
-    if missing(ANNEXES) and one.id not in ids_in_code():
+    keys = re.findall(r"^(\w+):", str(one.example), re.MULTILINE)
+    absent = missing(KEYS[key] for key in keys if key in KEYS)
+    if absent or (missing(ANNEXES) and one.id not in ids_in_code()):
         pytest.skip("it is a message of an annex that is not installed")
     records = json_answer("check", "example.yaml")
     assert one.id in {record["id"] for record in records}
@@ -128,7 +131,8 @@ def test_an_id_is_explained_without_a_case() -> None:
 
 def test_all_ids_are_an_array_in_json() -> None:
     told = json_answer("check", "--explain", "all")
-    assert {one["id"] for one in told} == ids_in_code()
+    explained = {one["id"] for one in told}
+    assert explained >= ids_in_code() if missing(ANNEXES) else explained == ids_in_code()
     assert {tuple(one) for one in told} == {("id", "severity", "cause", "cure", "example")}
     two = vstatics("check", "--explain", "n318, w201", "-f", "json").out
     assert [one["id"] for one in json.loads(two)] == ["N318", "W201"]

@@ -101,7 +101,9 @@ def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
         ({"gears": "abc"}, "`gears` is str 'abc', expected a sequence of a Gear"),
         ({"name": 5}, "`name` is int 5, expected a text"),
         ({"outputs": 3}, "`outputs` is int 3, expected a sequence of a whole number"),
-        ({"vehicle": 4}, "`vehicle` is int 4, expected a Vehicle"),
+        pytest.param(
+            {"vehicle": 4}, "`vehicle` is int 4, expected a Vehicle", marks=needs("vehicle")
+        ),
         ({"shift_elements": [1]}, "expected a sequence of a ShiftElement"),
     ],
 )

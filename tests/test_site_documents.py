@@ -28,6 +28,7 @@ def test_links_to_documents_follow_them_to_their_pages() -> None:
     assert '<a id="W414"></a>' in texts["messages/messages"]
 
 
+@needs("simulation")
 def test_each_kind_of_element_has_its_keys() -> None:
     """Those that an element of the kind may have, wherever they are told."""
     [text] = [page.text for page in keys.pages() if page.name.endswith("/case")]

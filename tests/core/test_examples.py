@@ -10,6 +10,7 @@ import pytest
 import vstatics
 from tests import commands
 from tests.commands import CASES, ROOT
+from tests.installed import needs
 
 
 def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
@@ -24,6 +25,7 @@ def test_another_name_is_told_with_the_nearest() -> None:
         vstatics.example("zf-8hp7")
 
 
+@needs("simulation")
 def test_an_example_is_copied_as_a_template(tmp_path: Path) -> None:
     (tmp_path / "scenarios").mkdir()
     for name in ("zf-8hp70", "tarasik-box", "scenarios/tarasik-box"):

@@ -59,6 +59,7 @@ def test_data_of_a_missing_annex_is_refused_and_not_lost(tmp_path: Path) -> None
         loads(CASE.partition("vehicle")[0]).replace(vehicle=3)
 
 
+@needs("pictures")
 @pytest.mark.usefixtures("without_vehicle")
 def test_a_command_and_a_method_of_a_missing_annex_name_the_annex(
     monkeypatch: pytest.MonkeyPatch,

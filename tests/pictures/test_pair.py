@@ -36,7 +36,10 @@ def panels(root: ET.Element) -> dict[str, ET.Element]:
     }
 
 
-@pytest.mark.parametrize("kind", ["stick", "structure", "lever", "plan", "flow", "steps"])
+KINDS = "stick", "structure", "lever", "plan", "flow", pytest.param("steps", marks=needs("vehicle"))
+
+
+@pytest.mark.parametrize("kind", KINDS)
 def test_each_panel_has_what_the_picture_of_its_case_has(kind: str) -> None:
     """On one page of any height; a file goes on on further pages."""
     cases = [PairedCase(path.name, solve(load(path))) for path in (ONE, OTHER)]

@@ -50,7 +50,7 @@ class Pace:
         self.duration, self.seconds = duration, seconds
         self._first = math.inf
         self._half = self._last = (0.0, 0.0)
-        """Processor times with the times reached in the run. [s]"""
+        """Pairs of processor time and time reached in the run, at half time and last. [s]"""
 
     def __call__(self, at: float) -> str:
         """Record the time reached, and stop the run when the pace is known."""

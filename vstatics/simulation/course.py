@@ -59,9 +59,9 @@ _LOOSEST = 4096.0
 _MOST_EVENTS = 100_000
 """Largest number of events of a run."""
 _BEHIND = 4.0
-"""Shortest time to pass a corner, in units of rounding."""
+"""Shortest time to pass a corner, as a multiple of the rounding error of times."""
 _MOST_LARGER = 8
-"""Number of increases of value scales after steps became too small."""
+"""Largest number of increases of the scales of control values after steps became too small."""
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
@@ -79,7 +79,9 @@ class EventRun:
     engaged : sequence of int
         Numbers of the shift elements engaged at the start.
     rtol : float
+        Tolerance as in `simulate`. [-]
     watch : callable, optional
+        Function that can stop the run; see `simulate`.
     """
 
     def __init__(
@@ -109,7 +111,7 @@ class EventRun:
         """Length of the last step. [s]"""
         self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
-        """Corners next to the present motion."""
+        """Corners of formulas on both sides of the present motion, with their comparisons."""
         self.latest = self.mark = 0.0
         self.at_once = self.events = 0
 
@@ -145,7 +147,7 @@ class EventRun:
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
-        """Apply a step now, with or without a true condition.
+        """Apply a step now, whether or not its condition is true.
 
         Parameters
         ----------
@@ -348,7 +350,7 @@ class EventRun:
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a formula with a jump met now, or earlier by a choice without admissible state."""
+        """Return a jump of a formula that is met now, or was met before by a failing choice."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
         paths = {self._path_of(*choice) for choice in choices}
@@ -644,9 +646,9 @@ class EventRun:
             self.record.events.append(slid_back(event) if after == "-" else event)
 
     def _is_slipping(self, device: Contact | Elastic, time: float) -> bool:
-        """Return whether a device began to slip right before a time [s], to any side.
+        """Return whether a device began to slip, in any direction, right before a time [s].
 
-        The first side can be wrong if the slip is too small for the look-ahead.
+        The first direction can be wrong if the slip is too small for the look-ahead.
         """
         near = SIGHT * self.span
         events = reversed(self.record.events)

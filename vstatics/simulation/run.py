@@ -57,7 +57,7 @@ def simulate(  # noqa: PLR0913 - all but the first by name
         Spacing of additional instants of the motion. [s]
     rtol : float
         Tolerance of event times relative to the duration, and of speeds and energies relative to
-        the largest. [-]
+        the largest speed and energy. [-]
     method : {"events", "tarasik"}
         `tarasik` is a published method, for comparison; see `published.tarasik`.
     watch : callable, optional

@@ -10,11 +10,11 @@ LEAST_RTOL = 3e-14
 CLOSED_ENERGY = 1e-8
 """Largest error of the energy balance of a valid run, relative to the largest energy."""
 NO_ENERGY = 1e-12
-"""Energy that counts as zero. [J]"""
+"""Largest energy that counts as 0. [J]"""
 PRINTED = 1e-9
-"""Ratio to the largest number of a table column kind below which 0 is printed."""
+"""Ratio to the largest number of the same kind below which a table shows 0."""
 CLOSED_BALANCE = 5e-4
-"""Energy balance that is 0 to three decimals. [J]"""
+"""Magnitude of the energy balance below which 0 is shown, as its digits are uncertain. [J]"""
 
 # numbers that are given
 LARGEST_NUMBER = 1e15
@@ -26,11 +26,11 @@ UNLIKE_INERTIAS = 1e-12
 
 # times
 SAME_INSTANT = 1e-11
-"""Distance of simultaneous events, relative to the duration."""
+"""Largest distance of events that count as simultaneous, relative to the duration."""
 SAME_TIME = 1e-12
-"""Relative difference of times that are equal except for rounding."""
+"""Largest relative difference of times that count as equal."""
 SAME_END = 1e-13
-"""Distance of a stretch from the end of a piece at which both end together."""
+"""Largest relative difference between the ends of a stretch and a piece that count as equal."""
 AHEAD = 1e-7
 """Look-ahead and interval of slopes, relative to a duration or a step."""
 SIGHT = 1e-6
@@ -40,7 +40,7 @@ LONGEST_DURATION = 1e4
 LEAST_DURATION = 1e-9
 """Smallest duration used as a time scale of slopes. [s]"""
 NO_PROGRESS = 1e-5
-"""Largest progress, relative to the duration, of a run caught in endless switching."""
+"""Progress, relative to the duration, below which a run counts as caught in endless switching."""
 AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
 """Parts of the duration after a stop at which a torque is checked for invalid numbers."""
 BEYOND_ALL = 1e6
@@ -54,7 +54,7 @@ ROOT_TIME = 1e-15
 STANDING = 1e-9
 """Relative speed, torque or impulse up to which a value counts as 0."""
 NO_MARGIN = 1e-10
-"""Violation of a margin that counts, relative to the scale of the margin."""
+"""Largest violation of a margin that is ignored, relative to the scale of the margin."""
 LEAST_VALUE = 1e-30
 """Smallest scale of a control state for tolerances."""
 SMALL_VALUE = 1e-3
@@ -62,41 +62,47 @@ SMALL_VALUE = 1e-3
 BETWEEN_INSTANTS = 1e-9
 """Accuracy of states between instants of a step, relative to the largest value in the step."""
 EQUAL_SIDES = 1e-10
-"""Relative difference of equal numbers in a comparison."""
+"""Largest relative difference of compared numbers that count as equal."""
 SOON = 1e2
-"""Multiple of the change during the look-ahead that counts as a size, because times are rounded."""
+"""Least size of compared numbers, as a multiple of the change of their difference ahead.
+
+Times are rounded, so a difference that changes fast is uncertain.
+"""
 MET = 1e-3
-"""Fraction of the look-ahead within which numbers meet now."""
+"""Fraction of the look-ahead within which numbers that meet count as equal now."""
 SLIDING = 1e-3
-"""Distance from a jump, relative to the compared numbers, of a motion that slides along."""
+"""Largest distance from a jump, relative to the compared numbers, of a motion that slides on it."""
 NEAR_LIMIT = 1e-3
 """Fraction of the look-ahead within which a state counts as at its limit."""
 EXACT_SIDES = 1e-13
-"""Relative difference at which a comparison changes its side."""
+"""Largest relative difference of compared numbers that can be rounding and decides no side."""
 ROUNDED_INPUT = 1e-14
-"""Rounding of a number seen by a formula, relative to the largest of its kind."""
+"""Rounding error of a quantity in a formula, relative to the largest value of its kind."""
 ROUNDED_SUM = 1e-15
-"""Rounding of a sum, relative to the sizes of its terms."""
+"""Rounding error of a sum, relative to the sizes of its terms."""
 PASSED_LIMIT = 1e-10
-"""Violation of a torque limit that counts, relative to the largest torque."""
+"""Largest violation of a torque limit that is ignored, relative to the largest torque."""
 FALLING_MARGIN = 1e-12
-"""Relative change of a margin during the look-ahead that counts as a fall."""
+"""Relative decrease of a margin during the look-ahead above which the margin counts as falling."""
 TIGHT_SLACK = 1e-6
-"""Distance of slacks at their limit from the smallest slack, relative to the largest."""
+"""Largest distance from the smallest slack, relative to the largest slack, that counts as 0."""
 REGULAR_CORNER = 1e-9
 """Determinant below which limits do not meet in a corner."""
 NO_SPLIT = 1e-12
-"""Residual of the goal at which no split lies within all limits."""
+"""Residual of the least-squares problem below which no split lies within all limits."""
 WITHIN_LIMITS = 1e-6
-"""Violation of limits allowed in a split, the accuracy of least squares, by the largest slack."""
+"""Largest violation of limits that a split can have, relative to the largest slack.
+
+This is the accuracy of the least-squares solution.
+"""
 SHARED_TORQUE = 1e-6
 """Component of a torque in a redundant direction above which the torque is indeterminate."""
 SAME_VALUES = 1e-9
-"""Relative difference of values at an instant that is not a jump."""
+"""Largest relative difference of the values at a repeated instant that is not a jump."""
 MADE_CAPACITY = 1e-9
-"""Relative excess of a control over the capacity of the case, or below 0, that is allowed."""
+"""Relative distance by which a control can be below 0, or above the capacity in the case."""
 MISSING_MASS = 1e-3
-"""Fraction of a vehicle mass that the inertia can lack."""
+"""Fraction of the mass of a vehicle that can be missing in the inertia of its link."""
 LEAST_PROBABILITY = 2.0**-53
 """Smallest probability for a normal distribution, which is infinite at 0."""
 
@@ -122,23 +128,27 @@ NOT_ZERO = 1e-300
 
 # curves over time
 CHORD = 8e-4
-"""Distance of chords between stored instants from a curve, by its range; people see 1e-3."""
+"""Largest distance of a curve from chords between stored instants, relative to its range.
+
+People see a distance of 1e-3.
+"""
 NO_RANGE = 1e-9
-"""Range of a constant column, relative to the largest of its kind."""
+"""Largest range of a column that counts as constant, relative to the largest of its kind."""
 EQUAL_EXTREMES = 1e-7
-"""Relative difference of equal extremes, the accuracy of polynomials."""
+"""Largest relative difference of extremes that count as equal: the accuracy of polynomials."""
 
 # slopes
 CHANGE_STEP, LONGEST_CHANGE_STEP = 1e-6, 1e-5
-"""Interval of a slope along the motion, relative to the duration, and at most in s; rounding leaves
-nine digits of a jerk.
+"""Interval of differences along a motion, relative to the duration, and the largest interval in s.
+
+With these intervals, rounding leaves nine digits of a jerk.
 """
 NO_CHANGE = 1e-14
 """Ratio to the terms of a sum below which a change is rounding."""
 DIFFERENCE_STEP = 1e-6
 """Step of difference quotients, relative to the largest speed."""
 NEWTON_STEP = 1e-13
-"""Step at which Newton's method has converged."""
+"""Relative step below which Newton's method has converged."""
 LEAST_SENSE = 1e-6
 """Least sensitivity of a torque to its rate, relative to the largest slope."""
 NO_SENSE = 1e-30
@@ -148,7 +158,7 @@ STRAIGHT_BALANCE = 1e-12
 
 # stretches in closed form
 ENOUGH_TERMS = 1e-18
-"""Ratio to the sum at which a term of a series is the last."""
+"""Ratio to the sum of a series below which a term is the last."""
 SHORTEST_PART = 2.0**-14
 """Smallest factor by which a part is shortened for nonlinear torques."""
 FITTING_TORQUE = 1e-12

@@ -26,7 +26,7 @@ class Duty(NamedTuple):
 
 
 class Stage(NamedTuple):
-    """Gear of a duty cycle."""
+    """Energy share and efficiency of a gear in a duty cycle."""
 
     gear: str
     energy: float
@@ -60,10 +60,10 @@ class Cycle(NamedTuple):
 
 
 def cycle(results: Results, duty: Duty) -> Cycle:
-    """Calculate the mean efficiency ``sum(E ETA)/sum(E)``, with the input energy E of each gear.
+    """Calculate the mean efficiency ``sum(E ETA)/sum(E)`` over all gears.
 
-    Shares of energy are values of E. Shares of time are multiplied by the input power of the gear,
-    which requires an operating point.
+    E is the input energy and ETA the efficiency of a gear. Shares of energy are values of E.
+    Shares of time are multiplied by the input power of the gear, which requires an operating point.
 
     Raises
     ------

@@ -5,6 +5,6 @@ from __future__ import annotations
 SAME_SPEED = 1e-12
 """Relative excess over the last speed of the engine that counts as rounding noise. [-]"""
 SAME_ENGINE_TORQUE = 1e-9
-"""Largest difference between equal engine torques. [N*m]"""
+"""Largest difference of engine torques that count as equal. [N*m]"""
 NO_DRAG = 1e-9
 """Sum of torques on a link that counts as rounding noise, relative to the largest. [-]"""

@@ -8,6 +8,7 @@ import io
 import pytest
 
 from tests.commands import CASES, MZKT, vstatics
+from tests.installed import needs
 
 TABLE_1 = """\
 J_1	0	0	-1	0	0	0	0	0	0	0	0	0
@@ -67,7 +68,9 @@ def test_the_housing_has_no_row() -> None:
     assert [row[1] for row in variable] == ["B", "0", "-1", "0"]
 
 
-@pytest.mark.parametrize("case", ["moskvich412.yaml", "umdm.yaml"])
+@pytest.mark.parametrize(
+    "case", [pytest.param("moskvich412.yaml", marks=needs("torsion")), "umdm.yaml"]
+)
 def test_what_is_no_planetary_set_has_none(case: str) -> None:
     said = vstatics("convert", CASES / case, "-", "--to", "matrices")
     assert said.gives_nothing("has the members", "expected a set of sun, carrier and ring")

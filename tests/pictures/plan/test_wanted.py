@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import CASES, vstatics
+from tests.installed import needs
 from vstatics import solve
 from vstatics.pictures.plan.rays import plans
 from vstatics.pictures.plan.wanted import case_of_ratios
@@ -56,7 +57,11 @@ def test_it_needs_no_case(tmp_path: Path) -> None:
         ("--kind lever", "Missing argument 'CASE...'."),
         ("--kind plan --ratios 2 --coast", "--from, --coast, --idle: they are of a case"),
         ("s.csv --kind curves --idle exact", "--from, --coast, --idle: they are of a case"),
-        (f"{CASES / 'umdm.yaml'} --kind sawtooth --drive", "--coast: a vehicle is drawn at full"),
+        pytest.param(
+            f"{CASES / 'umdm.yaml'} --kind sawtooth --drive",
+            "--coast: a vehicle is drawn at full",
+            marks=needs("vehicle"),
+        ),
     ],
 )
 def test_what_is_no_plan(options: str, why: str) -> None:

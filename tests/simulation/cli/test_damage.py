@@ -9,6 +9,9 @@ from pathlib import Path
 import pytest
 
 from tests.commands import json_answer, vstatics
+from tests.installed import needs
+
+pytestmark = needs("vehicle")
 
 CASE = """\
 inertias: {a: 0.4, b: 0.1}

@@ -10,7 +10,7 @@ from vstatics.core.elements.kinds import KINDS, Kind, Planetary
 from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping, Mechanism, damping
 
 Losses = Literal["meshes", "reduced"]
-"""Place of the losses: at each mesh, or in as few mechanisms as the speeds need."""
+"""Place where losses are calculated: at each mesh, or in as few mechanisms as the speeds need."""
 
 
 class CentralWheel(NamedTuple):
@@ -27,7 +27,7 @@ class CentralWheel(NamedTuple):
     internal : bool
         True for a ring gear, False for a sun gear.
     rim : str
-        Rim of a planet in mesh with the gear.
+        Name of the planet rim that meshes with the gear.
 
     Examples
     --------
@@ -105,7 +105,7 @@ class Element:
     mesh_efficiency : mapping of mesh to float
         Fields of `MeshEfficiency` that replace the efficiencies of the case. [-]
     rims : mapping of planet to its rims with their teeth
-        Rims of a `planet_group`.
+        Toothed rims of each planet of a `planet_group`.
     wheels : sequence of CentralWheel
         Central gears of a `planet_group`.
     meshes : sequence of pairs of rims

@@ -13,7 +13,10 @@ from vstatics.core.model.parts import HOUSING
 from vstatics.core.suggestions import nearest
 
 LARGEST_WHEEL = 10**6
-"""Limit of teeth or a diameter, far above any gear, for which ratios can be calculated."""
+"""Largest permitted number of teeth or diameter, far above any real gear.
+
+Ratios can still be calculated at this size.
+"""
 
 MOST_PLANET_KINDS = 20
 """Most kinds of planets on a carrier; real groups have two or three."""

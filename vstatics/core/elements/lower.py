@@ -139,7 +139,7 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
 
 
 def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Yield each central gear of a train with the reference gear of the ratio."""
+    """Yield pairs of a central gear and the reference gear of its ratio, for all trains."""
     for train in group.trains:
         wheels = group.wheels_of(train)
         if len(wheels) < 2:
@@ -180,7 +180,7 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
 
 
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
-    """Return the ratio of a central gear to the planet in mesh, if the teeth are known.
+    """Return the speed ratio of a central gear to its planet; None if teeth are unknown.
 
     The ratio is also None for a planet that fills the gap of a plain set: the solver derives it,
     also for any other ratio of the set in a sweep.

@@ -1,8 +1,10 @@
 """Efficiency of single meshes: given by the case, or calculated from teeth and friction.
 
-Ohlendorf's loss factor as in Niemann, Winter, Maschinenelemente II: with equal load shares of the
-pairs of teeth in contact, ``eta = 1 - pi mu (1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 + e1^2 +
-e2^2``; the minus applies to an internal mesh, and e1, e2 are the contact ratios at the tips.
+Friction is calculated with Ohlendorf's loss factor H (Niemann, Winter, Maschinenelemente II). If
+the pairs of teeth in contact share the load equally, the efficiency of a mesh is
+``eta = 1 - pi mu (1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 + e1^2 + e2^2``. Here mu is the
+coefficient of friction, z1 and z2 are the numbers of teeth, and e1 and e2 the contact ratios at
+the tips; the minus applies to an internal mesh.
 Standard teeth without profile shift are assumed: 20 degrees, addendum 1, the tip of a ring at z -
 2. The formula is exact while e1 and e2 are at most 1; the tips of most rings reach a little
 further, which makes the result conservative.
@@ -19,7 +21,7 @@ from vstatics.core.elements.element import MeshEfficiency
 PRESSURE_ANGLE = math.radians(20)
 """Pressure angle of standard teeth. [rad]"""
 LEAST_RING = 34
-"""Least number of teeth of a ring with tips outside the base circle."""
+"""Least number of teeth of a ring whose tips are outside its base circle."""
 
 
 class MeshLosses(NamedTuple):
@@ -30,7 +32,7 @@ class MeshLosses(NamedTuple):
     friction: float | None = None
     """Coefficient of friction of the teeth [-], if given."""
     given: frozenset[str] = frozenset()
-    """Meshes whose given efficiency applies in spite of friction."""
+    """Meshes for which a given efficiency takes precedence over friction."""
 
     def efficiency(self, mesh: str, teeth: float | None, others: float | None) -> float:
         """Return the efficiency of a mesh: ``external``, ``internal`` or ``bevel`` [-].

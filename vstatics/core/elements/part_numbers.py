@@ -27,7 +27,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 _ELSEWHERE = (
     *("ratio", "efficiency", "stiffness", "compliance", "damping", "inertia", "speed_ratio"),
 )
-"""Keys of numbers that vary without a new case, as the solver takes them as arrays."""
+"""Keys of numbers that can vary without a new case, because the solver accepts arrays of them."""
 _TORQUE = "relative_torque"
 
 
@@ -174,7 +174,7 @@ def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) ->
 
 
 def _put(part: Any, keys: Keys, number: float) -> Any:
-    """Return a part with another number at some depth of keys."""
+    """Return a part with another number under the given, possibly nested keys."""
     if not keys:
         return number
     key, *others = keys

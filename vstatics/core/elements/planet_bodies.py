@@ -1,7 +1,8 @@
 """Planets as heavy bodies, and the inertias of links that replace them.
 
-With the speed of a planet ``w_q = w_h + alpha (w_a - w_h)`` and ``w_a - w_h = K (w_b - w_h)``, the
-kinetic energy of the planet is exactly the energy of three inertias on the links a, b and h.
+A mechanism has the links a and b and the carrier h, with ``w_a - w_h = K (w_b - w_h)``; its planet
+has the speed ``w_q = w_h + alpha (w_a - w_h)``. Then the kinetic energy of the planet is exactly
+the energy of three inertias on the links a, b and h.
 Source: Tarasik, Puzanova, Kurstak, 2018; the formulas were derived again.
 """
 
@@ -29,7 +30,7 @@ class Body(NamedTuple):
 
 
 Shares = Mapping[int, float]
-"""Share of each link in an inertia, by index of the link; can be negative. [kg*m^2]"""
+"""Inertia on each link that replaces a planet, by index of the link; can be negative. [kg*m^2]"""
 
 
 def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:

@@ -13,7 +13,7 @@ from vstatics.core.model.parts import HOUSING
 
 
 class PlanetInertia(NamedTuple):
-    """Combined inertia of equal planets: kinetic energy is half the inertia times speed squared.
+    """Combined inertia of equal planets; kinetic energy is half of it times the speed squared.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ class PlanetInertia(NamedTuple):
         Member that, together with the carrier, determines the speed; empty if the planets rotate
         with the carrier.
     by_wheel : float
-        Coefficient of the speed of that member. [-]
+        Coefficient of the speed of the member `wheel`. [-]
     """
 
     name: str

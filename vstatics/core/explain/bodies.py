@@ -15,7 +15,7 @@ from vstatics.core.numerics.elimination import RIGHT, Equation
 from vstatics.core.statics import matrix
 
 GOLDEN = 0.6180339887498949
-"""Golden ratio minus 1, which spreads the shifts of ratios evenly."""
+"""Golden ratio minus 1; its multiples modulo 1 spread the shifts of ratios evenly."""
 SHIFTED = 0.05
 """Largest relative shift of ratios, to distinguish structure from coincidence."""
 
@@ -24,7 +24,7 @@ class Structure(NamedTuple):
     """Bodies of a gear, and the mechanisms and springs that determine the speeds."""
 
     body: Sequence[int]
-    """First link of each link's body, by link number, the housing first."""
+    """Smallest link number in the body of each link, by link number, the housing first."""
     needed: Sequence[int]
     """Indices of mechanisms with independent equations."""
     springs: Sequence[int]

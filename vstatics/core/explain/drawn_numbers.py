@@ -23,7 +23,7 @@ from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 
 FARTHEST = 0.25
-"""Largest relative change of a ratio."""
+"""Largest relative difference of a random ratio from the given ratio."""
 
 
 def drawn(results: Results, seed: int) -> Results:
@@ -52,7 +52,10 @@ def _largest(results: Results) -> Floats:
 
 
 def _with_capacity(element: ShiftElement, factor: float) -> ShiftElement:
-    """Return a shift element with the capacity times a factor, rounded up to three digits."""
+    """Return a shift element whose capacity is multiplied by a factor and rounded up.
+
+    The new capacity has three digits.
+    """
     given = element.capacity
     if given is None or not 0 < factor < math.inf:
         return element

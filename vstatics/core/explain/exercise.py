@@ -27,7 +27,7 @@ ASKED = ("W", "WSAT", "WFRI", "ratio", "AMLG", "IX", "AMLGP", "losses", "ETA")
 IN_UNITS = {"AMLG": "AMLG_Nm", "AMLGP": "AMLGP_Nm", "losses": "losses_kW"}
 """Tables that replace relative torques and powers in gears without an input torque."""
 MORE = ("power_balance",)
-"""Table with further blanks if other tables have fewer than `LEAST`."""
+"""Tables that also get blanks if the other tables have fewer than `LEAST`."""
 LEAST = 10
 """Number of blanks below which a worksheet gets further blanks."""
 NAMES = {"ratio": "ratio", "ETA": "efficiency", "power_balance": "power balance"}

@@ -21,7 +21,7 @@ class Notation(NamedTuple):
     times: str = " "
     power: str = "^"
     joined: str = ""
-    """Text between two brackets."""
+    """Text between two factors in brackets, as a sign of multiplication."""
 
 
 def python(count: int) -> Notation:

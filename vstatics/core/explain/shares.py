@@ -20,10 +20,10 @@ from vstatics.core.statics.matrix import column
 from vstatics.core.statics.status import NEUTRAL
 
 MOST_FORMULA_TERMS = 400
-"""Most terms of a useful formula; longer formulas take long to derive."""
+"""Largest number of terms of a formula; longer formulas are of no use and take long to derive."""
 
 Body = int
-"""Number of the first link of a body."""
+"""Body of links, represented by the smallest link number in it."""
 Row = dict[Body, Any]
 """Coefficients by body, as fractions of polynomials."""
 

@@ -19,7 +19,7 @@ from vstatics.core.texts import tr
 
 
 class PowerSign(NamedTuple):
-    """Mechanism with losses, whose ratio is replaced by ``ratio x efficiency**sign``."""
+    """Sign of a mechanism with losses; its ratio is replaced by ``ratio x efficiency**sign``."""
 
     mechanism: str
     torque: float

@@ -56,7 +56,7 @@ def _gear(explanation: Explanation, digits: int | None) -> Iterator[str]:
 
 
 def _wrapped(text: str, depth: int = 1) -> list[str]:
-    """Return a text in indented lines, further lines by an additional step."""
+    """Return a text in indented lines; all lines after the first are indented by a further step."""
     further = INDENT * (depth + 1)
     return wrap(text, EQUATION_WIDTH, initial_indent=INDENT * depth, subsequent_indent=further)
 

@@ -1,7 +1,7 @@
 """Power flow of a gear: losses, split power and recirculating power.
 
-`power` calculates the flow of each gear from results, `power_flow` holds the flow, `text` and
-`answer` write it.
+`power` calculates the flow of each gear from results, `power_flow` holds the flow. `tables` chooses
+the lines of the tables, `text` writes them as text, `answer` as JSON.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
 >>> from vstatics.core.flow.power import flows

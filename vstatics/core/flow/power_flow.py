@@ -1,4 +1,8 @@
-"""Power flow of a gear as data: graph, losses, recirculating power, ports."""
+"""Power flow of a gear as data: graph, losses, recirculating power, ports.
+
+Powers are relative to the power at the input link. ``entering = leaving + sum(losses)``, except for
+rounding. The edges are the transmitted power (`forward`, without cycles) plus the cycles (`loops`).
+"""
 
 from __future__ import annotations
 
@@ -31,7 +35,7 @@ class MemberPower(NamedTuple):
 
 
 class NodePower(NamedTuple):
-    """Power through a node."""
+    """Power through a node [-], NaN if indeterminate."""
 
     node: Flat[Node]
     power: float
@@ -79,15 +83,18 @@ class PowerFlow(NamedTuple):
     The mapping is empty in a flow without losses.
     """
     entering: float
-    """Power that enters by all ports. [-]"""
+    """Power that enters through all ports. [-]"""
     leaving: float
-    """Power that leaves by all ports. [-]"""
+    """Power that leaves through all ports. [-]"""
     loops: tuple[Loop, ...]
     """Cycles of recirculating power, as far as determinate."""
     locked_in: tuple[Loop, ...]
-    """Cycles within parts that rotate as a block; not counted, as nothing moves inside."""
+    """Cycles of power within parts that rotate as a block.
+
+    They do not count as recirculating power, because nothing moves inside such parts.
+    """
     teeth: tuple[ToothPower, ...] = ()
-    """Rolling power of every mechanism with possible teeth, and of each mesh."""
+    """Rolling power of every mechanism that can have teeth, and of each mesh."""
 
     @property
     def unknown(self) -> tuple[Node, ...]:

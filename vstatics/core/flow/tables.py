@@ -23,7 +23,7 @@ SECTIONS: Mapping[NodeKind, str] = {
 """Heading of each kind of nodes."""
 NO_LOSSES = (None, None)
 _Line = tuple[int, Row]
-"""Level of indentation of a row, and the row."""
+"""Row of a table, preceded by its level of indentation."""
 CONVENTION = "~"
 """Mark of power that is split by convention in a part that rotates as a block."""
 

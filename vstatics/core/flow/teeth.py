@@ -1,7 +1,7 @@
 """Rolling power: the power through the meshes of a mechanism, relative to its carrier.
 
-Rolling power can be a small part of the power through the mechanism, or many times as much. Losses
-are a share of it: equation (2) of docs/method.md.
+Rolling power can be a small part of the power through the mechanism, or many times as much. The
+losses of a mechanism are a share of its rolling power: equation (2) of docs/method.md.
 """
 
 from __future__ import annotations

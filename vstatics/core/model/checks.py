@@ -33,7 +33,10 @@ from vstatics.core.model.springs import spring_names
 from vstatics.core.suggestions import why_not_allowed
 
 MOST_FREEWHEELS = 8
-"""Largest number of freewheels; every gear tries all combinations, 2^8 at most."""
+"""Largest number of freewheels in a case.
+
+In every gear all combinations of holding freewheels can be tried, 2^8 at most.
+"""
 LARGE_DRAG = 0.05
 """Largest plausible drag torque, relative to the input torque; a larger number is meant in N*m."""
 

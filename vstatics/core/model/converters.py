@@ -11,7 +11,8 @@ from vstatics.core.model.parts import HOUSING, Mechanism
 class Converter(NamedTuple):
     """A torque converter between two links.
 
-    ``M_P = lambda w_P |w_P|`` and ``M_T = K M_P``, with K and lambda as functions of i = w_T/w_P.
+    The torques of the pump P and the turbine T are ``M_P = lambda w_P |w_P|`` and ``M_T = K M_P``.
+    K and lambda are functions of the speed ratio ``i = w_T/w_P``.
 
     Examples
     --------

@@ -34,7 +34,7 @@ IdleConvention = Literal["published", "exact"]
 
 
 MOST_CYLINDERS = 48
-"""Largest number of cylinders of an engine: the firing order is at most 24."""
+"""Largest number of cylinders of a four-stroke engine, which fires 24 times per revolution."""
 
 
 @runtime_checkable
@@ -254,7 +254,7 @@ class TransmissionFields:
 
     @property
     def has_converter(self) -> bool:
-        """True if a converter makes the torque ratio differ from the speed ratio."""
+        """True if a converter makes the torque ratio of a gear differ from its speed ratio."""
         return any(mechanism.kind == "converter" for mechanism in self.mechanisms)
 
     def bodies(self, gear: Gear) -> Bodies:

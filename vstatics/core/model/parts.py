@@ -142,7 +142,8 @@ class CoefficientTable(NamedTuple):
 class Friction(NamedTuple):
     """Friction pack of a shift element, for torque capacity and temperature.
 
-    ``capacity = pressure area radius surfaces mu(|slip|)``, and with the friction power P
+    The torque capacity is ``pressure area radius surfaces mu(|slip|)`` with the coefficient of
+    friction mu. The temperature T of the pack follows from the friction power P:
     ``heat_capacity dT/dt = P - cooling (T - ambient)``.
     """
 
@@ -164,7 +165,7 @@ class Friction(NamedTuple):
 
     @property
     def per_pressure(self) -> float:
-        """``area radius surfaces``: capacity per pressure at a coefficient of 1 [m^3]."""
+        """Product ``area radius surfaces``: torque capacity per pressure if mu were 1 [m^3]."""
         return self.area * self.radius * self.surfaces
 
     @property
@@ -595,7 +596,7 @@ class SpeedOf(NamedTuple):
 
 
 class BatteryBalance(NamedTuple):
-    """Power balance of a battery and electric machines, for the torque of a machine.
+    """Power balance of a battery and electric machines, which determines the torque of a machine.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ Keys: TypeAlias = tuple[str, ...]
 PARTS = ("shift_elements", "elements", "mechanisms", "springs")
 """Keys of a case that a path omits, because the name of the part is enough."""
 BODIES = ("inertias", "masses")
-"""Keys of a case with a number for each link, which a path calls the link's `inertia`."""
+"""Keys of a case with a number for each link; a path names that number `inertia` of the link."""
 OWNERS: Mapping[str, int] = {"load": 1, "gears": 2, "drag": 1, "mesh_efficiency": 1}
 """Keys of a case that begin a path, and the number of keys that name the owner of the number."""
 MOST_PATH_PARTS = 16

@@ -43,7 +43,7 @@ class TwistCurve(NamedTuple):
         return below - slope * left, slope
 
     def alone(self, number: int) -> TwistCurve:
-        """Return the straight line of a piece, extended at both ends."""
+        """Return the curve that continues the straight line of a piece beyond both of its ends."""
         return TwistCurve(self.twists[number : number + 2], self.torques[number : number + 2])
 
     @property

@@ -181,7 +181,10 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
 
 
 def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> Iterator[Problem]:
-    """Check a limit that follows a spring; the spring must not slip or rub itself."""
+    """Check a limit that grows with the torque of another spring.
+
+    The other spring must have neither a limit nor friction.
+    """
     yield from not_negative(limit.base, "a torque", (*path, "base"))
     right = math.isfinite(limit.times) and limit.times != 0
     yield from expect(limit.times, "a number other than 0", (*path, "times"), right=right)

@@ -252,7 +252,11 @@ def _has_digits(entry: Entry) -> bool:
 
 
 def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
-    """Return the pivot of least fill-in (Markowitz) that is large enough in a shortest row."""
+    """Return the row and column of the next pivot.
+
+    Among the entries of the shortest rows that are large enough, the pivot causes the least
+    fill-in (Markowitz).
+    """
     lengths = [len(row) - (RIGHT in row) for row in active]
     shortest = min(lengths)
     candidates = [row for row, length in zip(active, lengths, strict=True) if length == shortest]
@@ -490,7 +494,8 @@ def _sum_of_sizes(a: Either, b: Either) -> Either:
 def _signed_enough(pivot: Number, other: Number) -> bool:
     """Return whether a pivot is large enough.
 
-    Pivots of ordinary ratios are, so that the structure alone decides and all plans are alike.
+    With ordinary ratios all pivots are large enough. Then only the structure decides on the order
+    of elimination, and all plans have the same order.
     """
     return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
 

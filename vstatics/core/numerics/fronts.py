@@ -11,7 +11,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
 LEAF = 128
-"""Number of points up to which every pair is compared."""
+"""Largest number of points of which every pair is compared."""
 BLOCK = 256
 """Number of points compared at once with other points."""
 PIVOTS = 16
@@ -146,7 +146,10 @@ def _behind(points: Floats, by: Floats) -> Booleans:
 
 
 def _dominated(by: Floats, points: Floats, *, strictly: bool) -> Booleans:
-    """Return marks of points that rows of `by` match in all objectives, or strictly dominate."""
+    """Return marks of points to which a row of `by` is equal or better in all objectives.
+
+    If `strictly` is true, equal points are not marked.
+    """
     dominated = np.zeros(len(points), dtype=np.bool_)
     left = np.arange(len(points))
     for start in range(0, len(by), BLOCK):

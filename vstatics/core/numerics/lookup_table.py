@@ -20,7 +20,7 @@ class LookupTable(NamedTuple):
         Variable of the rows, ascending. A table of one variable jumps at an x that appears twice:
         the later value is valid from there.
     values : sequence of sequence of float
-        Rows of values, one for each column.
+        For each x a row of values, with a value for each of `columns`.
     columns : sequence of float
         Variable of the columns, ascending. A single column makes a table of one variable.
 
@@ -71,7 +71,10 @@ class LookupTable(NamedTuple):
         return np.asarray(first + part * (last - first))
 
     def line_at(self, x: float) -> tuple[float, float]:
-        """Return the value at 0 and the slope of the line near a point, for a single variable."""
+        """Return the straight line that the table follows near x: its value at 0 and its slope.
+
+        The table must have a single variable.
+        """
         row, part = _place(self.x, x)
         if not part:
             return self.values[row][0], 0.0

@@ -59,7 +59,7 @@ class Rows:
         return known is not self and (known == value or (known != known and value != value))  # noqa: PLR0124
 
     def alike(self, variants: int, layout: Layout) -> Rows:
-        """Return empty rows of equal types for other variants; constants are not filled in."""
+        """Return empty rows of the same types for `variants` variants, without constant values."""
         rows = Rows([np.empty(variants, dtype=row.dtype) for row in self.arrays])
         rows._layout = layout
         return rows
@@ -87,7 +87,7 @@ class Rows:
 
 
 class Block:
-    """Memory for tables, by table and by gear."""
+    """Memory for the tables of a calculation, accessible by table and by gear."""
 
     def __init__(self, forms: Mapping[str, Form]) -> None:
         self.forms = dict(forms)

@@ -28,9 +28,9 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""Number of variants up to which no plan is made; raised after plans made in vain."""
+"""Largest number of variants for which no plan is made; raised after plans made in vain."""
 WORTH = 12
-"""Cost of a plan, in variants that are calculated alone."""
+"""Cost of making a plan, as the number of variants that could be calculated alone meanwhile."""
 STEPS_LIKE_ONE_VARIANT = 250
 """Steps of a plan that cost as much as a variant calculated alone."""
 LEAST_SERVED = 1 / 64
@@ -49,7 +49,7 @@ SERVED_PART = 0.5
 SAMPLE_VARIANTS = 64
 """Number of variants from which the served share is estimated."""
 SAMPLED = 8
-"""Number of calls between two estimates of the share of a plan of fixed sign."""
+"""Number of calls between two estimates of the share of variants that a plan serves."""
 
 
 class Plans:

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats
 
 Sided: TypeAlias = Callable[[Floats], tuple[Floats, Floats]]
-"""Function that returns values at places, and the sizes up to which values count as 0."""
+"""Function that returns, for several places, the values and the largest sizes that count as 0."""
 
 _PLACES = 2**15 + 1
 """Number of places at which a function is evaluated first."""

@@ -1,4 +1,4 @@
-"""Evenly spaced numbers, calculated when they are asked for."""
+"""Evenly spaced numbers, calculated only for the requested indices."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
 _WHOLE = 2**53
-"""Up to here every whole number is a double."""
+"""Limit of whole numbers; up to this limit every whole number is exactly a double."""
 _HIT = 1e-6
-"""An end that is missed by such a part of a step is hit."""
+"""Largest distance from the end, as a part of a step, at which the end counts as reached."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Steps:
     number: int
 
     def __len__(self) -> int:
-        """How many numbers there are."""
+        """Number of the evenly spaced numbers."""
         return self.number
 
     def __getitem__(self, indices: Integers) -> Floats:

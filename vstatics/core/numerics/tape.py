@@ -24,7 +24,7 @@ Operand = int | Plain
 """Slot of the tape, or a plain number."""
 
 HUGE = 1e100
-"""Largest magnitude in the first variant; the smallest magnitude is the inverse."""
+"""Largest permitted magnitude in the first variant; the smallest permitted is the inverse."""
 NEGATIONS = {"less": "less_equal", "less_equal": "less"}
 """Negation of each comparison, for exchanged operands."""
 

@@ -40,36 +40,36 @@ SIGNED_PIVOT = 1 / 256
 TIE = 1e-9
 """Relative difference below which speeds, or torques on a link, are equal."""
 UNCERTAIN = 1e-6
-"""Relative disagreement of speeds and torques that a message reports."""
+"""Relative disagreement of speeds and torques from which a message reports it."""
 NEAR_ONE = 1e-4
 """Difference of a ratio from 1 below which a train is nearly singular."""
 CLOSED = 1e-9
 """Error of a power balance, relative to the input power, above which a plan is not used."""
 NO_POWER = 1e-12
-"""Power, relative to the largest of the gear, that counts as rounding.
+"""Largest power, relative to the largest power of the gear, that counts as rounding.
 
 Where digits are counted, the same limit applies to speeds and torques relative to the input.
 """
 CYCLE = 1e-9
-"""Power of a cycle, relative to the largest of the gear, that counts as rounding."""
+"""Largest power of a cycle, relative to the largest power of the gear, that counts as rounding."""
 STANDS_STILL = 1e-13
 """Change of an efficiency per pass below which the iteration has converged."""
 SAME_SOLUTION = 1e-10
 """Difference below which two efficiencies are equal; converged passes are closer."""
 BALANCED = 1e-9
-"""Error of a battery's power, relative to all powers, that counts as balanced."""
+"""Largest error of a battery's power, relative to all powers, that counts as balanced."""
 
 # results side by side
 SAME_RATIO = 1e-9
 """Relative difference below which numbers of gears, or rays of a plan, are equal."""
 TIP_CLEARANCE = 1e-9
-"""Clearance between toothed gears, in modules, that counts as rounding."""
+"""Largest clearance between toothed gears, in modules, that counts as rounding."""
 
 # arrays of variants
 LAST_BITS = 1e-12
-"""Relative difference that can come from the processor alone."""
+"""Largest relative difference of results that can come from the processor alone."""
 LEAST_INPUT = 1e-20
-"""Smallest magnitude for a plan of any sign, and the inverse of the largest."""
+"""Smallest magnitude of inputs for a plan of any sign; the largest magnitude is the inverse."""
 SURE_BOUNDS = 1e-9
 """Relative margin by which bounds must differ to settle a comparison, due to rounding."""
 SURE_MAGNITUDES = 1 + 1e-9
@@ -81,11 +81,11 @@ ROUNDED_COEFFICIENT = 1e-13
 SAME_POWER = 1e-9
 """Relative difference up to which power and the product of speed and torque agree."""
 VISIBLE_EXCESS = 1e-4
-"""Relative excess over a capacity from which it shows in the printed digits."""
+"""Least relative excess of a torque over a capacity that shows in the printed digits."""
 NO_SENSITIVITY = 1e-10
-"""Relative sensitivity below which a number is the rounding of differences."""
+"""Magnitude of a relative sensitivity below which it is only rounding of finite differences."""
 ROUNDED_NUMBER = 1e-12
-"""Number below which a printed value is rounding."""
+"""Magnitude below which a printed value counts as rounding."""
 ROUNDED_PART = 1e-9
 """Part of the largest number of a kind below which a printed value is rounding."""
 ROUNDED_DEVIATION = 1e-14
@@ -95,4 +95,4 @@ ATOL = 1e-12
 RTOL = 1e-9
 """Default relative tolerance of a comparison of results."""
 SAME_FORMULA = 1e-6
-"""Relative difference up to which a formula gives the ratio of its gear."""
+"""Relative difference up to which a formula reproduces the ratio of its gear."""

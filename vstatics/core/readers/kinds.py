@@ -16,7 +16,7 @@ KEYS: Mapping[str, str] = {
     "sweep file": "vary variants",
     "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
 }
-"""Kind of documents -> keys, one of which identifies the kind unless an earlier kind matches."""
+"""Keys that identify each kind of document, in one text; the first kind with a match counts."""
 
 
 def kind_of(root: Node) -> str | None:

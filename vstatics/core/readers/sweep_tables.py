@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     Column: TypeAlias = list[Any] | Floats
 
 MOST_TABLE_CELLS = 20_000_000
-"""Bound on the cells of a table; 20 million Python numbers take 640 MB."""
+"""Largest number of cells of a table; 20 million Python numbers take 640 MB."""
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
 SHEET = "Variants"

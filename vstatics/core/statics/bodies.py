@@ -42,7 +42,7 @@ def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
 
 
 def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
-    """Return whether the links of a spring rotate alike and twist the spring at no speed.
+    """Return whether the links of a spring rotate at equal speeds, so that its twist is constant.
 
     >>> between_three = Spring({1: 1, 2: -0.5, 3: -0.5}, stiffness=1)
     >>> turns_as_one(between_three, [2.0, 2.0, 2.0]), turns_as_one(between_three, [2.0, 3.0, 1.0])
@@ -85,7 +85,7 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
     """Return the indices of the given mechanisms whose links form a single body."""
     locked_up: set[int] = set()
     apart: dict[frozenset[int], list[int]] = {}
-    """Indices of mechanisms by the set of three bodies that they join."""
+    """Indices of mechanisms, by the set of the three bodies that each mechanism joins."""
     for index in mechanisms:
         mechanism = case.mechanisms[index]
         if mechanism.kind:  # the ratio depends on the gear

@@ -18,7 +18,10 @@ if TYPE_CHECKING:
     from vstatics.core.statics.results import Results
 
 SAME_TORQUE = 0.05
-"""Relative tolerance of a converter's torque, as points are read from diagrams."""
+"""Relative difference up to which two torques on a pump count as equal.
+
+The tolerance is wide because the points of a converter are read from diagrams.
+"""
 
 
 def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
@@ -126,7 +129,7 @@ def disagreement(name: str, brought: float, able: float, at: tuple[float, float]
     Parameters
     ----------
     brought, able : float
-        Torque that comes to the pump, and torque that the pump takes. [N*m]
+        Torque that the train gives to the pump, and torque that the pump takes. [N*m]
     at : tuple of float
         Speed ratio [-] and speed of the pump [rad/s].
     """
@@ -167,7 +170,7 @@ def overloads_at_points(
     case : Transmission
         With the load to which relative capacities refer.
     torques : array
-        (points, shift elements), NaN or 0 where an element carries nothing [N*m].
+        (points, shift elements), NaN or 0 where a shift element carries nothing [N*m].
     of : str
         Plural noun for the points in the text, such as `rows`.
     where : callable

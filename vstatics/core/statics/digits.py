@@ -1,4 +1,4 @@
-"""Digits that rounding leaves of a gear whose ratios are close to a singular train.
+"""Digits that rounding leaves in the results of a gear whose equations are nearly singular.
 
 The equations of a mechanism of ratio u near 1 contain the difference u - 1. The product of several
 such differences soon is as small as rounding. Therefore the gear is calculated in exact fractions,
@@ -22,7 +22,10 @@ from vstatics.core.statics.state import GearState
 from vstatics.core.statics.torques import Torques
 
 MOST_EXACT_UNKNOWNS = 64
-"""Number of unknowns up to which systems are solved in fractions, which grow with each unknown."""
+"""Largest number of unknowns of a system that is solved in fractions.
+
+The numerators and denominators grow with each unknown.
+"""
 
 
 class LostDigits(NamedTuple):

@@ -93,7 +93,7 @@ def passed(efficiency: Efficiency, exponent: Number) -> Number:
 def lossy_ratios(
     ratios: Sequence[Number], efficiencies: Sequence[Efficiency], signs: Sequence[Number]
 ) -> list[Number]:
-    """Return the ratios of all mechanisms with losses under the given signs."""
+    """Return the ratio with losses of each mechanism, for given signs of the power flow."""
     return list(map(lossy_ratio, ratios, efficiencies, signs))
 
 

@@ -58,7 +58,7 @@ def find_state(
 
 
 def _is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
-    """Return whether a mechanism with three links has a ratio close to 1, but not 1.
+    """Return whether any mechanism with three links has a ratio close to 1, but not 1.
 
     Rounding can then leave no digit at all. For traced numbers the answer holds for all variants.
     """

@@ -70,7 +70,7 @@ def spread(case: Transmission, ratios: Floats) -> Floats:
 
 
 def _alike(case: Transmission) -> list[list[int]]:
-    """Return for each gear the indices of other gears with equal input and output.
+    """Return for each gear the indices of other gears that have the same input and output.
 
     Operating points are left out.
     """

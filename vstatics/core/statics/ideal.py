@@ -68,7 +68,10 @@ def direction_of(case: Transmission, gear: Gear) -> int:
 
 
 def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) -> list[str]:
-    """Return the names of converters that would gain power, which is impossible."""
+    """Return the names of converters that would give more power than they take.
+
+    Such a state is impossible.
+    """
     mechanisms = enumerate(variant.case.mechanisms)
     return [
         mechanism.name
@@ -88,7 +91,10 @@ def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direc
 
 
 def converter_slip(variant: Variant, place: int) -> Number:
-    """Return the share of power that a converter loses, ``1 - K i`` [-]."""
+    """Return the share of power that a converter loses [-].
+
+    The share is ``1 - K i``, with the torque ratio K and the speed ratio i.
+    """
     ratio = variant.ratios[place]
     torque_ratio: Number = matrix.torque_ratio_of(variant.case.mechanisms[place], ratio)
     return 1 - torque_ratio * ratio

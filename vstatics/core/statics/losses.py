@@ -1,7 +1,8 @@
 """Losses of a gear under given signs of the power flow: torques, efficiency, balance.
 
-The torque system is solved with ``u * efficiency**x`` instead of u. The power lost in a mechanism
-is ``M' (w_f - w_h) (1 - efficiency**x)``, equation (2) of docs/method.md.
+The torque system is solved with ``u * efficiency**x`` instead of the basic ratio u, where x is the
+sign of the power flow. The power lost in a mechanism is ``M' (w_f - w_h) (1 - efficiency**x)``,
+equation (2) of docs/method.md.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ class LossyTorques(NamedTuple):
     signs: Signs
     torques: Torques
     directions: Signs
-    """Sign of the power by the first link of each mechanism: +1, 0, -1 or NaN."""
+    """Sign of the power that enters each mechanism by its first link: +1, 0, -1 or NaN."""
     losses: Sequence[Number]
     """Power lost in each mechanism. [-]"""
     efficiency: Number

@@ -39,7 +39,7 @@ Column = Mapping[int, Coefficient]
 """Torque on each link, by link number, when the torque on the first link is 1."""
 
 ON_ELEMENT = (1, -1)
-"""Torques on the links (a, b) of a shift element."""
+"""Torques on the first and the second link of a shift element."""
 
 INPUT_SPEED = "the input speed"
 """Name of the given input speed in messages."""
@@ -48,12 +48,15 @@ GIVEN_SPEED = "the given speed of link "
 
 
 def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
-    """Return the torques on the links (f, s, h) of a mechanism: 1, -u, and u - 1 as two terms."""
+    """Return the torques on the three links of a mechanism: 1, -u, and u - 1 as two terms.
+
+    u is the basic ratio.
+    """
     return 1, -ratio, (ratio, -1)
 
 
 def column(ratio: Any) -> tuple[Any, Any, Any]:
-    """Return the torques on the links (f, s, h) of a mechanism as plain values.
+    """Return the torques on the first, second and third link of a mechanism as plain values.
 
     The ratio is a number, an array or a symbol.
 
@@ -153,7 +156,21 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
 
 
 def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
-    """Return the structural-distribution matrix AJK; see `distribution_matrix`."""
+    """Return the structural-distribution matrix AJK, shape (..., links, devices) [-].
+
+    See `distribution_matrix`.
+
+    Examples
+    --------
+    A brake on the ring gear (link 3) of a planetary gear set:
+
+    >>> from vstatics.core.model.transmission import ShiftElement
+    >>> mechanism = Mechanism(1, 3, 2, -2.5)
+    >>> structural_matrix(Transmission(3, [ShiftElement(3, 0)], [mechanism], [Gear([1])]))
+    array([[ 0. ,  1. ],
+           [ 0. , -3.5],
+           [ 1. ,  2.5]])
+    """
     if ratios is None:
         given = np.array([mechanism.ratio for mechanism in case.mechanisms], dtype=np.float64)
     else:
@@ -190,13 +207,13 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
 
 
 Quantity = Literal["ratio", "efficiency"]
-"""Number of a mechanism that can differ between variants."""
+"""Name of a number of a mechanism that can differ between variants."""
 
 EXPECTED = {
     "ratio": "a finite ratio other than 0",
     "efficiency": "an efficiency above 0 and up to 1",
 }
-"""Phrase for the possible numbers of each quantity, in messages."""
+"""Description of the permitted numbers of each quantity, for messages."""
 
 
 def expected_ratio(between: tuple[float, float]) -> str:
@@ -312,7 +329,10 @@ def torque_rows(
     drag: Mapping[int, Number] = MappingProxyType({}),
     external: Mapping[int, Number] | None = None,
 ) -> list[Equation]:
-    """Return the equilibrium of each link of a gear, ``A M + e_out Mx = T`` (figure 4).
+    """Return the equilibrium of each link of a gear (figure 4).
+
+    ``A M + e_out Mx - E_held Mh = T``, with the columns A, the torques M on first links, the output
+    torque Mx, the holding torques Mh, and the known external torques T including drag.
 
     Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
     the holding torque of each of `held_links`. A shift element that is not engaged carries no

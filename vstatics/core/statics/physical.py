@@ -20,7 +20,7 @@ _NEEDED = {
     "Nm": ("torque", "torque: 300 N*m"),
     "kW": ("speed and torque", "speed: 2000 rpm, torque: 300 N*m"),
 }
-"""Quantities that a unit needs of the load, and an example in YAML."""
+"""For each unit: the quantities that the load must contain, and an example in YAML."""
 
 
 def scales(case: Transmission) -> dict[str, Floats]:
@@ -70,13 +70,13 @@ def known_units(case: Transmission) -> set[str]:
 
 
 def lacking_load(name: str, unit: str) -> str:
-    """Return the text about a number in a unit for which no gear has the load."""
+    """Return the message about a number whose unit needs a load that no gear has."""
     what, given = _NEEDED[unit]
     return f"no load tells the {what} at the input, so there is no `{name}`: load: {{{given}}}"
 
 
 class _PhysicalArray:
-    """Descriptor of an array in the unit at the end of the name."""
+    """Descriptor of an array; the unit is the end of its name, such as ``_rpm``."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.array, _, self.unit = name.rpartition("_")

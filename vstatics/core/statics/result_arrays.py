@@ -1,4 +1,4 @@
-"""The arrays of `Results`: their names, types, and the meaning of their last axis."""
+"""The arrays of `Results`: their names, their types, and the meaning of their last axis."""
 
 from __future__ import annotations
 
@@ -131,31 +131,31 @@ class ResultFields(_NamedFields):
     """Total power lost to drag, negative when coasting, ``(..., gears)``. [-]"""
 
     consistent: Booleans
-    """Lossy torques exist, with signs that agree with their flow, ``(..., gears)``."""
+    """Gears with lossy torques whose signs agree with their flow, ``(..., gears)``."""
     locked: Booleans
     """Self-locking gears, ``(..., gears)``."""
     dragged: Booleans
-    """Drag exceeds the input power, so power enters at the output, ``(..., gears)``."""
+    """Gears whose drag exceeds the input power, so power enters at the output, ``(..., gears)``."""
     undecided: Booleans
-    """The search for signs was cut short, so `locked` is unknown, ``(..., gears)``."""
+    """Gears whose search for signs was cut short: `locked` is unknown, ``(..., gears)``."""
     turned: Booleans
     """Mechanisms whose flow is reversed by losses, ``(..., gears, mechanisms)``."""
     choices: Integers
-    """Number of sets of signs that agree with their flow, ``(..., gears)``."""
+    """Number of sets of signs that agree with the power flow they cause, ``(..., gears)``."""
 
     tied_up: Booleans
-    """Conditions for the speeds contradict each other, ``(..., gears)``."""
+    """Gears whose conditions for the speeds contradict each other, ``(..., gears)``."""
     missing: Integers
     """Number of conditions that the speeds lack, ``(..., gears)``."""
     excess: Integers
     """Number of conditions that others imply or contradict, ``(..., gears)``."""
     balanced: Booleans
-    """Torques without losses exist, ``(..., gears)``."""
+    """Gears for which torques without losses exist, ``(..., gears)``."""
 
     holds: Booleans
     """Engaged shift elements and freewheels that hold, ``(..., gears, shift elements)``."""
     conflict: Booleans
-    """A freewheel can neither hold nor overrun, ``(..., gears)``."""
+    """Gears with a freewheel that can neither hold nor overrun, ``(..., gears)``."""
     exact: Booleans
     """Gears calculated in fractions, as floats leave too few digits, ``(..., gears)``."""
 
@@ -170,7 +170,7 @@ class ResultFields(_NamedFields):
     """Messages about the gears of a case; empty for arrays of variants."""
 
     points: OperatingPoints | None = None
-    """Loads, and numbers of gears that vary in addition to ratios and efficiencies."""
+    """Loads that vary, and gears with other varying numbers than ratios and efficiencies."""
 
     @property
     def output_torque(self) -> Floats:

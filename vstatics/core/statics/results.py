@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 REMEMBERED_STATES = 64
-"""Number of gears whose states are kept: tables and pictures of a case ask for them in turn."""
+"""Number of gears whose states are stored, because tables and pictures of a case share them."""
 
 
 class Results(PhysicalResults):

@@ -1,4 +1,4 @@
-"""Signs of the power flow that agree with the torques they lead to.
+"""Signs of the power flow through mechanisms that agree with the resulting torques.
 
 Without losses, ``x = sign(M (w_f - w_h))``: equation (5) of docs/method.md. If these signs do not
 agree with the flow with losses, others are searched for.
@@ -35,7 +35,7 @@ from vstatics.core.statics.power import power
 from vstatics.core.statics.torques import Torques
 
 SEARCHED = 12
-"""Number of mechanisms up to which all sets of signs are tried."""
+"""Largest number of mechanisms for which all sets of signs are tried."""
 SIGN_ROUNDS = 200
 """Most iterations in which signs follow the flow, used above `SEARCHED` mechanisms."""
 
@@ -227,7 +227,10 @@ def _flow(x: Number, turns: Number) -> float:
 
 
 def _better(first: LossyTorques, second: LossyTorques) -> LossyTorques:
-    """Return the result of larger efficiency, chosen in each variant where both are admissible."""
+    """Return the result with the larger efficiency.
+
+    If both results are admissible, the choice is made for each variant.
+    """
     if first.admissible is True and second.admissible is True:
         better = second.efficiency > first.efficiency or not first.efficiency < math.inf
         return second if better else first

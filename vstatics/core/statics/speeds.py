@@ -62,5 +62,5 @@ def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) ->
 
 
 def is_tie(difference: Number, first: Number, third: Number) -> bool:
-    """Return whether a difference of two speeds is negligible; all arguments are magnitudes."""
+    """Return whether the difference of two speeds is negligible; all arguments are magnitudes."""
     return is_nothing_beside(difference, first, TIE) or is_nothing_beside(difference, third, TIE)

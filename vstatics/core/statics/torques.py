@@ -1,5 +1,8 @@
 """Torques of a gear: the equilibrium of its links, and drag of links and open shift elements.
 
+`solve_torques` solves the equilibrium of `matrix.torque_rows`; torques that are not unique are NaN.
+Drag is known from the speeds and acts as an external torque.
+
 Drag opposes motion, so it takes power. A link is braked against its rotation; an open shift element
 brakes its links against each other, with equal and opposite torques. Torques are in units of the
 input torque, which is negative when coasting. There drag has the other sign, and the power that it
@@ -122,7 +125,7 @@ def _direction(speed: Number) -> Number:
 
 
 def without_load(case: Transmission) -> list[str]:
-    """Return the names of links and shift elements whose drag has a unit that needs a load.
+    """Return the names of links and shift elements whose drag is unknown without a load.
 
     Examples
     --------
@@ -169,7 +172,7 @@ class Torques(NamedTuple):
     certain: bool = True
     """True if rounding leaves digits of the pivots."""
     of_columns: list[Number] | None = None
-    """Values of `factors` if they differ from `on_first_link`."""
+    """Factors of the columns, see `factors`, if they differ from `on_first_link`."""
 
     @property
     def factors(self) -> list[Number]:

@@ -39,9 +39,9 @@ _lock = threading.Lock()
 
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
-"""Number of a mechanism that varies in a gear."""
+"""Name of a number of a mechanism that varies in a gear."""
 OfGear = Literal["speeds", "torques", "drag", "open_drag", "speed_ratios"]
-"""Mapping of a gear whose numbers vary."""
+"""Name of a field of `Gear` with a mapping whose numbers vary."""
 
 
 class GearNumber(NamedTuple):
@@ -234,7 +234,10 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     ),
     Gear: frozenset({"name", "load", "balance"}),
 }
-"""Fields on which no result depends; a drawing acts by devices, a load by sign."""
+"""Fields of a case left out of the key, because no result depends on their values.
+
+A drawing affects results only by its devices, a load only by its sign.
+"""
 
 
 def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:

@@ -57,9 +57,12 @@ class Summary(NamedTuple):
     largest: Mapping[str, Sequence[Largest]]
     """Largest values over all gears, by the name of the table."""
     sensitivities: Floats
-    """Sensitivities ``(u/i) di/du`` of ratios, shape (gears, mechanisms). [-]"""
+    """Sensitivities ``(u/i) di/du`` of gear ratios i to basic ratios u, (gears, mechanisms). [-]"""
     efficiency_sensitivities: Floats
-    """Sensitivities ``(n/ETA) dETA/dn`` of efficiencies, shape (gears, mechanisms). [-]"""
+    """Sensitivities ``(n/ETA) dETA/dn`` of the efficiency ETA of each gear. [-]
+
+    n is the efficiency of a mechanism; the shape is (gears, mechanisms).
+    """
     margins: Sequence[Margin]
     """Margins of the shift elements with a given capacity."""
     combinations: Sequence[Combination] | None = None

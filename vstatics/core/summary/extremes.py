@@ -19,7 +19,7 @@ PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"
 
 
 def quantity(key: str, *, loaded: bool) -> Quantity:
-    """Return the quantity of a key, in rpm or N*m if `loaded`."""
+    """Return the quantity that a key of a table names, in rpm or N*m if `loaded`."""
     return in_unit(BY_NAME[key]) if loaded else BY_NAME[key]
 
 

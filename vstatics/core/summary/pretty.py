@@ -25,10 +25,10 @@ from vstatics.core.tables.values import tables
 from vstatics.core.texts import tr
 
 POOR, BAD = 0.95, 0.9
-"""Efficiencies below which a gear is yellow or red. [-]"""
+"""Efficiencies below which a gear is shown in yellow, and in red. [-]"""
 
 NEEDS_DECIMALS = 10
-"""Speed [rpm] or torque [N*m] below which numbers have a decimal."""
+"""Limit of speeds [rpm] and torques [N*m]; smaller numbers are shown with a decimal."""
 
 NAMES_IN_HEADS = 12
 """Largest total length of element names as headings; longer names can become numbers."""

@@ -84,7 +84,10 @@ def _of_speeds(state: GearState) -> list[float]:
 
 
 EFFICIENCY_DIFFERENCE = 1e-3
-"""Relative step of an efficiency, for which fourth-order differences have about ten digits. [-]"""
+"""Relative step of an efficiency in finite differences. [-]
+
+With this step, differences of fourth order are accurate to about ten digits.
+"""
 NEARLY_LOSSLESS = 1 - 1e-13
 """Substitute for an efficiency of 1, whose variants would differ in structure and could not be
 calculated at once. [-]"""

@@ -16,7 +16,7 @@ from vstatics.core.tables.quantities import UNITS, Quantity, headed
 
 INERTIA, ACCELERATION = "inertia, kg*m^2", "acceleration, rad/s^2"
 WITH_LOAD = " with load"
-"""End of the key of a table in units, not relative to the input."""
+"""End of the key of a table whose numbers are in rpm, N*m or kW, not relative to the input."""
 
 
 class Marks(NamedTuple):

@@ -18,7 +18,7 @@ from vstatics.core.texts import heading, labelled, spoken, title, tr
 NOTHING = "-"
 """Text of a number that does not exist, and of an empty list."""
 LARGE_CELL = 1e7
-"""Size from which numbers are written with a power of ten."""
+"""Least magnitude of numbers that are written with a power of ten."""
 YES, NO = "●", "·"
 
 

@@ -66,7 +66,9 @@ def escaped(text: str) -> str:
 PAGE, SMALL_PAGE = 66, 86
 """Number of characters in a line of usual and of small type."""
 SHORT, ENOUGH = 20, 24
-"""Characters of the widest unbroken column of words, and of a broken column in usual type."""
+"""Number of characters of the widest column of words whose lines are not broken, and least number
+of characters of a broken column for which the usual type size is kept.
+"""
 
 MOST_ROWS = 28
 """Number of rows on a page."""

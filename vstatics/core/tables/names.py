@@ -145,7 +145,7 @@ NAME = re.compile(r"[^\W\d]\w*")
 DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
 """Pattern of a name that needs no quotes between brackets, such as `P1.ring`."""
 BEFORE_NAME = "|"
-"""Sign before the name of a row in a listing."""
+"""Sign that precedes the name of a row in a listing."""
 
 
 class RowWords(NamedTuple):

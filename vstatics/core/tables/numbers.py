@@ -16,7 +16,7 @@ _POINT = re.compile(r"(?<![\w.])\.(?=\d)")
 EXPONENT_DIGITS = 4
 """Least number of digits in E format."""
 SMALL, SIGNIFICANT = 0.1, 4
-"""Limit of small numbers, and the number of their printed significant digits."""
+"""Magnitude below which a number counts as small, and the significant digits of small numbers."""
 
 
 def certain(value: float) -> float:

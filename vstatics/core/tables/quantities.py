@@ -57,7 +57,7 @@ class Quantity(NamedTuple):
     unit: str = ""
     """Unit of the numbers; empty: relative to the input."""
     of: str = ""
-    """Name of the relative quantity behind a quantity in `unit`."""
+    """Name of the relative quantity from which a quantity in `unit` is calculated; else empty."""
 
     @property
     def printed(self) -> str:

@@ -7,7 +7,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from vstatics.core.tables.grid import Grid
 
 TABLE_WIDTH = 80
-"""Characters of a line; wider tables of numbers, or of numbers and words in turn, are split."""
+"""Largest number of characters in a line.
+
+Wider tables are split if their columns are numbers, or numbers and words in turn.
+"""
 GAP = "  "
 INDENT = "  "
 """Indentation of a level of rows."""

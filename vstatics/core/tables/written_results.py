@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vstatics.core.model.transmission import Transmission
 
 GEAR_NUMBER = "gear number"
-"""Column of a driving cycle with whole numbers."""
+"""Column of a driving cycle with the numbers of gears, which are whole numbers."""
 
 
 class Figure(NamedTuple):
@@ -17,7 +17,7 @@ class Figure(NamedTuple):
 
     value: float
     slack: float = 0.0
-    """Half a unit of the last digit, for a number from a listing."""
+    """Largest rounding error of a number from a listing: half a unit of its last digit."""
 
 
 Figures = list[list[Figure]]

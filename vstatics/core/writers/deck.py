@@ -30,7 +30,7 @@ DECK_KEYS = {
     *("kind", "engaged", "speeds", "torques"),
     *("first", "second", "third", "ratio", "efficiency", "planet_ratio"),
 }
-"""Keys of YAML and JSON with fields in a deck, although not for all kinds of shift elements."""
+"""Keys of YAML and JSON that have fields in a deck; `kind` has no field for some kinds."""
 
 
 def write(case: Transmission, lang: Language = "en") -> str:

@@ -13,7 +13,7 @@ from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Tran
 from vstatics.core.statics.results import Results
 
 SHOWN = 20
-"""Greatest number of names in a message about a kind of part."""
+"""Largest number of names that a message about a kind of part lists."""
 
 
 def check_deck(case: Transmission) -> None:

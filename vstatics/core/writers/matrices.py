@@ -8,7 +8,7 @@ from vstatics.core.model.transmission import ShiftElement, Transmission
 from vstatics.core.tables import csv
 
 MEMBERS = {"sun": "a", "carrier": "h", "ring": "b", "first": "a", "third": "h", "second": "b"}
-"""Letters of the members of a gear set or of a mechanism, in order."""
+"""Letter in the matrices for each member of a gear set or mechanism, in the order of columns."""
 
 
 def write(case: Transmission) -> str:

@@ -13,7 +13,10 @@ CONVENTIONS = (
     "torques: external ones act on a link, positive like the input's, which is 1; Mx is the "
     "output torque, given to the load",
 )
-"""Conventions, written as rows without a value, as spreadsheets have no comments in CSV."""
+"""Conventions of the numbers.
+
+They are written as rows without a value, because CSV has no comments for spreadsheets.
+"""
 
 
 def write(results: Results, *, raw: bool = False) -> str:

@@ -86,7 +86,7 @@ GIVEN = {
 }
 """Headings of the source by the headings of a deck; values of given speeds lack a heading."""
 BELOW = ("NNM(", "KFRI(", "KWZ(", "KMZ(")
-"""Lists with the numbers below the name, which precedes the numbers in a deck."""
+"""Lists whose numbers are below the name of the list; in a deck they are behind the name."""
 
 SECTIONS = {
     "W": "А. Скоростной расчет",

@@ -36,7 +36,7 @@ from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.tasks import calculate
 
 ROWS = ("csv", "jsonl", "npz", "parquet")
-"""Formats of the variants, which are read again for the statistics."""
+"""Formats of a table of runs that can be read again for the statistics."""
 
 
 def run_samples(asked: SimulateOptions) -> int:

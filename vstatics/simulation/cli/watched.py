@@ -54,7 +54,7 @@ class RunWatch:
 
 @contextmanager
 def watched(file: str, duration: float, limit: float | None, *, quiet: bool) -> Iterator[RunWatch]:
-    """Watch a run: Ctrl-C stops the run at the next step, a second time at once.
+    """Watch a run: Ctrl-C stops the run at the next step, a second Ctrl-C stops it at once.
 
     Parameters
     ----------

@@ -95,7 +95,7 @@ class ModeChoices:
         return States(tuple(contacts), tuple(meshes), tuple(springs), tuple(pieces)), choices
 
     def _leaps(self, pieces: Sequence[int]) -> Iterator[Choice]:
-        """Yield choices among the pieces of a speed-dependent law on a link that can jump."""
+        """Yield choices among the pieces of a speed-dependent law if the speed can jump."""
         for index, (load, leaping) in enumerate(
             zip(self.system.outside, self.leaping, strict=True)
         ):
@@ -149,7 +149,7 @@ class ModeChoices:
             apart = float(at.angles[self.layout.angles.index(switch.link)]) - place
             moves, near = abs(slides) > near, STANDING * max(1.0, abs(place))
             if moves and (met or abs(apart) <= near):
-                return sign(slides)  # it passes
+                return sign(slides)  # the motion passes the jump
         if abs(apart) > near and not (met or (over == "speed" and self.touched[index])):
             return sign(apart)
         choices.append(("contacts", index, ("stick", side, "-" if side == "+" else "+")))
@@ -177,7 +177,7 @@ class ModeChoices:
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
         spring = self.system.springs[index]
-        if spring.can_part:  # it has no limit
+        if spring.can_part:  # such a spring has no torque limit
             choices.append(("springs", index, ("stick", "parted")))
             return "stick"
         limit = programme_at(spring.programme, math.nextafter(at.time, math.inf), self.seen)
@@ -189,7 +189,7 @@ class ModeChoices:
         torque = spring.curve.at(float(at.twists[index]))
         if spring.viscous:
             choices.append(("springs", index, ("stick", "+", "-")))
-        else:  # at a limit of nearly 0 it is at both ends
+        else:  # with a limit of nearly 0, both ends are reached
             reached = limit - STANDING * scales.torque
             slipping = [side for side in ("+", "-") if SIGNS[side] * torque >= reached]
             if slipping:
@@ -226,7 +226,7 @@ def _spring_piece(twist: float, spring: Elastic, last: int | None) -> int:
 
 
 def _piece_at(value: float, corners: Sequence[float], last: int | None, near: float) -> int:
-    """Return the index of the piece active from a value on; at a corner prefer the last piece."""
+    """Return the index of the piece that is active at a value; at a corner `last` is preferred."""
     if last is not None:
         ends = (-math.inf, *corners, math.inf)
         if ends[last] - near <= value <= ends[last + 1] + near:

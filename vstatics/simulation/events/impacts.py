@@ -45,6 +45,7 @@ def impact(
     rigid : sequence of int
         Indices of all contacts that hold, including those that join.
     joining : sequence of int
+        Indices of the contacts that join.
     """
     speeds = at.speeds
     wheels = [index for index, contact in enumerate(system.contacts) if contact.one_way]
@@ -70,7 +71,7 @@ def impact(
             break
     assert best is not None  # noqa: S101 - there is one choice at least
     after, impulses, work = best
-    # The joining contacts share the lost energy by impulse and slip before.
+    # The share of a joining contact in the lost energy is half its impulse times its slip before.
     energy = kinetic_energy(system, speeds) - kinetic_energy(system, after) + work
     shares = [
         0.5 * float(impulses[len(system.meshes) + place] * (system.contacts[index].row @ speeds))
@@ -84,7 +85,7 @@ def impact(
 def _projected(
     system: MotionSystem, speeds: Floats, rows: Floats, given: Sequence[Floats]
 ) -> tuple[Floats, Floats]:
-    """Project speeds onto constraint rows with least change of kinetic energy.
+    """Project speeds onto the motions that constraint rows allow, orthogonally in the mass matrix.
 
     Returns the speeds after the impact and the impulses of all rows; the impulses of links with
     given speeds come last.

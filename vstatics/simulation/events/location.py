@@ -27,7 +27,7 @@ _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 """Matrix from values at nine Chebyshev nodes of an interval to coefficients, highest power first.
 """
 _LOW = 0.1
-"""Largest ratio of a minimum between instants to the fall before, to examine the minimum."""
+"""Fraction of the fall of a margin next to a gap; a lower minimum in the gap is examined."""
 _PLACES = 65
 """Number of points at which a polynomial is evaluated in a gap between two instants."""
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
@@ -240,7 +240,7 @@ class Finder:
         if values[-1] >= 0:
             return last
         kind = self.margins.watches[index].kind
-        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # with what a limit sees
+        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # a formula can jump
         if not jumps and kind not in ("split", *FOLLOWING):  # smooth: a polynomial
             powers: list[float] = (_TO_POWERS @ values).tolist()
 

@@ -57,11 +57,11 @@ FOLLOWING = ("state", "awaited", "corner")
 
 
 class Watch(NamedTuple):
-    """Identity of a margin."""
+    """Identity of a margin: its kind, the part that it belongs to, and a side."""
 
     kind: Watched
     of: int
-    """Index of the contact, mesh, spring or outside torque."""
+    """Index of the contact, mesh, spring, law or other part that the margin belongs to."""
     side: int = 1
     """Side of the change: sign of the torque, or of the step between pieces."""
 
@@ -76,7 +76,7 @@ class LargeSizes(NamedTuple):
 
 
 class SplitRoom(NamedTuple):
-    """Room that torque limits leave to redundant torques."""
+    """Room that torque limits leave to redundant torques; a slack is the distance to a limit."""
 
     slack: Floats
     directions: Floats
@@ -98,11 +98,11 @@ class SplitRoom(NamedTuple):
 
     @property
     def tight(self) -> Booleans:
-        """Slacks at the limit in the split that leaves most room."""
+        """Flags of the smallest slacks in the split that leaves most room."""
         return self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
 
     def on_other_side(self, rows: slice) -> SplitRoom:
-        """Return the room with the opposite torque sign of a mesh."""
+        """Return the room if a mesh, with slacks in `rows`, has the opposite torque sign."""
         slack, directions, ways = (array.copy() for array in self[:3])
         for array in (slack, directions, ways):
             array[rows] *= -1
@@ -110,15 +110,15 @@ class SplitRoom(NamedTuple):
 
 
 class Awaited(NamedTuple):
-    """Comparison in the condition of a step or at a bend of a formula, with the side."""
+    """Judgement of a comparison in the condition of a step or at a corner of a formula."""
 
     compared: Compared
     side: str
-    """`+`, `-`, `0` where both numbers stay equal, or `?` if a number is not finite."""
+    """Sign of the difference from now on: `+`, `-`, `0` if it stays 0, `?` if it is not finite."""
     size: float
     """Size of the compared numbers when the watch begins."""
     is_equal: bool
-    """Whether both numbers are equal when the watch begins, even if moving."""
+    """Whether both numbers are equal when the watch begins, even if their difference changes."""
     change: float
     """Change of the difference during the look-ahead."""
 
@@ -172,12 +172,12 @@ class Margins:
         """First of the two limits of each contact at a jump."""
         self.by_torques = self._limits_by_torques() if self.jumping else None
         self.deciding = len(self.watches)
-        """Number of margins that decide about a choice; the remaining ones follow from it."""
+        """Number of the margins that decide whether a choice holds; these come first."""
         self._states()
         self.sequences: list[Awaited] = []
 
     def follow(self, kind: Watched, compared: Iterable[tuple[int, Awaited]]) -> None:
-        """Watch conditions of sequence steps or corners of formulas, with numbers."""
+        """Watch comparisons, each with the number of its sequence or of its corner."""
         for number, comparison in compared:
             self._watch(kind, number, torque=False)
             self.sequences.append(comparison)
@@ -244,7 +244,7 @@ class Margins:
         """Watch the corners of laws over speed, angle or twist, and of converters."""
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Row among rates or in the state (then true), place of the corner, side."""
+        """Row, true if it is a row of the state and not of the rates, corner, and side."""
         for index, load in enumerate(equations.system.outside):
             law = load.law
             if not isinstance(law, Points) or law.over == "time":
@@ -307,9 +307,10 @@ class Margins:
         return np.array(lines).reshape(len(lines), 2)
 
     def _limits_by_torques(self) -> Floats:
-        """Return the port weights of the side torques that bound a contact at a jump.
+        """Return the weights of the torques of ports in the limits of contacts at jumps.
 
-        While the contact sticks, the torques of both sides act; it carries the excess of their sum.
+        While such a contact sticks, the torques of both sides of the jump act, and the contact
+        carries the excess of their sum.
         """
         outside = self.equations.system.outside
         weights = np.zeros((len(self.holding), self.equations.layout.ports))
@@ -329,7 +330,7 @@ class Margins:
         return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
-        """Return the scale of each margin."""
+        """Return the scale of each margin, relative to which a violation can be rounding."""
         units = np.where(self.is_torque, scales.torque, scales.speed)
         at = self.deciding
         for _, _, limit in self.limits_of_states:
@@ -479,7 +480,7 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return the watch of a change, for a mesh with the side of the beginning motion."""
+        """Return a watch; the side of a mesh becomes the side of the motion that begins."""
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)

@@ -16,13 +16,13 @@ _PASSED = 4
 _SWITCHES = 8
 """Number of meetings within a moment after which a jump counts as switching without end."""
 _DOUBLINGS = 3
-"""Number of compared doublings of the meetings."""
+"""Number of successive doublings of the number of meetings whose durations are compared."""
 _FIRST_DOUBLING = 3
-"""Power of 2 of the meetings after which doublings are compared, because first meetings settle."""
+"""Number of first doublings that are not compared, because the first meetings are irregular."""
 _LONGER = 1.2
-"""Factor of duration up to which a doubling counts as no longer than the last."""
+"""Ratio of durations up to which a doubling counts as no longer than the doubling before."""
 _MOST_MEETINGS = 1e5
-"""Number of meetings of a jump that a run cannot follow."""
+"""Number of meetings of a jump above which a run would take too long to reach its end."""
 
 
 class CornerPlace(NamedTuple):

@@ -17,21 +17,22 @@ _MOST_PIVOTS = 300
 _IN_VAIN = 3
 """Number of block pivots allowed without a decrease of the number of failures."""
 _WORTH_WHILE = 24_000
-"""Number of choices tried, divided by the squared number of open states. A trial of a large system
-takes longer.
+"""Number of further choices tried, times the squared number of open choices.
+
+Fewer choices are tried in a large system, where a trial takes longer.
 """
 
 
 Kind = Literal["contacts", "meshes", "springs", "pieces"]
 """Kinds of choices, named as the fields of `States`."""
 Choice = tuple[Kind, int, tuple[Any, ...]]
-"""Kind, index and possible states of a choice, sticking first; of laws the numbers of pieces."""
+"""Kind, index, and possible states of a choice, sticking first, or numbers of pieces of a law."""
 Changed = tuple[tuple[int, Any], ...]
-"""Numbers of choices with states other than the first."""
+"""Number and state of each choice that is not in its first state."""
 
 
 class ModeSearch:
-    """Search through choices: most sticking first, then nearest to before.
+    """Search through choices: most sticking states first, then nearest to the states before.
 
     The failures of a choice show which choice to try next. If this fails, a guess is tried, and
     finally all remaining choices.
@@ -66,7 +67,7 @@ class ModeSearch:
         yield from self._best(_WORTH_WHILE // max(1, len(self.choices)) ** 2)
 
     def _best(self, count: int) -> Iterator[States]:
-        """Yield `count` choices: waiting choices by rank, then the remaining choices."""
+        """Yield up to `count` choices: waiting choices by rank, then the remaining choices."""
         others = (changed for changed in self._all() if changed not in self.seen)
         for _ in range(count):
             changed = heappop(self.waiting)[-1] if self.waiting else next(others, None)
@@ -77,10 +78,11 @@ class ModeSearch:
             yield self._with(changed)
 
     def pivoting(self) -> Iterator[States]:
-        """Yield choices by block pivoting from all sticking, or single changes without progress.
+        """Yield choices by block pivoting, beginning with all sticking.
 
-        J. Judice, F. Pires, Computers and Operations Research 1994: block pivoting, with Murty's
-        rule, with which a linear complementarity problem is solved in finitely many steps.
+        Without progress, single states change by Murty's rule, which solves a linear
+        complementarity problem in finitely many steps (J. Judice, F. Pires, Computers and
+        Operations Research 1994).
         """
         changes: dict[int, Any] = {}
         least, spare = len(self.choices) + 1, _IN_VAIN

@@ -29,7 +29,7 @@ from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INERTIAS
 
 _AMPLE = 1e300
-"""Finite substitute for an infinite margin."""
+"""Finite substitute for an infinite margin, so that margins can be subtracted."""
 _NEARER = (1.0, 1e-2, 1e-4)
 """Factors of the look-ahead, tried in turn while no choice is found."""
 _MOST_TURNED = 8
@@ -65,7 +65,7 @@ class ModesAsked(NamedTuple):
     before: States | None
     scales: LargeSizes
     left: Sequence[States] = ()
-    """Choices that were left and cannot be kept."""
+    """Choices that already ended at this instant, which cannot be selected again."""
     met: Sequence[int] = ()
     """Indices of contacts whose slip ends here."""
 
@@ -170,9 +170,10 @@ class ModeSelection:
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
     ) -> States:
-        """Return states in which meshes move whose speeds are determined by links with inertia.
+        """Return states in which all meshes move whose speeds follow from links with inertia.
 
-        In a gear nearly all meshes are. Only in a slipping part can a mesh rest, or its speed jump.
+        In a gear, these are nearly all meshes. Only in a slipping part can a mesh be at rest, or
+        its speed jump.
         """
         options = {index: options for kind, index, options in choices if kind == "meshes"}
         if not options:
@@ -328,7 +329,7 @@ class ModeSelection:
         """Return the state a little later under torques that depend on the later state.
 
         A steep law around zero slip can reverse a slip that is too small for the look-ahead. Such a
-        slip begins if it does at zero slip.
+        slip is considered to begin if the torques at zero slip make it begin.
         """
         slips = slice(len(margins.slipping))
         for _ in range(_MOST_TURNED):

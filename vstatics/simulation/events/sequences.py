@@ -17,7 +17,7 @@ Happened = Callable[[Seen, float], bool]
 
 
 class SequenceProgress:
-    """Progress of a sequence."""
+    """Progress of a sequence: the next step, and the time since which it is considered."""
 
     def __init__(self, sequence: StepSequence) -> None:
         self.sequence = sequence

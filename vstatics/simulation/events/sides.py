@@ -1,4 +1,4 @@
-"""Side of each comparison from an instant on: the number that is larger next.
+"""Side of each comparison from an instant on: the sign of the difference of both numbers.
 
 Two numbers that are equal at an instant are compared a little later, where the motion is known with
 an error of fifth order, and then at growing distances: the first difference above rounding decides.
@@ -112,14 +112,14 @@ class Judge:
         return judged[max(0, above - 1) : above + 2 if above < len(judged) else None]
 
     def _size(self, pair: Compared) -> float:
-        """Return the size of the inputs of two numbers, in the measure of the difference.
+        """Return the size of the inputs of two numbers, converted to the unit of the difference.
 
-        The difference is uncertain by the rounding of this size.
+        The rounding error of the difference is proportional to this size.
         """
         return self._sensed(pair.first) + self._sensed(pair.second)
 
     def _sensed(self, look: Look) -> float:
-        """Return the size of the inputs of a number, in the measure of the number."""
+        """Return the size of the inputs of a number, converted to its unit by its slopes."""
         if look not in self._sizes:
             time, values = self.ahead
             seen, base, sum_of_changes = [*values], look.at(time, values), 0.0

@@ -141,7 +141,7 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
     Raises
     ------
     CaseError
-        If twists and angles contradict each other, or leave the sharing of a twist open.
+        If twists and angles contradict each other, or do not determine how springs share a twist.
     """
     start, links = system.scenario.start, np.eye(len(system.names))
     twists = np.array([start.twists.get(spring.name, 0.0) for spring in system.springs])
@@ -195,7 +195,7 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
 def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, float] | None:
     """Return the first row that contradicts the rows before, with the value expected there.
 
-    The number of the row counts from the first `certain` rows.
+    The first `certain` rows are taken as correct, and row numbers count from there.
     """
     for count in range(certain + 1, len(values) + 1):
         rows, wanted = matrix[:count], values[:count]

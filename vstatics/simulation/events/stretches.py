@@ -187,7 +187,7 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
 
 @lru_cache(maxsize=1)
 def _powers() -> Floats:
-    """Return the matrix that converts Chebyshev coefficients on [0, 1] to those of powers."""
+    """Return the matrix from Chebyshev coefficients on [0, 1] to coefficients of powers."""
     powers = np.zeros((DEGREE + 1, DEGREE + 1))
     for number in range(DEGREE + 1):
         series = np.polynomial.Chebyshev.basis(number, domain=[0.0, 1.0])
@@ -206,17 +206,16 @@ _FIRST_PARTS = 4
 _SMOOTH = 4
 """Number of successful stretches before a longer stretch is tried."""
 _MOST_AT_START = 64.0
-"""Largest error of polynomials at the start of a stretch, relative to the limit between instants.
-"""
+"""Largest error of polynomials at the start of a stretch, as a multiple of the limit elsewhere."""
 _RELAXATION_ROUNDS = 12
 """Largest number of rounds of waveform relaxation."""
 _ORDERS = DEGREE + 1
 
 
 _BALANCINGS = 3
-"""Number of sweeps that balance the control states."""
+"""Number of sweeps over the control values in which their scales are balanced."""
 _FEW = 64
-"""Number of states up to which eigenvalues are calculated at once."""
+"""Number of state variables above which eigenvalues are at first only bounded."""
 _SQUARINGS = 6
 """Number of squarings of a matrix in the bound of the largest eigenvalue."""
 
@@ -248,7 +247,7 @@ class Parts(NamedTuple):
     """Equal parts of a stretch of time."""
 
     begin: float
-    """[s]"""
+    """Start of the first part. [s]"""
     length: float
     """Length of each part. [s]"""
     number: int
@@ -260,7 +259,7 @@ class Parts(NamedTuple):
 
 
 class TimeStretch(NamedTuple):
-    """Calculated stretch of time."""
+    """Stretch of time with its solution."""
 
     parts: Parts
     exponential: Exponential
@@ -277,7 +276,7 @@ class Closed:
     state : ndarray
         State at the start.
     large : float
-        A large torque. [N*m]
+        Torque that counts as large, the scale of rounding errors. [N*m]
     """
 
     def __init__(self, equations: Equations, state: Floats, large: float) -> None:
@@ -288,7 +287,7 @@ class Closed:
         self.bending = np.array([*sorted(timed.union(ports.bending)), *rates], dtype=int)
         """Ports with nonlinear torques, followed by the rates of control values."""
         self.torques = len(self.bending) - len(rates)
-        """Number of torques in `bending`."""
+        """Number of the first entries of `bending`, which are torques and not rates of values."""
         self.is_given = ports.is_affine and not rates
         looks = {*rates, *equations.seeing}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
@@ -333,7 +332,7 @@ class Closed:
         return bool((np.abs(now - before) > 0.05 * sizes).any())
 
     def _balanced(self) -> Floats:
-        """Return factors that scale speeds and twists alike: square roots of energies."""
+        """Return factors that convert speeds and twists to square roots of energies."""
         equations = self.equations
         factors = np.ones(self.size)
         stiffness = equations.ports.stiffness
@@ -410,7 +409,7 @@ class Closed:
         return float(np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE].max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
-        """Return the exponential of x, time, 1 and nonlinear torques, with the unit of all but x.
+        """Return the exponential for the vector of x, time, 1 and nonlinear torques, and a unit.
 
         All variables except x are measured in this unit.
         """

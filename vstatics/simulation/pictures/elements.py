@@ -18,7 +18,7 @@ class ElementStates(NamedTuple):
 
     name: str
     element: int
-    """Index of the element."""
+    """Index of the shift element in `Motion.elements`."""
     slips: tuple[Span, ...]
     """Start and end times. [s]"""
     sticks: tuple[Span, ...]
@@ -47,13 +47,13 @@ def states(motion: Motion) -> list[ElementStates]:
 
 
 def _gripped(motion: Motion, place: int) -> Floats:
-    """Return the torque of a shift element without drag, as a magnitude [N*m]."""
+    """Return the magnitude of the torque of a shift element, without its drag torque [N*m]."""
     name, torques = motion.elements[place], np.abs(motion.torques[:, place])
     capacities = motion.beside.get("capacities", {}).get(name)
     if capacities is None:
         return torques
     case = motion.case
-    if case and case.shift_elements[place].is_freewheel:  # overruns at any capacity
+    if case and case.shift_elements[place].is_freewheel:  # a freewheel overruns at any capacity
         sticks = motion.beside["sticks"][name] > 0
         return np.where(sticks | (torques > capacities * (1 - SAME_RUN_SPEED)), torques, 0.0)
     return np.minimum(torques, capacities)
@@ -70,7 +70,7 @@ def _states(motion: Motion, place: int, name: str, torques: Floats) -> ElementSt
 
 
 def spans(time: Floats, holds: Booleans) -> Iterator[Span]:
-    """Yield start and end times of a state that is known between instants.
+    """Yield start and end times of a state, for which `holds` has a flag for each interval.
 
     >>> list(spans(np.array([0.0, 1.0, 1.0, 3.0]), np.array([True, False, True])))
     [(0.0, 1.0), (1.0, 3.0)]

@@ -41,7 +41,7 @@ class ShiftPhase(NamedTuple):
     end: float
     """[s]"""
     gear: str = ""
-    """Gear of a phase `part`."""
+    """Gear of a phase `part`; empty for other phases."""
 
 
 GearSets = Mapping[str, frozenset[str]]
@@ -67,8 +67,10 @@ def common(sets: GearSets, motion: Motion) -> list[str]:
 
 
 def gear_pieces(sets: GearSets, motion: Motion) -> list[GearPiece]:
-    """Return the engaged gears in order; a gear contained in another yields to the larger.
+    """Return the engaged gears in the order of time.
 
+    If the elements of a gear are part of the elements of another engaged gear, only the other gear
+    is returned.
     Gears with identical elements are engaged at the same time.
     """
     sticks = motion.beside.get("sticks")

@@ -22,7 +22,7 @@ PANEL_HEIGHT = 78.0
 LINE_NAME_WIDTH = 72.0
 """Width to which names at the right are wrapped. [pt]"""
 CAPACITY: Look = {"linestyle": (0, (2.5, 2)), "width": 0.8}
-"""Look of the line of a capacity."""
+"""Line style of a capacity."""
 CAPACITY_ROOM = 1.25
 """Largest factor by which a capacity enlarges the scale of the torques."""
 
@@ -71,7 +71,7 @@ def draw_lines(
     Parameters
     ----------
     numbers : mapping of str to int
-        Numbers that determine the colours of things other than links.
+        Numbers that determine the colours of lines that do not belong to links.
     off : float
         Distance from the left edge to the title of the scale. [pt]
     """

@@ -15,11 +15,11 @@ from vstatics.pictures.drawing.style import Style
 MOST_LINES = 6
 """Largest number of lines of a panel; more lines get a further panel."""
 LARGE_PEAK_RATIO = 20.0
-"""Ratio of largest values from which torques and energies are drawn in separate panels."""
+"""Ratio of the largest values of two lines from which they are drawn in separate panels."""
 LARGE_PART = 0.5
-"""Torque, relative to the capacity, above which the capacity changes to the side of the torque."""
+"""Ratio of torque to capacity above which the capacity is drawn on the side of the torque."""
 PARTS_OF_TIME = 1500
-"""Number of parts of the time of which the ends and extremes are drawn."""
+"""Number of equal parts of the time; a thinned line has the ends and extremes of each part."""
 
 
 class MotionLine(NamedTuple):
@@ -30,7 +30,7 @@ class MotionLine(NamedTuple):
     values: Floats
     """Values in SI units."""
     links: tuple[int, ...] = ()
-    """Numbers of links; empty for other things."""
+    """Numbers of the links, if the line belongs to links."""
     capacity: Floats | None = None
     """Torque capacity of a shift element. [N*m]"""
     distinction: str = ""
@@ -47,7 +47,7 @@ class MotionLine(NamedTuple):
         return [f"{name} ({self.distinction})" if self.distinction else name for name in self.names]
 
     def looks(self, style: Style, numbers: Mapping[str, int]) -> list[Look]:
-        """Return the look of each name: by link, or by number for other things."""
+        """Return the look of each name; without a link, `numbers` determines its colour."""
         if self.links:
             return link_looks(self.links, style)
         return [thing_look(numbers[name], style) for name in self.names]
@@ -57,14 +57,14 @@ class MotionPanel(NamedTuple):
     """Lines with a common scale."""
 
     kind: str
-    """Value of ``data-panel`` of the group."""
+    """Kind of the panel, which is also the value of ``data-panel`` in the SVG group."""
     text: str
     """Title of the scale."""
     unit: float
-    """Divisor of the values."""
+    """Divisor that converts values in SI units to the unit of the scale."""
     lines: tuple[MotionLine, ...]
     left_out: tuple[str, ...] = ()
-    """Names of things without a line."""
+    """Names of links or components whose lines are left out."""
     part: int = 1
     """Number of the panel among the panels of a kind."""
     others: tuple[MotionPanel, ...] = ()
@@ -94,7 +94,7 @@ def panels_of(
     Parameters
     ----------
     by_size : bool
-        Separate lines whose values differ so much that one would appear flat.
+        Separate lines whose values differ so much that some would appear flat.
 
     Examples
     --------
@@ -128,7 +128,7 @@ def _parts(line: MotionLine) -> list[MotionLine]:
 
 
 def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[str, int]:
-    """Return the number that determines the colour of each thing other than a link.
+    """Return the number that determines the colour of each component that is not a link.
 
     >>> numbers_of(["A", "B"], [MotionPanel("heat", "", 1.0, (MotionLine(("P1",), None),))])
     {'A': 0, 'B': 1, 'P1': 2}

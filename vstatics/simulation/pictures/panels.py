@@ -34,7 +34,7 @@ _ASKED = {
     "efficiency": ("efficiency", 1.0),
     "reduced_inertia": ("reduced inertia, kg·m²", 1.0),
 }
-"""Title and divisor of additional tables."""
+"""Title of the scale, and divisor of the values, of panels of additional tables."""
 
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
@@ -79,10 +79,11 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
         if element.name in happens:
             wanted += element.links
 
+    ranks = {link: place for place, link in reversed([*enumerate(wanted)])}
+
     def rank(group: list[int]) -> tuple[float, float]:
         peak = float(np.abs(motion.speeds[:, group[0]]).max())
-        ranks = (wanted.index(link + 1) for link in group if link + 1 in wanted)
-        return min(ranks, default=len(wanted)), -peak
+        return min(ranks.get(link + 1, len(ranks)) for link in group), -peak
 
     groups.sort(key=rank)
     return [

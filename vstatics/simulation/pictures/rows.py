@@ -37,11 +37,11 @@ PHASES: Mapping[Phase, str] = {
 
 
 class RunRow(NamedTuple):
-    """Row of a shift element, or of another thing with events."""
+    """Row of a shift element, or of another part or sequence with events."""
 
     name: str
     label: str
-    """Name as written, wrapped."""
+    """Name, wrapped into lines as in the picture."""
     states: ElementStates | None
     words: Sequence[EventWord]
 
@@ -62,7 +62,7 @@ class RunRows(NamedTuple):
 
     @property
     def has_gears(self) -> bool:
-        """Presence of a bar of gears."""
+        """True if a bar of gears is drawn."""
         return bool(self.gears or any(phase.phase == "part" for phase in self.phases))
 
     @property
@@ -102,7 +102,7 @@ def run_rows(
     events: Sequence[Event],
     pen: Pen,
 ) -> list[RunRow]:
-    """Return rows of shift elements, then of other things with events; `pen` spans a row."""
+    """Return the rows of shift elements, then of `others` with events; `pen` spans a row."""
     style = pen.style
     rows = []
     for name, states in [*((row.name, row) for row in shown), *((name, None) for name in others)]:

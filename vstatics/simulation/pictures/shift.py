@@ -65,7 +65,7 @@ class _Content(NamedTuple):
     wide: float
     """Width of a panel without labels. [pt]"""
     over: bool
-    """Names of lines are above the panels."""
+    """Whether the names of lines are above the panels."""
     notes: str
 
     def names_high(self, panel: MotionPanel, style: Style) -> float:
@@ -209,7 +209,7 @@ def _signs(content: _Content, style: Style) -> list[Meaning]:
 def _notes(
     motion: Motion, shown: Sequence[MotionPanel], rows: RunRows, unseen: Sequence[str], style: Style
 ) -> str:
-    """Return the remarks below the title: things that the picture omits."""
+    """Return the remarks below the title, on parts of the run that the picture omits."""
     remarks = []
     if unseen:
         names = ", ".join(map(short, unseen))

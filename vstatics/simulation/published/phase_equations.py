@@ -92,7 +92,7 @@ class PublishedEquations:
         return m_through / (self.masses.ratio * self.masses.efficiency)
 
     def margin(self, time: float, state: Floats) -> float:
-        """Return the margin of M_f above the transmitted torque, (15) [N*m]."""
+        """Return the margin of M_f above the magnitude of the transmitted torque, (15) [N*m]."""
         return self.friction(time, state) - abs(self.passed(time, state))
 
     def torque(self, time: float, state: Floats) -> float:

@@ -92,7 +92,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
 
 
 class _BoxEnds:
-    """Event function that ends an integration at a falling zero."""
+    """Event function that ends an integration where its value falls through zero."""
 
     terminal = True
     direction = -1.0
@@ -235,7 +235,7 @@ class _Run:
         self.stuck.remove(phase.clutch)
         self._tell(time, phase.clutch, "slips")
         drift = equations.w_f(self.state)
-        if abs(drift) > STANDING * np.abs(self.state[:2]).max():  # with losses (12) drifts
+        if abs(drift) > STANDING * np.abs(self.state[:2]).max():  # w_f drifts under losses
             return phase._replace(locked=False, direction=math.copysign(1.0, drift))
         self.state[0] = phase.masses.ratio * self.state[1]
         passed = equations.passed(time, self.state)

@@ -2,6 +2,7 @@
 
 `record` collects a run in the pieces of `segments`, which calculates their columns. `drawn` chooses
 the instants that draw these columns from the curves of `curves`. `asked` calculates additional
-columns, `rows` lists their names, `changes` differentiates speeds. `account` balances the energy.
+columns, `row_names` lists their names, `changes` differentiates speeds. `account` balances the
+energy.
 `motion` declares the result; `tables`, `columns` and `answer` write it.
 """

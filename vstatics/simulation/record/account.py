@@ -1,4 +1,4 @@
-"""Energy balance of a run: the distribution of the work to heat, losses and stored energy."""
+"""Energy balance of a run: the work, and its division into heat, losses and stored energy."""
 
 from __future__ import annotations
 

@@ -12,11 +12,11 @@ from vstatics.core.tables.answer import Flat, Provided, Sometimes, document
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 
 Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
-"""Columns of a table by row; absent if nobody asked for the table."""
+"""Values over time of a table, by name of the row; absent unless the table is requested."""
 
 
 class AskedAnswer(NamedTuple):
-    """Additional tables of a run."""
+    """Additional tables of a run, each under its name."""
 
     accelerations: Rows = None
     jerks: Rows = None

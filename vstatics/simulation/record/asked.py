@@ -137,7 +137,10 @@ def _converters(at: Moments, rows: Sequence[str]) -> list[Converter]:
 
 
 def _reduced_inertia(at: Moments, _: Sequence[str]) -> Floats:
-    """Return ``sum J (w/w_input)^2``, without the output (Tarasik, (3)), shape (1, times)."""
+    """Return the inertia ``sum J (w/w_input)^2`` of all bodies except the output [kg*m^2].
+
+    The shape is (1, times). The formula is Tarasik's equation (3).
+    """
     system, case = at.system, at.system.case
     output = np.arange(len(system.names)) == case.main_output - 1
     others = (system.heavy != output).any(axis=1)
@@ -183,11 +186,11 @@ TABLES: Mapping[str, AskedTable] = {
     "efficiency": AskedTable("converter", "", _efficiencies),
     "reduced_inertia": AskedTable("number", "kg*m^2", _reduced_inertia),
 }
-"""Additional tables by name."""
+"""Tables that can be requested in addition, by name."""
 PER_AREA = "_per_area"
 """Suffix of the names of tables that need the area of a shift element."""
 MOST_EMPTY = 12
-"""Largest number of columns that a warning names."""
+"""Largest number of columns that the warning about empty columns names."""
 ALWAYS = ("speeds", "slips", "torques")
 """Tables of every run."""
 

@@ -58,8 +58,8 @@ class PieceMotion(NamedTuple):
     ) -> Floats:
         """Return the derivative along the motion of a function of time and state.
 
-        One-sided differences of second order along the tangent, forwards, or backwards at the end
-        of the piece. They are exact for linear equations.
+        The derivative is a one-sided difference of second order along the tangent: forwards, or
+        backwards at the end of the piece. It is exact for linear equations.
         """
         equations = self.equations
         duration = max(equations.system.scenario.duration, LEAST_DURATION)

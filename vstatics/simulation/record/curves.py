@@ -17,7 +17,7 @@ from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.simulation.tolerances import CHORD, EQUAL_EXTREMES, NO_RANGE
 
 _NEAR_TOP = 0.1
-"""Fraction of the range within which the nodes of a curve reach the extremes."""
+"""Distance from an extreme, as a fraction of the range, up to which turning points are sought."""
 _NEWTON_OF_EXTREMES = 4
 _MOST_CHORDS = 1e6
 """Square of the largest number of chords of a part; a polynomial with more is meaningless."""

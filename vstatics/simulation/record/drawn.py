@@ -27,7 +27,7 @@ _MOST_BISECTIONS = 20
 _MOST_NEAR_CORNERS = 2000
 """Largest number of instants added at corners; more corners are rounding noise."""
 _MOST_DRAWN, _MOST_HURRIED = (200_000, 8_000_000), (20_000, 500_000)
-"""Largest number of instants of a run, and of values in all columns, at full or reduced effort."""
+"""Largest number of instants of a run, and of values in all columns; fewer if a user waits."""
 
 
 class _SteppedCourse(NamedTuple):
@@ -71,7 +71,7 @@ class DrawnRun:
         self.times: Floats = np.zeros(0)
         self.columns: Floats = np.zeros((self.table.heat.stop, 0))
         self.picture_tables: Tables = {}
-        """Tables for pictures at the same times; they add no times of their own."""
+        """Tables for pictures at the same times; no times are added for their sake."""
         self._ranges: CurveRanges | None = None
         self._parts, self._is_thin = 0, False
 
@@ -108,7 +108,7 @@ class DrawnRun:
 
     def _thin(self, most: int) -> None:
         """Remove instants evenly, down to a number, and keep all needed instants."""
-        # Needed are ends, extremes, both sides of jumps, and multiples of the step.
+        # Ends, extremes, both sides of jumps and multiples of the step are needed.
         times, columns = self.times, self.columns.T
         remaining = np.zeros(len(times), dtype=bool)
         remaining[[0, -1]] = True

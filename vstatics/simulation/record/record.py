@@ -73,11 +73,11 @@ class Record:
         self.cut: set[str] = set()
         """Elements whose control exceeded their capacity, and states set beyond their limits."""
         self.pieces: list[Piece] = []
-        """Latest pieces, with all their steps; earlier ones are in `drawn`."""
+        """Latest pieces, with all their steps; earlier pieces are in `drawn`."""
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
         self.open: set[frozenset[int]] = set()
-        """Sets of contacts among which the choice of what breaks away was not unique."""
+        """Sets of contacts in which the choice of the contact that breaks away was not unique."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
@@ -102,9 +102,9 @@ class Record:
 
     @property
     def turnover(self) -> float:
-        """Energy that has passed or is stored, which the balance is compared with [J].
+        """Energy that has flowed or is stored: the scale for errors of the balance [J].
 
-        Net work is no measure: one torque can take what another gives.
+        Net work is not a scale, because a torque can take the energy that another torque gives.
         """
         return max(self.worked, self.stored)
 
@@ -177,7 +177,7 @@ class Record:
         self.messages.append(Message("N606", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
-        """Begin a piece at a state."""
+        """Begin a piece of the run, with its margins, at a state."""
         equations = margins.equations
         self.pieces.append(Piece(margins, equations.time, state))
         self.time = equations.time
@@ -215,7 +215,7 @@ class Record:
         self.numbers += step.states.size + _OF_A_STEP
 
     def leaves_zero(self, equations: Equations, time: float, state: Floats) -> bool:
-        """Return whether a value is about to exceed the scale, and raise the scale.
+        """Return whether a control value is about to exceed its scale; if so, raise the scale.
 
         A value that leaves 0 by rounding alone has no accurate step relative to itself, so its
         error is measured against the magnitude that it soon reaches.
@@ -237,7 +237,7 @@ class Record:
         self.pieces, self.numbers = [Piece(last.margins, self.time, last.states[-1])], 0
 
     def _store(self, equations: Equations, time: float, state: Floats) -> None:
-        """Raise the largest stored energy."""
+        """Raise the largest stored energy to the stored energy of a state, if this is larger."""
         kinetic = kinetic_energy(self.system, equations.speeds(time, state))
         elastic = self.system.elastic_energy(state[equations.twists])
         self.stored = max(self.stored, kinetic + elastic)
@@ -352,7 +352,7 @@ class Record:
 
 
 def _different(times: Floats, columns: Floats) -> Booleans:
-    """Return a mask without repeated instants at which no column jumps."""
+    """Return a mask that excludes repeated instants at which no column jumps."""
     distinct = np.ones(len(times), dtype=bool)
     for number in np.flatnonzero(np.diff(times) == 0) + 1:
         before, after = columns[:, number - 1], columns[:, number]

@@ -38,7 +38,7 @@ class Piece:
         return PieceMotion(self.margins.equations, self.times[0], end)
 
     def add(self, time: float, state: Floats) -> None:
-        """Add an instant."""
+        """Add an instant with its state to the end of the piece."""
         self.times.append(time)
         self.states.append(state)
 
@@ -98,7 +98,7 @@ class MotionColumns:
 
 
 def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str, Peak]:
-    """Return the largest torque of each component, with the first time."""
+    """Return the largest torque of each component, with the time at which it first occurs."""
     top = first_largest(np.abs(torques))
     return {
         name: Peak(float(torques[place, device]), float(times[place]))

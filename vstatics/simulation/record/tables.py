@@ -103,7 +103,7 @@ def _energy(motion: Motion) -> Grid:
     for name in ("kinetic", "elastic", "impact"):
         add(name, getattr(energy, name))
     add("balance", energy.balance)
-    if abs(energy.balance) < CLOSED_BALANCE:  # of which no digit is certain
+    if abs(energy.balance) < CLOSED_BALANCE:  # no digit is certain
         rows[-1][1] = exact(0.0)._replace(value=energy.balance)
     columns = [text(""), Column("energy [J]")] + [Column("per area [J/m^2]")] * bool(per_area)
     return Grid("Energy", columns, rows, levels, key="energy")

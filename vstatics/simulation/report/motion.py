@@ -32,13 +32,13 @@ class RunSection(NamedTuple):
     course: Drawn | None = None
     """Picture over time; None without pictures."""
     plan: Drawn | None = None
-    """Picture in the speed plan."""
+    """Speed plan with the speeds of the run; None without pictures."""
     moves: Markup = NOTHING
     """Interactive run, which replaces `course` on a screen."""
     in_full: bool = False
-    """Print the plan, too."""
+    """Whether the speed plan is printed, too."""
     has_marks: bool = False
-    """Mark times of events for a script."""
+    """Whether times of events are marked for a script."""
     without: str = ""
 
     @property

@@ -61,8 +61,8 @@ def _course(labelled: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
 def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
     """Yield each table that any run has, for all runs.
 
-    Events are paired by kind and order, whatever their times. A table has common units. Energies
-    without a certain digit are 0.
+    Events are paired by kind and order, whatever their times. Both runs have the same units in a
+    table. Energies of which no digit is certain are shown as 0.
     """
     tables = [
         {grid.key: grid for grid in motion_grids(motion) if grid.key != "stopped"} if motion else {}
@@ -91,7 +91,7 @@ def _certain(grid: Grid) -> Grid:
 
 
 def _by_event(grid: Grid) -> Grid:
-    """Return a table of events with the event before the time.
+    """Return a table of events in which the column of the event precedes the column of the time.
 
     >>> from vstatics.core.tables.grid import Column, exact
     >>> columns = [Column("time [s]"), text("element"), text("event")]

@@ -88,7 +88,7 @@ _OUTER: Mapping[str, Callable[[Tree, Tree], Tree]] = {
 
 
 def slope(tree: Tree) -> Tree | None:
-    """Return the derivative of a tree with respect to t; None without a formula, as of ``2^t``.
+    """Return the derivative of a tree with respect to t; None if it is not known, as for ``2^t``.
 
     Examples
     --------
@@ -141,7 +141,7 @@ def _picked(name: str, left: tuple[Tree, Tree], right: tuple[Tree, Tree]) -> tup
 
 
 class StraightForm(NamedTuple):
-    """Straight form ``a speed + b angle + g(t)``."""
+    """Sum ``speed*w + angle*phi + offset(t)`` for a link with speed w and angle phi."""
 
     speed: float
     angle: float

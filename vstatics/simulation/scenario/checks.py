@@ -138,7 +138,7 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
-    """Yield problems of twists at the start: not elastic, not finite, or given with `settled`."""
+    """Yield problems of twists at the start: of a rigid part, not finite, or with `settled`."""
     names = elastic_names(case)
     for name, twist in start.twists.items():
         path = ("start", "twists", name)
@@ -392,7 +392,7 @@ _Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
 
 
 def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
-    """Yield possible formulas with variables, place and allowed words."""
+    """Yield all values that can be formulas, each with allowed variables, place and words."""
     case, elements = scenario.case, scenario.case.shift_elements
     seen = (*OF_MOTION, *OF_TORQUES)
     for number, control in (scenario.controls or {}).items():

@@ -47,8 +47,8 @@ class StepCondition(NamedTuple):
         Parameters
         ----------
         sides : sequence of str
-            Sign of the difference of each comparison: `0` where it is and stays 0, with `=` where
-            it is 0 at the instant, so that `==` is true.
+            Sign of the difference of each comparison from now on: `-`, `+`, or `0` if it stays 0. A
+            further `=` says that the difference is 0 at this instant, so that `==` is true.
         happened : callable
             Function that returns whether an event has happened, such as ``locks('C')``.
         """

@@ -25,13 +25,13 @@ from vstatics.simulation.scenario.formula_code import PI
 from vstatics.simulation.scenario.table_call import TableCall
 
 MOST_BREAKS = 1000
-"""Most corners of a formula, since a run stops at each; with more, all are ignored."""
+"""Largest number of corners of a formula at which a run stops; with more, all are ignored."""
 
 COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
 JUMPS = COMPARES | {"sign"}
 BENDS = frozenset(("abs", "min", "max"))
 ENDS = BENDS | {"sqrt"}
-"""Functions that bend, or end: the root of a number that falls below 0."""
+"""Functions that bend, and `sqrt`, which ends where its argument falls below 0."""
 
 
 _MOST_DEGREE = 8
@@ -47,7 +47,7 @@ def value_at(polynomial: Polynomial, x: float) -> float:
 
 
 def corners(tree: Tree, name: str) -> dict[float, bool]:
-    """Find the corners along a variable, in order, each with whether the formula can jump there.
+    """Find the corners along a variable, in order; True for a corner at which a jump is possible.
 
     Corners of functions other than polynomials are not found.
 
@@ -83,14 +83,14 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
 
 
 def _inside(low: float, high: float) -> float:
-    """Return a place between two, either of which can be infinite."""
+    """Return a number between two numbers, either of which can be infinite."""
     if math.isinf(low):
         return 0.0 if math.isinf(high) else high - max(1.0, abs(high))
     return low + max(1.0, abs(low)) if math.isinf(high) else low / 2 + high / 2
 
 
 def between(tree: Tree, name: str, low: float, high: float) -> Tree:
-    """Return the formula between two jumps along a variable, with numbers for comparisons.
+    """Return the formula between two neighbouring jumps; comparisons become numbers.
 
     Examples
     --------
@@ -105,7 +105,10 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
 
 
 def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
-    """Return a tree near a place; `abs`, `min`, `max` are decided only in comparisons."""
+    """Return a tree as it is near a place, with numbers instead of comparisons and `sign`.
+
+    Within comparisons, `abs`, `min` and `max` are replaced by the operand that they equal there.
+    """
     if not isinstance(tree, Applied):
         return tree
     if tree.name in JUMPS:
@@ -129,7 +132,7 @@ def is_polynomial(tree: Tree) -> bool:
 def _polynomial(
     tree: Any, name: str, at: float, met: list[tuple[float, bool]]
 ) -> Polynomial | None:
-    """Return a part as a polynomial near a place, and add the meetings of inner polynomials."""
+    """Return a part as a polynomial near a place; append meetings of inner polynomials to `met`."""
     if not isinstance(tree, Applied):
         return _of_operand(tree, name)
     inner: list[tuple[float, bool]] = []

@@ -1,6 +1,6 @@
-"""Comparisons in formulas, and the times of those that are not polynomials of the time.
+"""Comparisons in formulas, and the times at which comparisons of functions of time switch.
 
-Module `corners` treats polynomials.
+Module `corners` finds the times for polynomials, this module for other functions.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ class MeetingParts(NamedTuple):
 
 
 Pairs: TypeAlias = list[MeetingParts]
-"""Pairs of a part of a formula with several parts in ascending order."""
+"""Pairs whose first part is the same; the second parts ascend."""
 
 
 def met(tree: Tree) -> Iterator[Pairs]:
-    """Yield the parts that a formula compares, and the arguments of tables with the steps."""
+    """Yield the parts that a formula compares, and the arguments of tables with breakpoints."""
     for part in parts(tree):
         if isinstance(part, Applied) and part.name in ENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands

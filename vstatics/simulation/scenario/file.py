@@ -1,5 +1,6 @@
-"""Scenario in YAML or JSON: bytes -> `ScenarioDocument` -> with its case `ScenarioFile`.
+"""Reading of a scenario in YAML or JSON.
 
+Its bytes become a `ScenarioDocument`, and together with its case this becomes a `ScenarioFile`.
 A scenario names the file of its case (`case_file`). The caller, who opens all files, reads the case
 and hands it over (`with_case`).
 """
@@ -203,7 +204,7 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     Raises
     ------
     ReadError
-        If the data are not a document, or a case.
+        If the data are not a document, or are a case.
 
     Examples
     --------
@@ -385,7 +386,7 @@ def _own_step(path: Path, spots: Spots) -> Path:
 
 
 def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
-    """Return the numbers of the names that a key of a scenario speaks of."""
+    """Return the numbers of the parts that can be named under a key of a scenario, by name."""
     names = {
         "controls": [element.name for element in case.shift_elements],
         "speed_ratios": [mechanism.name for mechanism in case.mechanisms],

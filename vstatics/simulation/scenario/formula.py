@@ -36,15 +36,15 @@ from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 from vstatics.simulation.scenario.table_call import TableCall
 
 Quantity = Callable[[str, int], Constant | None]
-"""Meaning of a number with a unit, from text and place; None for an unknown unit."""
+"""Function that reads a number with a unit at a place in a text; None for an unknown unit."""
 SHORT_SPEED = "w"
-"""Short name of the speed of the link itself, as in formulas of a case, here with sign."""
+"""Short name of the speed of the link on which a formula acts; the speed has a sign."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
 """Words of the state of motion, which any formula can use."""
 OF_TORQUES = ("acceleration", "torque", "power")
 """Words of quantities that follow from torques and so cannot determine a torque."""
 OF_EVENTS = ("locks", "slips")
-"""Words of events."""
+"""Words of events, which only conditions of sequence steps can use."""
 _OF_NAMES = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
 
 
@@ -82,7 +82,7 @@ class Formula(NamedTuple):
 
     text: str
     tree: Tree | None = None
-    """Tree instead of the text: between jumps, with numbers for names, or the derivative."""
+    """Tree that replaces the text: a piece between jumps, numbers for names, or a derivative."""
 
     @property
     def seen(self) -> tuple[Seen, ...]:
@@ -157,7 +157,7 @@ class Formula(NamedTuple):
         return _read(*self).breaks
 
     def crossings(self, until: float) -> tuple[float, ...]:
-        """Return the times of other bends and jumps, up to a time [s]."""
+        """Return the times of bends and jumps that `breaks` does not find, up to a time [s]."""
         return crossings(self.whole, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
@@ -198,7 +198,7 @@ class Formula(NamedTuple):
 
     @property
     def along(self) -> Callable[..., Floats]:
-        """Values at many times: a function of the times, then as `function`, arrays or numbers."""
+        """Function for an array of times; its other arguments, as of `function`, can be arrays."""
         return _read(*self).along
 
 
@@ -219,7 +219,7 @@ def read_formula(
     words : Vocabulary
         Other allowed names.
     quantity : callable, optional
-        Meaning of numbers with units.
+        Function that reads numbers with units.
 
     Raises
     ------

@@ -26,7 +26,7 @@ from vstatics.simulation.scenario.table_call import TableCall
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"
 Function: TypeAlias = Callable[..., float]
-"""Function of t, speed and angle, then of the quantities that are seen elsewhere."""
+"""Function of t, speed and angle, followed by the other quantities in the formula (`Seen`)."""
 
 
 class Seen(NamedTuple):
@@ -103,7 +103,7 @@ _LOGIC = {"and": ast.And, "or": ast.Or}
 
 
 def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
-    """Return the function of a tree: of `VARIABLES`, then of the quantities seen elsewhere.
+    """Return the function of a tree; its arguments are `VARIABLES`, then the quantities `seen`.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
 
 
 def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Floats]:
-    """Return the function of a tree for many times: of arrays, or of numbers with the times.
+    """Return the function of a tree for many times: of an array of times, and arrays or numbers.
 
     Examples
     --------

@@ -17,13 +17,13 @@ from vstatics.simulation.scenario.laws import Curve, Over, Points, constant
 _MOST_JUMPS = 100
 """Most jumps of a formula; with more, the formula is not split."""
 _ANYTHING = 0.7390851332151607
-"""Value of quantities seen elsewhere, when only the equality of two values counts."""
+"""Arbitrary value of other quantities in a formula, if only the equality of results matters."""
 _MOST_SURFACES = 4
 """Most surfaces that depend on time, whose pieces are split by all combinations of sides."""
 
 
 class LawJump(NamedTuple):
-    """Place at which a law jumps."""
+    """Speed or angle of a link at which a torque law jumps."""
 
     over: Over
     at: Curve
@@ -50,7 +50,7 @@ class LawJump(NamedTuple):
 
 
 class LawPiece(NamedTuple):
-    """Law between jumps."""
+    """Part of a law between two neighbouring jumps."""
 
     law: Points | Formula
     when: tuple[tuple[int, str], ...] = ()
@@ -133,7 +133,7 @@ def _jumps(law: Formula, over: Over, places: tuple[float, ...]) -> Iterator[LawJ
 
 
 def _at(law: Formula, motion: tuple[float, float, float]) -> float:
-    """Return the value of a law, with any value of quantities seen elsewhere."""
+    """Return the value of a law, with an arbitrary value for other quantities of the scenario."""
     return law.function(*motion, *[_ANYTHING] * len(law.seen))
 
 
@@ -145,7 +145,7 @@ def _plain(formula: Formula) -> Points | Formula:
 
 
 def curve_slope(curve: Curve) -> Curve:
-    """Return the change of a place or a speed with time."""
+    """Return the derivative of a curve with respect to time."""
     if isinstance(curve, Formula):
         return _plain(curve.slope)
     slopes = [curve.piece(number)[1] for number in range(len(curve.x) + 1)]

@@ -359,7 +359,7 @@ def _no_steps(_: str) -> NoReturn:
 
 
 def scenario_shape(words: Vocabulary) -> ByKey:
-    """Return the keys of a scenario whose formulas have a vocabulary."""
+    """Return the keys of a scenario whose formulas can use the names of a vocabulary."""
     moving, timed = words.only(*OF_MOTION), words.only()._replace(values=())
     capacity = curve(
         "a capacity, or a formula of t", ["si_torque", "pressure"], moving, unit=TORQUE_UNIT

@@ -117,7 +117,7 @@ class Resistance(NamedTuple):
 
 
 SpeedPoints: TypeAlias = tuple[tuple[float, float], ...]
-"""Rising speeds of 0 or more, each with a number; constant outside."""
+"""Points (speed, number) with rising speeds of 0 or more; the number is constant outside them."""
 
 
 class WheelRadius(NamedTuple):
@@ -179,7 +179,7 @@ class Road(NamedTuple):
 
     @property
     def rolling_torque(self) -> float:
-        """Dry friction against the speed, the largest holding torque at rest [N*m]."""
+        """Torque of rolling resistance near speed 0; the largest holding torque at rest [N*m]."""
         at_rest = self.rolling[0][1] if isinstance(self.rolling, tuple) else self.rolling
         return self.weight_torque * at_rest / (float(self.wheel.load(0.0)) if self.wheel else 1.0)
 

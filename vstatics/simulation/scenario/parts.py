@@ -128,7 +128,7 @@ class SequenceStep(NamedTuple):
     """Step of a sequence, which acts once the condition was true."""
 
     when: StepCondition | None = None
-    """Condition; at once if not given."""
+    """Condition of the step; None if the step needs no condition."""
     within: float = math.inf
     """Longest time after the previous step until the condition is true. [s]"""
     wait: float = 0.0

@@ -24,7 +24,7 @@ from vstatics.simulation.tolerances import MADE_CAPACITY
 
 
 class Look(NamedTuple):
-    """Value of a formula from the time and all visible quantities."""
+    """Value of a formula as a function of the time and of all visible quantities."""
 
     at: Callable[[float, Sequence[float]], float]
     along: Callable[[Floats, Floats], Floats]
@@ -39,24 +39,24 @@ class Programme(NamedTuple):
     curve: Curve
     """Capacity [N*m], or pressure [Pa]; infinite for a positive connection."""
     factor: float = 1.0
-    """Factor of the curve."""
+    """Factor of the curve, for example the torque of a pack per pressure and coefficient."""
     is_dog: bool = False
     """True for an element that joins at once, with an unlimited capacity or zero."""
     largest: float | None = None
-    """Capacity in the case, the limit of a control that sees something. [N*m or Pa]"""
+    """Capacity in the case, which limits a control that depends on the motion. [N*m or Pa]"""
     given: Curve | None = None
-    """Control that was clipped to the curve by the capacity in the case."""
+    """Control of the scenario, which becomes `curve` by clipping at the capacity in the case."""
     look: Look | None = None
-    """Value of a curve that sees more than the time."""
+    """Value of a curve that depends on more than the time."""
     table: LookupTable | None = None
     """Coefficients of friction by slip and temperature, if not constant."""
     rub: Look | None = None
-    """Coefficient of friction from the table."""
+    """Coefficient of friction from `table`, as a function of visible quantities."""
     follows: SpringLimit | None = None
     """Limit by the torque of a second spring, with the curve as the base."""
 
     def seen_at(self, time: float, seen: Sequence[float], *, clipped: bool = True) -> float:
-        """Return the capacity of a curve that sees something, by default clipped as the curve."""
+        """Return the capacity of a curve that depends on the motion; 0 to `largest` if clipped."""
         assert self.look is not None  # noqa: S101 - the curve sees something
         value = self.look.at(time, seen)
         if clipped:
@@ -168,7 +168,7 @@ def friction_points(friction: Friction | Law) -> Points:
 
 
 def largest_control(element: ShiftElement, case: Transmission) -> float | None:
-    """Return the largest control by the capacity in the case [N*m]; with a pack [Pa]."""
+    """Return the control that yields the capacity in the case [N*m]; with a pack in Pa."""
     largest, pack = newton_metres(element.capacity, case), element.pack
     if largest is None or pack is None:
         return largest
@@ -256,7 +256,7 @@ def _controlled(control: object, element: ShiftElement, case: Transmission) -> P
 
 
 def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged: bool) -> Programme:
-    """Return the programme of an element that shifts move from the present capacity."""
+    """Return the programme of an element without a control, which shifts engage and release."""
     held = newton_metres(element.capacity, scenario.case)
     anything = held is None or element.kind == "dog_clutch"
     capacity = math.inf if held is None or anything else held

@@ -16,7 +16,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.tolerances import LAST_BIT
 
 MOST_NEWTON_ITERATIONS = 60
-"""Most steps of Newton's method; fewer than ten are needed from the end of a piece."""
+"""Largest number of Newton steps; fewer than ten are needed from the end of a piece."""
 
 
 class LoadedWheel(NamedTuple):

@@ -89,7 +89,7 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
 
 
 def _of_unlike(case: Transmission) -> Iterator[Problem]:
-    """Yield the inertias that are rounding errors of the largest inertia."""
+    """Yield a problem for each inertia that would be rounding error next to the largest inertia."""
     largest = max(case.heavy.values(), default=0.0)
     for link, inertia in case.heavy.items():
         if 0 < inertia < largest * UNLIKE_INERTIAS:

@@ -69,7 +69,7 @@ def on_side(tree: Any, surface: JumpSurface, side: float) -> Any:
 
 
 def _surface(tree: Tree) -> tuple[JumpSurface | None, float]:
-    """Return the surface of a comparison or `sign`, and the slope of the difference across."""
+    """Return the surface of a comparison or `sign`, and the slope of the difference across it."""
     if not isinstance(tree, Applied) or tree.name not in JUMPS:
         return None, 0.0
     first = bare(tree.operands[0])

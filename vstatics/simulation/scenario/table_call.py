@@ -8,7 +8,7 @@ from vstatics.core.numerics.lookup_table import LookupTable
 
 
 class TableCall(str):
-    """Name of a table in a formula, which carries the table.
+    """Name of a table in a formula, together with the table itself.
 
     >>> first, second = (TableCall("p", LookupTable((0.0,), ((y,),))) for y in (1.0, 2.0))
     >>> first == "p", first == second

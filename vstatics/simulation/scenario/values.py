@@ -1,4 +1,7 @@
-"""Values of a document to parts of a scenario: units by their place, plain floats."""
+"""Conversion of the values of a document to parts of a scenario, with plain floats in SI.
+
+The place of a value decides which unit belongs to it.
+"""
 
 from __future__ import annotations
 
@@ -213,7 +216,7 @@ class ScenarioValues:
         )
 
     def _speed(self, given: Any, link: int, path: Path) -> float:
-        """Return a speed of a link [rad/s], from a velocity by the speed of the wheels."""
+        """Return a speed of a link [rad/s]; a velocity is converted to the speed of the wheels."""
         if getattr(given, "measure", None) == "velocity":
             if turning := self.turning.get(link):
                 return turning(float(given))
@@ -233,7 +236,7 @@ class ScenarioValues:
         return tuple(self._speed(speed, link, (*path, number)) for number, speed in speeds)
 
     def _given_speed(self, given: Any, link: int) -> Curve:
-        """Return a speed over time [rad/s]; velocities by the speed of the wheels."""
+        """Return a speed over time [rad/s]; velocities are converted to speeds of the wheels."""
         path = ("speeds", link)
         if isinstance(given, Formula):
             return given
@@ -354,7 +357,7 @@ def _floats(values: Iterable[float]) -> tuple[Any, ...]:
 
 
 def _plain(value: Any) -> Any:
-    """Return numbers without units."""
+    """Return a number, or a tuple of numbers, as plain floats; None remains None."""
     if isinstance(value, tuple):
         return _floats(value)
     return None if value is None else float(value)

@@ -1,4 +1,4 @@
-"""Vocabulary of the formulas of a scenario: links, elements, devices, and names given in it."""
+"""Vocabulary of the formulas of a scenario: names of parts of the case and of the scenario."""
 
 from __future__ import annotations
 

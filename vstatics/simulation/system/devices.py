@@ -162,7 +162,7 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
 
 
 def _taken_by_planets(case: Transmission) -> Floats:
-    """Return torques that planets take from first links [kg*m^2], by link accelerations.
+    """Return torques that planets take from first links of mechanisms, by link accelerations.
 
     ``d(J w_p^2/2)/dw_1`` changes with time as ``J (dw_p/dw_1) dw_p/dt``: the teeth pass this torque
     to planets that are not links of the case. Shape (mechanisms, links) [kg*m^2].
@@ -429,5 +429,5 @@ def _of_all_gears(by_gear: Sequence[Mapping[int, float]]) -> dict[int, float]:
 
 
 def _given(torque: float) -> float:
-    """Return a torque as given, before scaling by the load."""
+    """Return a drag torque as the case gives it, before it is multiplied by the load."""
     return torque.given if isinstance(torque, OfLoad) else torque

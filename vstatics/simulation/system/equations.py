@@ -1,9 +1,15 @@
 """Equations of motion between two events, as a system of first-order differential equations.
 
-The state is ``[q, e, phi, x, W]``: motions with inertia, twists of springs, recorded angles, values
-(control states and temperatures), works of ports, losses of dampers, slip work of springs, and
-losses of meshes. Motions without inertia are not part of the state: their speeds follow from the
-balance of torques along them.
+The state is ``[q, e, phi, v, W]``:
+
+- q: speeds of the motions with inertia; ``dq/dt`` is linear in the torques of the ports;
+- e: twists of springs; ``de/dt`` is the rate of the port, unless the spring slips;
+- phi: recorded angles;
+- v: values, which are control states and temperatures;
+- W: works of ports, losses of dampers, slip work of springs, and losses of meshes.
+
+`Equations.derivative` is the right-hand side. Motions without inertia are not part of the state:
+their speeds follow from the balance of torques along them.
 """
 
 from __future__ import annotations
@@ -36,11 +42,11 @@ from vstatics.simulation.tolerances import (
 
 _NONE = np.zeros(0)
 _MOST_CONVERTER_STEPS = 100
-"""Smallest number of steps over the duration of a run with formulas of time."""
+"""Number of steps into which a run is divided at least if a torque is a formula of time."""
 _NEWTON = 30
-"""Largest number of Newton steps."""
+"""Largest number of Newton steps for the speeds of motions without inertia."""
 _LIMIT_ROUNDS = 8
-"""Largest number of iterations for spring limits that depend on the slopes of limits."""
+"""Largest number of iterations for slopes of spring limits that depend on the motion."""
 
 
 class Equations:
@@ -54,7 +60,7 @@ class Equations:
     time : float
         Beginning of the piece. [s]
     rounding : float
-        Slip that is 0 except for rounding. [rad/s]
+        Largest slip that counts as 0, because it can be rounding error. [rad/s]
 
     Raises
     ------
@@ -95,13 +101,13 @@ class Equations:
         """Springs that slip at a feedback limit: index, sign, limit."""
         limits = {layout.springs + index for index, *_ in self.seen_limits}
         self.seeing = [port for port, _ in self.ports.looks if port not in limits]
-        """Ports with feedback torques that enter by value, not by slope."""
+        """Ports with feedback torques, except springs at feedback limits, which enter by slope."""
         self.driving = [
             (layout.contacts + index, row)
             for index, row in structure.contact_rows.items()
             if system.contacts[index].drives
         ]
-        """Contacts that stick at a speed other than 0: port, multiplier."""
+        """Port and row of the multiplier of each contact that sticks at a speed other than 0."""
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
         self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS
@@ -114,7 +120,11 @@ class Equations:
         """Rates of change of states and temperatures."""
 
     def _split_light(self) -> None:
-        """Split motions without inertia: speeds found by torques, or by slopes of torques."""
+        """Separate balances of torques that depend on speeds from balances that do not.
+
+        The balances along motions without inertia determine the speeds of these motions. Balances
+        that do not depend on speeds do so by the slopes of their torques with time.
+        """
         structure, ports = self.structure, self.ports
         self.unsensed: list[tuple[int, Look]] = []
         """Ports with feedback torques that do not depend on a motion without inertia."""
@@ -146,7 +156,7 @@ class Equations:
                 )
 
     def check_seen(self, time: float, state: Floats) -> None:
-        """Reject speeds that the torques do not determine.
+        """Raise an error if torques do not determine the speeds of motions without inertia.
 
         Raises
         ------
@@ -364,7 +374,7 @@ class Equations:
 
         Returns
         -------
-        ndarray, shape (ports + values, size of what moves)
+        ndarray, shape (ports + values, size of [q, e, phi, x])
         """
         looks, first = self.seeing, self.layout.ports
         slopes = np.zeros((first + len(self.layout.values), self.works.start))
@@ -502,9 +512,9 @@ class Equations:
         return slopes
 
     def _sight(self, time: float) -> float:
-        """Return the interval for differences of seen quantities [s]: backward if possible.
+        """Return the time step for differences of seen quantities, negative if possible [s].
 
-        A corner can be ahead.
+        A step backward cannot cross a corner that is ahead.
         """
         step = SIGHT * self.system.scenario.span
         return -step if time - step > self.time else step
@@ -519,7 +529,7 @@ class Equations:
         return powers
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
-        """Return the rates of twists, where slipping springs follow dampers or limits.
+        """Return the rates of twists; the twist of a slipping spring follows its damper or limit.
 
         The last axis of all arrays is the axis of springs.
         """
@@ -532,7 +542,7 @@ class Equations:
 
 
 class Map(NamedTuple):
-    """Linear map from x, c and dc/dt."""
+    """Linear function of the vectors x, c and dc/dt of `Affine`."""
 
     by_state: Floats
     by_given: Floats
@@ -558,9 +568,9 @@ class Affine:
     ----------
     equations : Equations
     by_rate : ndarray, shape (ports,), optional
-        Slopes of torques by their rates, if not the linear slopes. [N*m*s/rad]
+        Slopes of torques with the rates of their ports, if laws are linearised. [N*m*s/rad]
     by_state : ndarray, shape (ports + values, size), optional
-        Slopes by the state, of torques and of rates of values.
+        Slopes of torques, and of rates of values, with the state.
     """
 
     def __init__(

@@ -34,7 +34,7 @@ class Switch(NamedTuple):
     """Jump of an outside torque over the speed or angle of a link."""
 
     link: int
-    """Index of the link."""
+    """Index of the link on which the torque acts."""
     jump: LawJump
 
 
@@ -52,15 +52,15 @@ class Contact(NamedTuple):
     overrun_drag: float = 0.0
     """Overrunning drag of a freewheel. [N*m]"""
     element: int | None = None
-    """Index of the shift element."""
+    """Index of the shift element that the contact belongs to, if any."""
     is_drag: bool = False
-    """True for a drag: no events, and heat as a loss unless in parallel with a spring."""
+    """True for a drag: it causes no events, and its heat is a loss unless `beside` is given."""
     while_open: int | None = None
-    """Index of the shift element at whose zero capacity the contact acts."""
+    """Index of a shift element; the contact acts only while the capacity of the element is 0."""
     beside: int | None = None
     """Index of the spring, among devices, in parallel with the contact."""
     switch: Switch | None = None
-    """Jump of a torque.
+    """Jump of the outside torque that the contact represents.
 
     The contact is on a side of the jump, or sticks where the motion slides along the jump with a
     torque between both sides (Filippov). No part of it is friction. A link with a given speed is
@@ -176,13 +176,13 @@ class MovingVariator(NamedTuple):
     device: int
     """Index of the variator among the devices."""
     first: int
-    """Index of the first link."""
+    """Index of the first link of the variator."""
     ratio: Curve
     """Speed ratio ``w_second/w_first`` over time."""
     change: Curve
     """Derivative of the ratio with respect to time. [1/s]"""
     reference: float
-    """Ratio of the constraint row."""
+    """Constant ratio x0 in the constraint row."""
     contact: int
     """Index of the contact that enforces the ratio, in `MotionSystem.contacts`."""
     efficiency: float
@@ -192,7 +192,7 @@ class OutsideTorque(NamedTuple):
     """Outside torque on a link, except dry friction."""
 
     link: int
-    """Index of the link."""
+    """Index of the link on which the torque acts."""
     law: Points | Formula | Road
     when: tuple[tuple[int, str], ...] = ()
     """Indices of the contacts at jumps of the law, and the side of each on which the law acts."""
@@ -236,7 +236,7 @@ class PortLayout:
         self.variators = self.sensors + len(self.sensed)
         self.ports = self.variators + len(system.variators)
         self.frictions = self.outside + self.converters
-        """Index of the first contact among the pieces of curves, after loads and converters."""
+        """Index of the first contact in `States.pieces`, after loads and converters."""
         self.curves = self.frictions + len(system.contacts)
         """Index of the first spring in `States.pieces`, after loads, converters and contacts."""
         angles = {load.link for load in system.outside if load.needs_angle}
@@ -267,7 +267,7 @@ class MotionSystem:
     names: tuple[str, ...]
     """Names of the links."""
     heavy: Floats
-    """Speeds of bodies with inertia by speeds of links, shape (bodies, links)."""
+    """Matrix from speeds of links to speeds of bodies with inertia, shape (bodies, links)."""
     inertias: Floats
     """Inertias of the bodies. [kg*m^2]"""
     meshes: tuple[RigidMechanism, ...]
@@ -286,7 +286,7 @@ class MotionSystem:
 
     @property
     def may_slip(self) -> tuple[Contact | Elastic, ...]:
-        """Contacts and springs, which have a programme of capacity."""
+        """All contacts, then all springs; each has a programme of capacity."""
         return (*self.contacts, *self.springs)
 
     @cached_property
@@ -340,7 +340,7 @@ def unit(index: int, links: int) -> Floats:
 
 
 def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
-    """Return a row of links, given by number with coefficients; the housing is left out.
+    """Return a speed row from link numbers with coefficients; the housing is left out.
 
     Examples
     --------
@@ -355,7 +355,7 @@ def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
 
 
 def between(first: int, second: int, links: int) -> Floats:
-    """Return the row of the first link relative to the second, given by number.
+    """Return the speed row of the first link relative to the second, both given by number.
 
     Examples
     --------

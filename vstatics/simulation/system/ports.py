@@ -33,9 +33,9 @@ from vstatics.simulation.system.sight import following, looking
 from vstatics.simulation.tolerances import STANDING
 
 _FINE = 0.1
-"""Fraction of a slip over which the torque is nearly linear."""
+"""Relative change of a slip over which a torque that depends on the slip is nearly linear."""
 _FAR = 1e6
-"""Ratio to rounding above which a slip is far from 0."""
+"""Multiple of the rounding error of slips above which a slip counts as far from 0."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
 """States of moving mechanisms with losses."""
 
@@ -56,8 +56,9 @@ class States(NamedTuple):
     pieces: tuple[int, ...]
     """Active pieces of laws.
 
-    For each outside torque the piece over speed or angle, else 0; then for each converter; for the
-    friction coefficient of each contact, over slip; for the curve of each spring, over twist.
+    The order is: for each outside torque the piece over speed or angle (0 for other laws); for each
+    converter; for the friction coefficient of each contact, over slip; for the curve of each
+    spring, over twist.
     """
 
     @property
@@ -76,7 +77,7 @@ class Ports:
     time : float
         Beginning of the piece of time. [s]
     rounding : float
-        Slip that is 0 except for rounding. [rad/s]
+        Largest slip that counts as 0, because it can be rounding error. [rad/s]
     """
 
     def __init__(
@@ -99,7 +100,7 @@ class Ports:
         self.looks: list[tuple[int, Look]] = []
         """Port, torque as a function of time and all seen quantities."""
         self.ending: list[int] = []
-        """Ports with a torque that depends on a slip ending at 0."""
+        """Ports of slipping contacts with feedback torques, whose slip can end at 0."""
         self.limits: list[tuple[int, float, Programme]] = []
         """Springs at feedback limits: index, sign of the torque, programme."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
@@ -139,7 +140,7 @@ class Ports:
         self.taken = np.where(parted, lines, 0.0)
         """Damper share of the torques of parted springs: value at twist 0, and slope."""
         self.all_elastic = np.zeros(layout.ports)
-        """Stiffnesses of all ports. [N*m/rad]"""
+        """Stiffness of each port, 0 if the port is not a spring. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
         self.struts = [
             (index, spring.curve)

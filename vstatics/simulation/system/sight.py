@@ -89,7 +89,7 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
 
 
 class Compared(NamedTuple):
-    """Pair of compared numbers."""
+    """Pair of numbers that a formula, or the check of a limit, compares."""
 
     first: Look
     second: Look
@@ -107,7 +107,7 @@ class Corner(NamedTuple):
     text: str
     """Text of the formula."""
     compared: Sequence[Compared]
-    """Comparisons of a number with ascending numbers, of which the nearest count."""
+    """Comparisons of a number with ascending numbers; only the nearest are watched."""
     jumps: Sequence[bool]
     """Flags of the compared numbers at which the formula can jump."""
 
@@ -180,7 +180,7 @@ def conditions(system: MotionSystem) -> Iterator[tuple[Path, StepCondition]]:
 
 
 def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
-    """Yield temperatures and slips at which friction coefficients bend."""
+    """Yield corners of friction coefficients that are tables over slip and temperature."""
     for device in system.may_slip:
         if device.programme.table is not None:
             slip, temperature = _rubbing_places(system, device)
@@ -208,7 +208,7 @@ def _place_seen(place: int) -> Look:
 
 
 def fixed(value: float) -> Look:
-    """Return a constant as a look."""
+    """Return a constant as a `Look`."""
     return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 

@@ -35,14 +35,17 @@ third and of the torque on the first link.
 
 _LAST_PREFERENCE = 1e2
 _FIRST = 1e-2
-"""Weights in the norm of redundant torques; drags and meshes share the torque last."""
+"""Weights in the norm of redundant torques.
+
+The constraints of mechanisms carry a torque first; drags and sticking meshes share it last.
+"""
 
 
 class Multiplier(NamedTuple):
-    """Constraint torque."""
+    """Identity of a constraint torque: its kind and the part that it acts in."""
 
     kind: str
-    """`mesh`: on the first link of a mechanism; `friction` of a sticking mesh; or `contact`."""
+    """`mesh` (on the first link of a mechanism), `friction` (of a sticking mesh) or `contact`."""
     of: int
 
 
@@ -52,32 +55,32 @@ class MotionStructure:
     Attributes
     ----------
     free : ndarray, shape (links, motions)
-        Speeds of links by the motions with inertia, ``N``. The last motions belong to contacts that
-        stick at speeds other than 0, ``p``; these speeds are their coordinates.
+        Matrix ``N`` from motions with inertia to speeds of links. The last motions belong to
+        contacts that stick at speeds other than 0; the coordinate of such a motion is this speed.
     light : ndarray, shape (links, massless motions)
-        Speeds of links by the motions without inertia.
+        Matrix from motions without inertia to speeds of links.
     drivers : sequence of int
         Contacts that stick at speeds other than 0, one per speed.
     projection : ndarray, shape (motions, links)
-        Map from inconsistent speeds of links, as of links without inertia, to the motions with
-        equal momentum.
+        Matrix from speeds of links to the motions with inertia of equal momentum. The speeds can
+        violate constraints, for example at links without inertia.
     rates, light_rates : ndarray
-        Rates of ports by the motions with and without inertia.
+        Matrices from motions with and without inertia to rates of ports.
     accelerations : ndarray, shape (motions, ports)
-        dq/dt by the torques of ports; the torque of a driver is replaced by the derivative of its
-        speed, dw0/dt.
+        Matrix from torques of ports to dq/dt. Instead of the torque of a driver, it takes the
+        derivative of the speed at which the driver sticks.
     balances : ndarray, shape (massless motions, ports)
-        Sums of torques that must be 0, by the torques of ports.
+        Matrix from torques of ports to sums of torques that must be 0.
     multipliers : sequence of Multiplier
         Meshes first, in the order of the system.
     contact_rows : dict of int to int
         Index of each sticking contact -> row of its multiplier.
     torques : ndarray, shape (multipliers, ports)
-        Constraint torques by the torques of ports; redundant torques have least norm.
+        Matrix from torques of ports to constraint torques; redundant torques have least norm.
     redundant : ndarray, shape (multipliers, directions)
         Directions of redundant torques, orthonormal in the weighted norm.
     mesh_rates, mesh_light_rates : ndarray
-        Power loss of a mesh per torque on its first link, by the motions.
+        Matrices from motions to the power loss of each mesh per torque on its first link.
     """
 
     def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
@@ -180,7 +183,10 @@ def mesh_factor(efficiency: float, back: float, state: str) -> float:
 def _constraints(
     system: MotionSystem, held: Held, meshes: MeshStates
 ) -> tuple[Floats, Floats, list[Multiplier]]:
-    """Return constraint rows and columns, both as columns; equal arrays without losses."""
+    """Return the columns of C, the columns of B, and the constraint torques that they belong to.
+
+    C and B are equal if no mesh has losses.
+    """
     mesh_states = list(zip(system.meshes, meshes, strict=True))
     held_rows = {
         Multiplier("friction", index): mesh.friction
@@ -277,8 +283,8 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
 def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:
     """Return the multipliers by ports, and the redundant directions.
 
-    Redundant multipliers have least weighted norm. Drags and meshes share the torque only if no
-    other constraint can carry it.
+    Redundant multipliers have least weighted norm. Drags and the friction of sticking meshes take
+    a torque only if no other constraint can carry it.
     """
     count = columns.shape[1]
     if not count:

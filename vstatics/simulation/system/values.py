@@ -55,7 +55,7 @@ class ValueChanges:
         return value_rates
 
     def unheld(self, time: float, state: Floats, rates: Floats, torques: Floats) -> Floats:
-        """Return the rates of states without limits, then 0 for each temperature."""
+        """Return the rates that states would have without limits, then 0 for temperatures."""
         value_rates = np.zeros(len(self.equations.layout.values))
         if self.rates:
             seen, ports = self.seen(time, state, rates, torques), self.equations.ports
@@ -110,7 +110,10 @@ class ValueChanges:
             self.held[inward] = 0  # a released state can change other rates
 
     def _next_changes(self, time: float, state: Floats) -> Floats:
-        """Return rates of states without limits; if 0 or turning, rates a little later."""
+        """Return the rates that states would have without limits.
+
+        A rate that is 0, or soon changes its sign, is replaced by the rate a little later.
+        """
         equations = self.equations
         changes = self.unheld(time, state, *equations.acting(time, state))
         reached, within = 0.0, equations.within
@@ -167,7 +170,7 @@ def _derived(equations: KnownMotion, seen: Seen) -> Derived:
 
 
 def outside_torques(equations: KnownMotion) -> Floats:
-    """Return the outside torques on links by the torques of ports, shape (links, ports).
+    """Return the matrix from torques of ports to outside torques, shape (links, ports).
 
     Loads, torques at jumps and torques of links with given speeds are included.
     """

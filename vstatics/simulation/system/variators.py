@@ -48,7 +48,7 @@ class VariatorTorques:
         self.references = np.array([variator.reference for variator in self.variators])
         self.efficiencies = np.array([variator.efficiency for variator in self.variators])
         self.accelerations = structure.free[first] @ structure.accelerations
-        """Accelerations of first links by the torques of ports."""
+        """Matrix from torques of ports to accelerations of first links."""
         for variator in self.variators:
             if equations.light and np.abs(structure.light[variator.first]).max() > MOVING_LINK:
                 name = system.names[variator.first]

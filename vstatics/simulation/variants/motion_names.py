@@ -39,7 +39,7 @@ class RunNames:
 
     language = LANGUAGE
     gears: Sequence[str] = ()
-    """Names of gears; empty, since the first axis of the tables is the time."""
+    """Names of gears; empty, because the tables of a run have no axis of gears."""
 
     def __init__(self, source: Excerpt, rows_of: Callable[[Kind], Sequence[str]]) -> None:
         self.source = source
@@ -81,7 +81,7 @@ class RunNames:
         return self.rows_of(TABLES[table].kind)
 
     def written_rows(self, table: str) -> Sequence[str]:
-        """Return the names of the rows in all variants, which do not vary."""
+        """Return the names of the rows of a table, which are the same in all variants."""
         return self.rows(table)
 
     def row(self, table: str) -> str:
@@ -89,7 +89,7 @@ class RunNames:
         return TABLES[table].kind
 
     def key(self, index: int, rows: Sequence[str]) -> str:
-        """Return a row as written between brackets: of a step the sequence and the number."""
+        """Return a row as written between brackets; a step is written as sequence and number."""
         if tuple(rows) != self.rows_of("step"):
             return written(index, rows)
         sequence, _, number = rows[index].rpartition(",")
@@ -102,7 +102,7 @@ class RunNames:
             return None
         name = _bare(written)
         rows_of_name = [] if written[0] == "#" else [n for n, row in enumerate(rows) if row == name]
-        if not rows_of_name and kind == "target":  # the only target speed of a link
+        if not rows_of_name and kind == "target":  # a link means its only target speed
             rows_of_name = [n for n, row in enumerate(rows) if row.rpartition(" ")[0] == name]
         number = None if rows_of_name else typed_number(written.removeprefix("#"), len(rows))
         if number is not None:
@@ -138,7 +138,7 @@ class MotionNames(RunNames):
         self.targets = targets
 
     def number(self, name: DottedName) -> VariedNumber | Constant | Selection:
-        """Return a number of the scenario or the case: varied, as written, or from teeth."""
+        """Return the number that a name means: varied, as in the document, or from teeth."""
         return self._number(name.written, self.source.place(name.at))
 
     def _number(self, written: str, place: Place) -> VariedNumber | Constant | Selection:

@@ -20,7 +20,7 @@ from vstatics.simulation.record.row_names import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
-"""Function of a motion, a name of a row and a place that returns a number."""
+"""Function that returns a number from a motion, the name of a row and the index of the row."""
 
 
 class MotionTable(NamedTuple):
@@ -65,7 +65,7 @@ def _target(field: Literal["time", "distance"], motion: Motion, _: str, place: i
 
 
 TIME = "time"
-"""Name of the table of the instants themselves."""
+"""Name of the table of the times of all instants."""
 TABLES = {
     TIME: MotionTable("number", "s"),
     "speeds": MotionTable("link", "rad/s"),

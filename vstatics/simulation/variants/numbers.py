@@ -36,11 +36,11 @@ if TYPE_CHECKING:
 
 
 _PLAIN = (1.0, 0.5, 0.0, 100.0)
-"""Numbers of which at least one is valid wherever a number is allowed."""
+"""Trial numbers: wherever a number is allowed, at least one of these is valid."""
 
 
 def number_paths(varied: Sequence[Varied]) -> list[NumberPath]:
-    """Return the numbers of a scenario or case among varied numbers: all in a scenario sweep."""
+    """Return the varied numbers that belong to documents, as all do in a sweep of a scenario."""
     return [path for path in varied if isinstance(path, NumberPath)]
 
 
@@ -139,11 +139,11 @@ class ScenarioNumbers:
 
     @property
     def base_case(self) -> Transmission:
-        """Case as written."""
+        """Case as in the documents, without varied numbers."""
         return self.own.scenario.case
 
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> NumberPath:
-        """Return a number with the unit of the values.
+        """Return a varied number together with the unit in which its values are given.
 
         Raises
         ------
@@ -164,7 +164,7 @@ class ScenarioNumbers:
         return path
 
     def sampled(self, text: str) -> NumberPath:
-        """Return the number of a distribution, with values in an SI unit.
+        """Return the number that a distribution under `samples` belongs to, with its SI unit.
 
         The values are bare if neither the number nor the distribution has a unit.
 
@@ -191,7 +191,7 @@ class ScenarioNumbers:
         return known.value
 
     def follows_teeth(self, path: NumberPath) -> bool:
-        """Return whether a ratio or an efficiency of a gear set is missing in the document."""
+        """Return whether a number is a ratio or efficiency that the document leaves to teeth."""
         of_element = path.of_case and path.keys[0] == "elements" and len(path.keys) == 3
         is_such = of_element and path.keys[2] in OF_MECHANISM
         return is_such and written_number(path, self.trees) is None

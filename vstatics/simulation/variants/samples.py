@@ -49,7 +49,7 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
     kinds = {name: TABLES[name].kind for name in OF_SAMPLES}
     names = [name for name, kind in kinds.items() if kind == "number" or subject.rows(kind)]
-    # peaks without sign, for a mean of sizes
+    # The mean of peaks is a mean of magnitudes, so their signs are removed.
     columns = ["abs(peaks)" if name == "peaks" else name for name in names]
     out = options.out or Text(",".join(columns))
     return with_expressions(subject, replace(options, out=out), drawn)

@@ -157,9 +157,9 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return [motion.stopped] if motion.stopped else []
 
     def seconds(self, tried: float) -> float:
-        """Return the time of a run that outlasts a trial [s]; 0 for a shorter run."""
+        """Return the estimated time of a run [s]; 0 if a trial of `tried` seconds completes it."""
         pace = Pace(self.own.scenario.duration, tried)
-        with suppress(CaseError):  # other variants may begin
+        with suppress(CaseError):  # even if this run cannot begin, variants can
             simulate(self.own.scenario, rtol=self.rtol, watch=pace)
         return min(pace.needed, self.limit or math.inf)
 

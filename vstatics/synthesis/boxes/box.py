@@ -31,7 +31,7 @@ class KeptParts(NamedTuple):
     elements: tuple[tuple[int, int], ...]
     """Shift elements, as in `FoundBox`."""
     free: int
-    """Largest number of shift elements that can be missing."""
+    """Largest number of these shift elements that a found gearbox can lack."""
 
 
 class WantedSequence(NamedTuple):
@@ -46,7 +46,7 @@ class WantedSequence(NamedTuple):
     steps: tuple[float, float]
     """Range of each ratio divided by the next. [-]"""
     falling: bool = False
-    """True if no step can be larger than the step below."""
+    """True if no step can be larger than the step between the next lower gears."""
 
 
 class BoxSearch(NamedTuple):
@@ -68,7 +68,7 @@ class BoxSearch(NamedTuple):
     targets: tuple[float, ...]
     """Wanted ratios of the gears, all different. [-]"""
     bounds: tuple[float, float] = (1.4, 5.0)
-    """Smallest and largest ring teeth/sun teeth of a set. [-]"""
+    """Smallest and largest ring teeth/sun teeth of each gear set. [-]"""
     meshed: int = 0
     """Number of sets with meshed planets."""
     own_input: bool = False
@@ -87,10 +87,10 @@ class BoxSearch(NamedTuple):
     brake_counts: tuple[int, ...] | None = None
     """Allowed numbers of brakes; any number if not given."""
     singly: bool = False
-    """True if only gearboxes with a possible single shift between neighbours are searched."""
+    """True to search only gearboxes in which neighbouring gears can differ by a single exchange."""
 
     sequence: WantedSequence | None = None
-    """Gears in addition to the targets."""
+    """Forward gears in addition to the targets, given by number, spread and steps."""
     kept: KeptParts | None = None
     """Parts retained from an existing gearbox."""
 
@@ -125,7 +125,7 @@ class BoxSearch(NamedTuple):
 
     @property
     def may_be_in_parts(self) -> bool:
-        """True if some sets can be connected by shift elements only, as by Lepelletier."""
+        """True if shift elements alone can connect some sets, as in Lepelletier's gearbox."""
         return bool(self.fixed) and not self.shafts
 
 
@@ -182,9 +182,9 @@ ANY_QUOTIENT = (1.0, LARGEST_BOX_RATIO**2)
 MOST_BOX_SETS = 5
 """Largest number of gear sets; more sets have more schemes than can be examined."""
 SHAFT_ELEMENTS = 3
-"""Smallest number of elements at a shaft; two elements would act as a single clutch."""
+"""Smallest number of shift elements at a further shaft; two would act as a single clutch."""
 MOST_LINKS = 10
-"""Largest number of moving links; brakes and clutches between links are bits of an integer."""
+"""Largest number of moving links, whose possible brakes and clutches are bits of an integer."""
 MOST_ELEMENTS = 12
 """Largest number of shift elements."""
 MOST_SEQUENCE = 24
@@ -248,7 +248,7 @@ def elements_there(search: BoxSearch) -> tuple[int, int]:
 
 
 def fewest_elements(shafts: int) -> int:
-    """Return the fewest elements that give each shaft three; a clutch can connect two shafts.
+    """Return the fewest shift elements that give each shaft three; a clutch can serve two shafts.
 
     >>> [fewest_elements(shafts) for shafts in range(5)]
     [0, 3, 5, 6, 6]

@@ -40,7 +40,7 @@ def case_mechanisms(lowered: OwnLinks) -> list[Mechanism]:
 
 
 def _by_best_wheel(pairs: Sequence[Mechanism]) -> Sequence[Mechanism]:
-    """Pair all gears with the best gear; leave pairs on several carriers unchanged."""
+    """Pair all gears with the most suitable gear; do not change pairs on several carriers."""
     speeds = {pairs[0].first: 1.0}  # relative to the carrier
     for _ in pairs:
         for pair in pairs:

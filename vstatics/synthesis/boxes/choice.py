@@ -119,7 +119,7 @@ def family_count(boxes: Iterable[RankedBox]) -> int:
 
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
-    """Return a sort key for fits of a gearbox that does not depend on the order of fits."""
+    """Return a key that sorts several fits of a gearbox, whichever was found first."""
     error, loss = (round(figure, FIGURE_DECIMALS) for figure in box.figures[:2])
     return error, loss, box.box.ratios
 

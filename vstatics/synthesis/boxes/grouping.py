@@ -38,7 +38,7 @@ def numbered(keys: Iterable[Hashable]) -> list[int]:
 
 
 def places(values: Floats) -> Integers:
-    """Return the place of each value among the different values; undefined values count as 0.
+    """Return the rank of each value among the different values; undefined values count as 0.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def families(ratios: Floats) -> list[int]:
 
 
 def _parted(group: Any, sizes: Floats) -> list[Any]:
-    """Split a group of gearboxes where the sizes of a gear have a gap."""
+    """Split a group of gearboxes where the sizes of the ratio of a gear have a gap."""
     if len(group) == 1:
         return [group]
     ordered = group[np.argsort(sizes[group], kind="stable")]

@@ -71,7 +71,7 @@ class ListedBox(NamedTuple):
     """Two gear sets that form each named Ravigneaux set."""
     number: int = 0
     input: Count = 0
-    """Link of the code; 0 in a document that was read, where the number is not needed."""
+    """Number of the input link in the code; 0, because not needed, in a document that was read."""
     output: Count = 0
     held: Sometimes[Count] = None
 
@@ -164,7 +164,7 @@ def listed_box(number: int, ranked: RankedBox) -> ListedBox:
 
 
 Range = tuple[float, ...]
-"""Lower and upper end, empty without a request. [-]"""
+"""Lower and upper end of a wanted range; empty if no range is requested. [-]"""
 
 
 class WantedOfBoxes(NamedTuple):
@@ -181,7 +181,7 @@ class WantedOfBoxes(NamedTuple):
     steps: Range
     """Range of each ratio divided by the next. [-]"""
     falling: bool
-    """True if no step can be larger than the step below."""
+    """True if no step can be larger than the step between the next lower gears."""
 
 
 def wanted_of(search: BoxSearch) -> WantedOfBoxes:

@@ -21,7 +21,7 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     case : Transmission
         Gearbox of planetary sets, clutches and brakes. Freewheels are ignored.
     free : int
-        Largest number of shift elements that can be missing.
+        Largest number of its shift elements that a found gearbox can lack.
     targets : sequence of float
         Wanted ratios of the gears. [-]
 
@@ -61,7 +61,7 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
                 f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
             )
             raise CaseError("E920", message, ("mechanisms", mechanism.name))
-    body = [*range(gearbox.links + 1)]  # first link of the group that shafts join
+    body = [*range(gearbox.links + 1)]  # lowest link of those joined at ratio 1
     for mechanism in gearbox.mechanisms:
         if mechanism.ratio == 1:
             low, high = sorted((body[mechanism.first], body[mechanism.second]))

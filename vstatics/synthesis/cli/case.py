@@ -20,7 +20,7 @@ from vstatics.synthesis.gears.names import set_name
 from vstatics.synthesis.structures.scheme import SetScheme, link_name
 
 FIRST, STEP = -2.0, -0.1
-"""Default ratio of the first set, and step to the next; different ratios avoid equal gears."""
+"""Default ratio of the first set, and difference to the next set, which avoids equal gears."""
 
 
 @click.command()

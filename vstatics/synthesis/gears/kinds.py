@@ -62,7 +62,7 @@ class EngagedKinds(NamedTuple):
     free: Booleans
     """True if links can turn while input and output are at rest."""
     unity: Booleans
-    """True if input and output turn alike, or both are at rest."""
+    """True if input and output turn at equal speeds, or both are at rest."""
     doubtful: Booleans
     """True if too many digits were lost to trust the result."""
 

@@ -35,7 +35,7 @@ def names_of_gears(ratios: Sequence[float]) -> tuple[str, ...]:
 
 
 def names_of_mean(ratios: Sequence[float]) -> list[str]:
-    """Return the names of gears in a mean: forward gears, or all without a forward gear.
+    """Return the names of the gears of a mean: forward gears, or all if no gear is forward.
 
     >>> names_of_mean([1, -2.5, 3.2]), names_of_mean([-2, -4])
     (['1', '2'], ['R1', 'R2'])

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from vstatics.core.errors import CaseError
 
 Polynomial = Mapping[int, Fraction]
-"""Coefficients by bits of ratios."""
+"""Coefficient of each product of ratios; the bits of the key are the indices of the ratios."""
 Term = tuple[Fraction, Fraction]
 """Two coefficients: without and with the ratio of the row."""
 
@@ -32,7 +32,7 @@ class LinearRow(NamedTuple):
     """Equation ``sum of terms = right`` of a mechanism, or of a part without a ratio."""
 
     ratio: int
-    """Index of the ratio, -1 without a ratio."""
+    """Index of the mechanism whose ratio is in the equation, -1 without a ratio."""
     terms: Mapping[int, Term]
     """Coefficients by unknown."""
     right: Term

@@ -206,7 +206,7 @@ class FitProblem(NamedTuple):
         return reach(formula, np.array(self.bounds.low), np.array(self.bounds.high))
 
 
-def fit_problem(  # noqa: PLR0913 - what `fit` is given
+def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
     case: Transmission,
     ratios: Mapping[str, float],
     bounds: Mapping[str, tuple[float, float]],

@@ -1,4 +1,8 @@
-"""Search for mechanism ratios: from starts all over the bounds to different minima."""
+"""Search for mechanism ratios by least squares from many starting points (multistart).
+
+`fit_starts` samples the bounds and keeps points at which all gears have the wanted sign.
+`found_ratios` minimizes from each of them and returns the minima that differ, the best first.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +15,9 @@ from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
 
 ANCHORED = (0.1, 0.01)
-"""Decreasing weights of the ratios of the case, where the wanted ratios leave a choice.
+"""Weights, in turn, of deviations from the ratios of the case, to settle undetermined ratios.
 
-A last step without them follows.
+A last step without these deviations follows.
 """
 
 
@@ -89,7 +93,7 @@ def start_count(space: FitSpace) -> int:
 
 
 def fit_starts(space: FitSpace) -> FitPoints:
-    """Return the starting points: the ratios of the case if valid, half good points, half any.
+    """Return the starts: the ratios of the case if valid, then random points, half of them good.
 
     Raises
     ------
@@ -97,7 +101,7 @@ def fit_starts(space: FitSpace) -> FitPoints:
         If no point is found at which all gears have the wanted sign.
     """
     count = start_count(space)
-    random = np.random.default_rng(14)
+    random = np.random.default_rng(14)  # a fixed seed, so that runs agree
     turning = np.zeros(len(space.targets))
     with np.errstate(all="ignore"):
         for number in range(ROUNDS):

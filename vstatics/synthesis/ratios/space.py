@@ -40,7 +40,7 @@ class FitSpace(NamedTuple):
     targets: Floats
     """Wanted ratio of each gear. [-]"""
     roots: Floats
-    """Square roots of the weights, the largest 1."""
+    """Square roots of the weights, scaled so that the largest is 1."""
     advance: Advance
     """Function that is called at every step of a search."""
 
@@ -80,7 +80,7 @@ class FitSpace(NamedTuple):
         return values, slopes * self.roots[:, np.newaxis]
 
     def minima(self, starts: FitPoints, weight: float = 0.0, steps: int = MOST_FIT_STEPS) -> Minima:
-        """Return the minima reached from starts, with a weight on the ratios of the case."""
+        """Return the minima reached from starts; `weight` draws them to the ratios of the case."""
         anchor = self.case_point.sizes
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:

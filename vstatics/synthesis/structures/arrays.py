@@ -21,7 +21,7 @@ Codes = NDArray[np.uint8]
 MEMBERS = 3
 """Number of members of a gear set: sun, carrier and ring."""
 LEAST_MOBILITY = 2
-"""Smallest difference of links and sets in every group of sets that is not locked up."""
+"""Smallest number of links minus number of sets of a group of sets that is not locked up."""
 
 
 def first_codes() -> Codes:

@@ -122,7 +122,7 @@ def sound(sets: int) -> ByLinks:
 
 @cache
 def _part(sets: int, *, is_body: bool) -> ByLinks:
-    """Count connected schemes without mixed schemes: either sound or locked up, by the links."""
+    """Count connected schemes that are sound, or locked up as a whole, by number of links."""
     mixed = _mixed(sets)
     return {
         links: number - mixed[links]

@@ -49,7 +49,7 @@ class Estimate(NamedTuple):
     exact: bool
     """True if the numbers are exact."""
     bytes: float
-    """Size of the lines. [bytes]"""
+    """Size of the output lines. [bytes]"""
     seconds: float
     """Time of the search. [s]"""
 

@@ -22,8 +22,8 @@ from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
 
 Classes = Literal["none", "sets", "members", "order"]
-"""Equivalence of schemes: no, by renaming of sets, also by exchange of sun and ring, or by any
-order of members."""
+"""Schemes that count as equal: none; with renamed sets; also with exchanged sun and ring; also with
+any order of members."""
 MOST_SETS = 10
 """Largest number of gear sets."""
 SCHEMES_AT_ONCE = 50_000

@@ -54,7 +54,7 @@ class SetScheme(NamedTuple):
 
     @property
     def mobility(self) -> int:
-        """Degrees of freedom: links less sets."""
+        """Degrees of freedom: number of links minus number of sets."""
         return self.links - len(self.sets)
 
     @property

@@ -27,14 +27,14 @@ from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits
 
 FOOT = 2.5
-"""Excess of the diameter of a ring gear over the pitch circle, for teeth and rim. [modules]"""
+"""Outer diameter minus pitch diameter of a ring gear, for teeth and rim. [modules]"""
 
 
 @dataclass(frozen=True)
 class TeethCandidates:
-    """Rows of tooth numbers of each gear, then the number of planets, then modules by component.
+    """Candidates in rows: tooth number of each gear, number of planets, module of each component.
 
-    Modules are indices into `modules`.
+    A component is a group of meshing gears. Its module is given as an index into `modules`.
     """
 
     layout: TeethLayout
@@ -80,7 +80,7 @@ class TeethCondition(NamedTuple):
 
     label: str
     needs: frozenset[int]
-    """Columns that must be known."""
+    """Columns of candidates that must be known to check the condition."""
     test: Test
 
 
@@ -133,7 +133,7 @@ def _differ(rows: TeethCandidates) -> Booleans:
 
 
 def _within(layout: TeethLayout, largest: float) -> Iterator[TeethCondition]:
-    """Yield limits of ring gears with rim, gear tips, and tips of planets farthest out."""
+    """Yield conditions that ring gears with rim, gear tips and planets stay within a diameter."""
     first, rims = len(layout.wheels) + 1, {rim for rims in layout.planets for rim in rims}
     for number in range(len(layout.wheels)):
         needs, is_rim = frozenset({number, first + layout.component[number]}), number in rims

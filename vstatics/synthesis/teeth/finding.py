@@ -112,9 +112,9 @@ def doubts_before(problem: TeethProblem) -> Iterator[str]:
 
 
 MOST_WINDOWS = 4096
-"""Number of parts into which the ranges of ratios are halved."""
+"""Largest number of parts into which the ranges of ratios are divided by halving."""
 LARGEST_ERROR_LIMIT = 20.0
-"""Limit of errors above which there is no limit."""
+"""Largest finite limit of errors; the limit after it is infinite."""
 HALVINGS = 30
 """Number of bisection steps for the least possible error."""
 
@@ -305,9 +305,10 @@ def _whole_table(rows: TeethRows) -> TeethTable | None:
 
 
 def none_fits(layout: TeethLayout, excluded: Counter[str]) -> Problem:
-    """Return the problem without any fitting tooth numbers, with the strictest condition.
+    """Return the problem that no tooth numbers fit; it names the condition that excludes most.
 
-    Most tooth numbers are not coaxial, so that condition is named only if no other excludes any.
+    The axes coincide for few tooth numbers, so this condition is named only if no other condition
+    excludes any.
     """
     message = f"no teeth of {layout.name} fulfil all conditions"
     left = {label: count for label, count in excluded.items() if count and label != LOOKED}

@@ -103,7 +103,7 @@ class AxisEquation(NamedTuple):
     """Factor of each gear, and the component whose module applies."""
     value: float
     tolerance: tuple[float, tuple[int, int]]
-    """Number of modules, as the mean of two components."""
+    """Tolerance in modules, and the two components whose mean module applies."""
 
 
 def axis_equations(layout: TeethLayout, limits: TeethLimits) -> Iterator[AxisEquation]:

@@ -33,7 +33,7 @@ CANDIDATES_AT_ONCE = 300_000
 LARGEST_TEETH_LOGARITHM = 50.0
 """Upper limit of ln(teeth), beyond any tooth number."""
 MOST_TEETH_CANDIDATES = 100_000_000
-"""Number of candidates to examine, which takes half a minute."""
+"""Default largest number of candidates to examine, which takes half a minute."""
 LOOKED = "left"
 """Key of the number of remaining candidates among the counts of exclusions."""
 

@@ -38,9 +38,9 @@ class BestTeeth(NamedTuple):
     errors: Floats
     """Errors in ascending order, shape (found,)."""
     places: Integers
-    """Places in the tables, shape (found, elements)."""
+    """Place in the table of each gear set, shape (found, gear sets)."""
     bound: float
-    """Lower bound of all other errors; infinite without other solutions."""
+    """Lower bound of the errors of all other choices; infinite if no other choice exists."""
 
 
 def best_teeth(
@@ -50,7 +50,7 @@ def best_teeth(
     most: float = math.inf,
     advance: Advance = untold,
 ) -> BestTeeth:
-    """Return the places of tables with the least errors, with enough different teeth.
+    """Return the places in the tables with the least errors, for enough different tooth numbers.
 
     Parameters
     ----------
@@ -191,7 +191,7 @@ class _Halving:
         self._try(starts, sizes)
 
     def _try(self, starts: Integers, sizes: Integers) -> None:
-        """Try all choices of regions, from the first places and numbers of places."""
+        """Try all choices in regions, given by first place and number of places in each table."""
         counts = sizes.prod(axis=1)
         for piece in portions(counts, CHOICES_AT_ONCE):
             of_region, number = counted(counts[piece])

@@ -113,7 +113,7 @@ class TeethTarget:
         return corners.min(axis=1), corners.max(axis=1), ~keeps_sign
 
     def within(self, points: Floats, column: int, most: float) -> tuple[Floats, Floats, Booleans]:
-        """Return the range of a column with errors up to `most`, for fixed other columns.
+        """Return the range of the ratio in a column with errors up to `most`, other columns fixed.
 
         Returns
         -------

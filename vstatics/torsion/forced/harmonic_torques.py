@@ -132,8 +132,9 @@ def response(  # noqa: PLR0913 - all but the first by name
 ) -> list[GearResponse]:
     """Calculate the forced vibration of the gears of a case.
 
-    The equation is ``(K + i omega D - omega^2 M) q = Q``; a loss factor adds ``i loss_factor K``,
-    at any frequency.
+    The equation is ``(K + i omega D + i sgn(omega) H - omega^2 M) q = Q``, with stiffness K,
+    viscous damping D, hysteretic damping H (loss factor times stiffness, at any frequency), inertia
+    M, the amplitudes q and the exciting torque Q.
 
     Parameters
     ----------

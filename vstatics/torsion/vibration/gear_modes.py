@@ -84,12 +84,12 @@ class Mode(NamedTuple):
 
     @property
     def by_stiffness(self) -> dict[str, float]:
-        """Relative change of the frequency per relative change of each stiffness [-]."""
+        """Sensitivity to each stiffness, ``d ln(omega)/d ln(c) = elastic/2`` (Rayleigh) [-]."""
         return {name: share / 2 for name, share in self.elastic.items()}
 
     @property
     def by_inertia(self) -> dict[str, float]:
-        """Relative change of the frequency per relative change of each inertia [-]."""
+        """Sensitivity to each inertia, ``d ln(omega)/d ln(J) = -kinetic/2`` (Rayleigh) [-]."""
         return {name: -share / 2 for name, share in self.kinetic.items()}
 
     @property

@@ -1,8 +1,10 @@
 """Natural frequencies and shapes without damping, accurate over any range of stiffness.
 
-The frequencies are the generalized singular values of the twists ``B z`` and the speeds of bodies
-``L z`` for coordinates z, weighted by the roots of stiffness and inertia. Squares are never formed:
-rounding of the squares of stiff springs would swamp soft springs.
+The modes solve ``K z = omega^2 M z`` with ``K = B' c B`` and ``M = L' J L``: twists ``B z`` of
+elastic devices with stiffnesses c, and speeds ``L z`` of bodies with inertias J. `natural_modes`
+takes omega as the generalized singular values of ``sqrt(c) B`` and ``sqrt(J) L``. It never forms K,
+because rounding of stiff springs would swamp soft springs. `lowest_modes` forms K and M, as sparse
+matrices.
 """
 
 from __future__ import annotations

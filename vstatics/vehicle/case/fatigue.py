@@ -1,4 +1,4 @@
-"""Fatigue strength of a component under torque cycles, by Woehler and Miner."""
+"""Fatigue strength of a component under torque cycles: S-N curve (Woehler) and Miner's rule."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Fatigue(NamedTuple):
     exponent : float
         Exponent m of the S-N curve: stress^m * cycles is constant. [-]
     cycles : float
-        Number of cycles at the endurance. [-]
+        Number of cycles to failure with the stress amplitude `endurance`. [-]
     diameter : float, optional
         Diameter of a round shaft, whose section modulus is pi d^3/16. [m]
     section_modulus : float, optional

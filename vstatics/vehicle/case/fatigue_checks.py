@@ -47,7 +47,7 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield warnings about diameters in mm without their unit."""
+    """Yield warnings about diameters that were probably meant in mm."""
     for name, fatigue in Fatigue.of(case).items():
         if fatigue.diameter and fatigue.diameter > THICKEST_SHAFT:
             yield no_unit(fatigue.diameter, "m", "a shaft", ("fatigue", name, "diameter"))

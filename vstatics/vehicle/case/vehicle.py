@@ -36,7 +36,7 @@ class Vehicle(NamedTuple):
     drag_area : float
         Drag coefficient times frontal area. [m^2]
     final_drive : float
-        Output speed divided by wheel speed, without sign. [-]
+        Output speed of the transmission divided by wheel speed, without sign. [-]
     engine : sequence of pairs
         Full-load curve: speed [rad/s], torque [N*m], interpolated linearly.
     overrun : sequence of pairs
@@ -65,7 +65,9 @@ class Vehicle(NamedTuple):
         return as_type(case.vehicle, cls)
 
     def resistance(self, speed: Any, slope: Any = 0.0) -> Any:
-        """Return the force of rolling, ascent (sine of the slope) and air [N] at a speed [m/s].
+        """Return the resistance [N] of rolling, ascent and air at a speed [m/s].
+
+        The slope is the sine of the angle of ascent.
 
         >>> round(Vehicle(1000.0, 0.3, rolling=0.01, drag_area=0.5).resistance(10.0), 9)
         128.1
@@ -84,7 +86,7 @@ class Vehicle(NamedTuple):
         return np.where(self.may_turn(speed), _between(self.engine, speed), 0.0)
 
     def may_turn(self, speed: Any) -> Any:
-        """Return whether the engine can reach a speed, up to the last point [rad/s]."""
+        """Return whether the engine can reach a speed, up to the last full-load point [rad/s]."""
         last = self.engine[-1][0] * (1 + SAME_SPEED) if self.engine else math.inf
         return np.asarray(speed) <= last
 
@@ -106,7 +108,7 @@ def _between(points: EnginePoints, speed: Any) -> Any:
 
 
 def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
-    """Return the powers other than the engine in a gear, as text, or an empty text.
+    """Return the sources of power other than the engine in a gear as text, or an empty text.
 
     A vehicle cannot be driven in such a gear, as a case does not describe the control of the other
     machines.

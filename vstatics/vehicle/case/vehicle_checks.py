@@ -87,7 +87,7 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Inertia at the output, relative to the vehicle mass, from which the mass counts twice."""
+"""Least inertia at the outputs that probably contains the vehicle mass, relative to its inertia."""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:

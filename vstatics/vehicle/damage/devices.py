@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class HasDamage(Protocol):
-    """Run with fatigue damage of components."""
+    """Results that contain the fatigue damage of components, such as a run."""
 
     @property
     def damage(self) -> Mapping[str, object]:
@@ -41,7 +41,7 @@ class DeviceDamage(NamedTuple):
     largest_stress: float
     """Largest equivalent stress amplitude of all cycles. [Pa]"""
     cycles: Sequence[LoadCycle]
-    """Cycles, with ranges and means in N*m."""
+    """Torque cycles of the record, with ranges and means in N*m."""
 
     @classmethod
     def of(cls, motion: HasDamage) -> dict[str, DeviceDamage]:
@@ -64,9 +64,9 @@ class DamageAnswer(NamedTuple):
 def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
     """Return the damage of a record of torques [N*m], by (4.33), (4.34) and (4.38).
 
-    The stress of a cycle is amplitude + asymmetry |mean|. From threshold * endurance, a cycle
-    causes the damage (stress/endurance)^exponent/cycles. The damage is NaN if a torque is
-    indeterminate or if the damage overflows.
+    The stress of a cycle is amplitude + asymmetry |mean|. If it reaches threshold * endurance, the
+    cycle causes the damage (stress/endurance)^exponent/cycles; smaller stresses cause none. The
+    damage is NaN if a torque is indeterminate or if the damage overflows.
 
     Examples
     --------

@@ -17,7 +17,7 @@ class LoadCycle(NamedTuple):
     """Cycle of a record, with the number of equal cycles."""
 
     range: float
-    """Largest minus least value."""
+    """Largest minus smallest value of the cycle, in the unit of the record."""
     mean: float
     counted: float
     """Number of cycles; open ranges count half."""
@@ -62,7 +62,7 @@ def rainflow(values: Floats) -> list[LoadCycle]:
 
 
 def _counted(turning: Iterable[float]) -> Iterator[tuple[float, float, float]]:
-    """Yield both values of each range, and the count."""
+    """Yield the first and the last value of each range, and the number of cycles."""
     open_: list[float] = []
     for value in turning:
         open_.append(value)

@@ -22,7 +22,8 @@ class RayleighLife(NamedTuple):
     """Life under stress amplitudes with a Rayleigh distribution."""
 
     integral: float
-    """Integral int_x0^inf x^(m+1) exp(-x^2/2) dx with the exponent m. [-]"""
+    """Integral int_x0^inf x^(m+1) exp(-x^2/2) dx, with the exponent m of the S-N curve and
+    x0 = threshold*endurance/deviation. [-]"""
     life: float | None
     """Life in cycles, or in km if cycles per km are given; None for unlimited life."""
 
@@ -88,7 +89,7 @@ def torque_life(fatigue: Fatigue, deviation: float, crossings: float) -> float:
     Returns
     -------
     float
-        Infinite if there is no damage; NaN if the numbers give no life.
+        Infinite without damage; NaN if an argument is invalid or a result overflows.
     """
     if not (deviation > 0 and 0 < crossings < math.inf):
         return math.nan

@@ -33,7 +33,10 @@ class ResizedShaft(NamedTuple):
 def resized(
     diameter: float, torque: float, repeats: float, exponent: float = SHAFT_EXPONENT
 ) -> ResizedShaft:
-    """Return the diameter D (R N^(1/m))^(1/3) with which a shaft has the life of another.
+    """Return the shaft that has the life of a given shaft under other torques and cycles.
+
+    The diameter is D (R N^(1/m))^(1/3): given diameter D, R times the torque, N times the cycles,
+    exponent m.
 
     Parameters
     ----------
@@ -75,7 +78,7 @@ def resized(
 def resized_by_ratio(
     diameter: float, ratio: float, exponent: float = SHAFT_EXPONENT
 ) -> ResizedShaft:
-    """Return the shaft behind a reduction: torques times the ratio, cycles over the ratio.
+    """Return the shaft behind a reduction: torques times the ratio, cycles divided by the ratio.
 
     Parameters
     ----------

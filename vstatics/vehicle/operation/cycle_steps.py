@@ -39,9 +39,9 @@ class CycleLosses(NamedTuple):
     """Losses over the steps, and torques of engaged shift elements."""
 
     energies: dict[str, float]
-    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``. [J]"""
+    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``. [J]"""
     outside: dict[str, None]
-    """Laws evaluated outside their points."""
+    """Names of the laws that were evaluated outside their points."""
 
     held_torques: Floats
     """Torques of engaged shift elements, shape (steps, shift elements). [N*m]"""
@@ -62,9 +62,12 @@ class CycleSteps(NamedTuple):
     trace: Trace
     gears: Integers
     ratios: Floats
-    """Speeds relative to the output, with the sign of the output, shape (gears, links). [-]"""
+    """Link speeds divided by output speed, shape (gears, links). [-]
+
+    The signs are such that the engine turns forward.
+    """
     guessed: Sequence[str] = ()
-    """Gears taken as forward by order alone."""
+    """Names of gears that count as forward only because of their place in the order."""
 
     @classmethod
     def of(
@@ -115,7 +118,7 @@ class CycleSteps(NamedTuple):
 
     @property
     def forces(self) -> Floats:
-        """Wheel forces of road and mass; 0 at standstill [N]."""
+        """Wheel forces for road resistance and acceleration of the mass; 0 at standstill [N]."""
         trace, vehicle = self.trace, self.vehicle
         force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
         return np.where(trace.speed > 0, force, 0.0)
@@ -150,7 +153,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _inertia_torque(self, rows: Integers, link: int) -> Floats:
-        """Return ``-J dw/dt`` on a link in some rows [N*m]."""
+        """Return the inertia torque ``-J dw/dt`` of a link in some steps [N*m]."""
         change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
         inertia = self.case.heavy.get(link, 0.0)
         torque: Floats = -inertia * self.ratios[self.gears[rows], link - 1] * change

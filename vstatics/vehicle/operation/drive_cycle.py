@@ -3,8 +3,8 @@
 Between two rows of a trace, the acceleration is constant, the speed is the mean, and gear and slope
 are those of the first row. The wheel force follows from these. The transmission is solved
 backwards, with its output as the input of the calculation, which gives the engine torque with all
-losses; inertias act as ``-J dw/dt`` on their links. If the engine would have to brake more than its
-overrun, the brakes take the rest. At standstill all torques are zero.
+losses; inertias J act as torques ``-J dw/dt`` on their links. If the engine would have to brake
+more than its overrun, the brakes take the rest. At standstill all torques are zero.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class CycleEnergy(NamedTuple):
     """Energy of rotating parts, including sudden changes of speed in shifts."""
     brakes: float
     lost: Mapping[str, float]
-    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
 @json_keys("duration", "distance", "fuel", "energy", "messages")
@@ -49,9 +49,9 @@ class DriveCycle(NamedTuple):
     """Results of a driving cycle."""
 
     duration: float
-    """[s]"""
+    """Duration of the cycle. [s]"""
     distance: float
-    """[m]"""
+    """Distance that the vehicle covers. [m]"""
     fuel: float
     """Fuel; NaN without a fuel map. [g]"""
     energy: CycleEnergy

@@ -25,7 +25,7 @@ COLUMNS = (
 
 
 class FuelMap(NamedTuple):
-    """Grid of fuel rates over speed and torque, constant outside.
+    """Grid of fuel rates over engine speed and torque; rates are constant outside the grid.
 
     Examples
     --------
@@ -36,9 +36,9 @@ class FuelMap(NamedTuple):
     """
 
     speeds: Floats
-    """[rad/s]"""
+    """Engine speeds of the grid. [rad/s]"""
     torques: Floats
-    """[N*m]"""
+    """Engine torques of the grid. [N*m]"""
     fuel: Floats
     """Fuel rates, shape (speeds, torques). [g/s]"""
 

@@ -43,14 +43,15 @@ class MemberLoad(NamedTuple):
     """Load of a link, a member of a mechanism, or a shift element over a duty cycle."""
 
     torque: LargestValue
-    """Largest torque; for a link, of the sum of positive torques; NaN for a planet. [N*m]"""
+    """Largest torque; for a link, the sum of all positive torques on it; NaN for a planet. [N*m]"""
     speed: LargestValue
     """Largest speed; of a member or planet relative to the third link, of a shift element the slip.
     [rpm]"""
     revolutions: float
-    """Revolutions at the given speed; per second with shares. [-]"""
+    """Number of revolutions at this kind of speed; per second if points have shares. [-]"""
     equivalent_torque: float
-    """``(sum |T|^p n t / sum n t)^(1/p)`` with speeds n; NaN without rotation. [N*m]"""
+    """``(sum |T|^p n t / sum n t)^(1/p)`` with exponent p, torques T, speeds n, times or shares t;
+    NaN without rotation. [N*m]"""
 
 
 @json_keys(in_="in_", out="out", lost="lost")
@@ -60,7 +61,7 @@ class DutyEnergy(NamedTuple):
     in_: float
     out: float
     lost: Mapping[str, float]
-    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
 @json_keys("energy", "efficiency", "exponent", "members")
@@ -73,7 +74,7 @@ class Spectrum(NamedTuple):
     messages: Sequence[Message] = ()
     """Warnings about laws outside their points, and overloaded shift elements."""
     are_shares: bool = False
-    """Points have shares: energies are mean powers, revolutions are per second."""
+    """True if points have shares, not times: energies are mean powers, revolutions per second."""
     damage: Mapping[str, DeviceDamage] = MappingProxyType({})
     """Damage of components with a fatigue strength, with the points in order as a record."""
     exponent: float = EXPONENT

@@ -101,7 +101,7 @@ class PointLoads(NamedTuple):
 
     @property
     def outside(self) -> list[str]:
-        """Laws evaluated outside their points, in the gears of the points."""
+        """Names of laws that the gears of the points evaluate outside their range."""
         assert self.results.points is not None  # noqa: S101 - loads vary
         return [law for law, at in self.results.points.outside.items() if self.taken(at).any()]
 
@@ -187,7 +187,7 @@ class PointLoads(NamedTuple):
         return np.where(np.isfinite(turned), turned, given)
 
     def _loss_factor(self, number: int, on_first: Floats) -> Floats:
-        """Return ``n**x`` of a mechanism, from the loss and the power at the first link; else 1."""
+        """Return ``1 - loss/power`` of a mechanism, by the power at its first link; else 1."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         power = on_first * (speeds[:, mechanism.first] - speeds[:, mechanism.third])
         lost = list(self.losses().values())[number]

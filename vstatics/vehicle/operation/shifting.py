@@ -1,6 +1,7 @@
 """Choice of gears in a driving cycle: by shift speeds, or the highest possible gear.
 
-No rule chooses a gear above the last engine speed if another gear can avoid this.
+The last engine speed is the last point of the full-load curve. No rule chooses a gear in which the
+engine exceeds it if another gear avoids this.
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ class ShiftSpeed(NamedTuple):
     low: str
     high: str
     up: float
-    """Mean speed from which the higher gear is engaged. [m/s]"""
+    """Mean vehicle speed of a step from which the higher gear is engaged. [m/s]"""
     down: float
-    """Mean speed below which the lower gear is engaged. [m/s]"""
+    """Mean vehicle speed of a step below which the lower gear is engaged. [m/s]"""
 
 
 def read_shifts(text: str) -> list[ShiftSpeed]:
@@ -110,7 +111,7 @@ def by_shift_speeds(
 ) -> Integers:
     """Return the indices of gears at mean speeds [m/s], starting in the first gear.
 
-    The upshift is at the latest at the last engine speed.
+    An upshift occurs at the last engine speed at the latest.
 
     Parameters
     ----------
@@ -174,7 +175,8 @@ def by_shift_speeds(
 def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
     """Return the highest gears in which the engine reaches a least speed.
 
-    Otherwise the lowest gear below the last engine speed is returned, otherwise the highest gear.
+    If no gear reaches it, the lowest gear below the last engine speed is chosen, or else the
+    highest.
 
     Parameters
     ----------

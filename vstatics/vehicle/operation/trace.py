@@ -70,7 +70,7 @@ MOST_SHOWN_FAULTS = 20
 
 
 def blocks(count: int) -> Iterator[slice]:
-    """Cut a number of steps into blocks that are calculated together.
+    """Yield the blocks of `count` steps that are calculated together.
 
     >>> list(blocks(25_000))
     [slice(0, 20000, None), slice(20000, 40000, None)]
@@ -83,11 +83,11 @@ class Trace(NamedTuple):
     """Driving cycle as steps between rows."""
 
     duration: Floats
-    """[s]"""
+    """Time between both rows of a step. [s]"""
     speed: Floats
-    """Mean speed of both rows. [m/s]"""
+    """Mean of the speeds in both rows. [m/s]"""
     acceleration: Floats
-    """[m/s^2]"""
+    """Constant acceleration between both rows. [m/s^2]"""
     slope: Floats
     """Sine of the ascent in the first row. [-]"""
     gears: list[str]

@@ -2,7 +2,8 @@
 
 The wheel force is ``F = Mx final_drive/radius``, with the output torque Mx at full load with
 losses. The acceleration is the largest of all gears of ``(F - R)/(m + sum J k^2)``, with the
-resistance R of the road, and ``k = w/v`` of each link with an inertia.
+road resistance R, the vehicle mass m, and for each inertia J the speed w of its link divided by
+the vehicle speed v, ``k = w/v``.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ KMH = 3.6
 HUNDRED = 100 / KMH
 """Speed of 100 km/h. [m/s]"""
 SPEEDS_OF_ENGINE = 256
-"""Number of intervals of the engine speed, in each narrowing."""
+"""Number of intervals of the engine speed in each narrowing of a search."""
 NARROWINGS = 5
 """Number of narrowings, which give a relative accuracy of 1e-12."""
 STEPS_TO_100 = 2000
@@ -50,7 +51,17 @@ class GearPerformance(NamedTuple):
 
 
 class Performance(NamedTuple):
-    """Performance of a vehicle at full load."""
+    """Performance of a vehicle at full load.
+
+    Examples
+    --------
+    >>> from vstatics import Vehicle, example, solve, summarize
+    >>> engine = Vehicle(1000, 0.5, engine=[(0, 125), (400, 125)])
+    >>> summary = summarize(solve(example("simpson").replace(vehicle=engine)))
+    >>> performance = Performance.of(summary)
+    >>> performance.top_speed if performance else 0.0  # direct drive: 400 rad/s, 0.5 m
+    720.0
+    """
 
     gears: Mapping[str, GearPerformance]
     top_speed: float
@@ -205,7 +216,10 @@ class Traction:
         return float(self.per_engine[gear] * self.last)
 
     def slope(self, gear: int) -> float:
-        """Return the largest ``(F - R at 0)/(m g)``, at most 1; NaN in a gear without drive."""
+        """Return the sine of the steepest ascent, at most 1; NaN in a gear without drive.
+
+        It is ``(F - R)/(m g)`` with the largest wheel force F, and R on a level road at speed 0.
+        """
         weight = self.vehicle.mass * GRAVITY
         if not math.isfinite(self.per_engine[gear]):
             return math.nan

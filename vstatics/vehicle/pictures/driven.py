@@ -98,8 +98,8 @@ def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
     ----------
     names : tuple of str
         Titles of the horizontal and vertical scales.
-    beside, above : float
-        Space for labels at the right and above. [pt]
+    right, above : float
+        Space for labels at the right of the panel and above it. [pt]
     """
     numbers = ticks(up.low, up.high, 8)
     left = widest(tick_texts(numbers)) + 2 * SIZE + MARGIN

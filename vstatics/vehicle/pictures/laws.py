@@ -34,7 +34,7 @@ def progressive(ratios: Sequence[float]) -> StepLaw:
     """Return ratios whose steps have a constant quotient, fitted to the given ratios.
 
     The logarithms of the steps are on a straight line, fitted by least squares; the first and the
-    last ratio determine the sum.
+    last ratio determine their sum.
 
     >>> law = progressive([6.0, 2.0, 1.0])
     >>> [round(ratio, 9) for ratio in law.ratios], round(law.growth, 9)

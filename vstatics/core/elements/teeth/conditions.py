@@ -22,7 +22,7 @@ TEETH_BETWEEN_TIPS = 4
 TIPS = 2
 """Sum of two addenda, in modules."""
 SHIFT = 2
-"""Difference of teeth between coaxial gears that profile shift can compensate."""
+"""Largest difference of teeth between coaxial gears that profile shift can compensate."""
 
 Amount = TypeVar("Amount", float, Floats)
 """Number for a single gear set, or array for many."""
@@ -31,6 +31,8 @@ Amount = TypeVar("Amount", float, Floats)
 def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
     """Return the clearance between the tips of neighbouring planets [modules].
 
+    ``2 a sin(pi/n) - (z + 2)``: distance of the axes minus the tip diameter.
+
     Parameters
     ----------
     span : float or ndarray
@@ -38,7 +40,7 @@ def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
     teeth : float or ndarray
         Teeth of the planet.
     sine : float or ndarray
-        sin(pi/n) of n planets.
+        sin(pi/n) for n planets.
 
     Examples
     --------
@@ -50,7 +52,7 @@ def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
 
 
 def closes(first: Amount, second: Amount, apart: Amount) -> Any:
-    """Return whether planets at two radii from the axis can have the given distance.
+    """Return whether planets at two radii from the axis can be at the given distance apart.
 
     >>> bool(closes(20.0, 25.0, 20.0)), bool(closes(20.0, 45.0, 20.0))
     (True, False)
@@ -59,7 +61,7 @@ def closes(first: Amount, second: Amount, apart: Amount) -> Any:
 
 
 def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
-    """Return the angle between meshing planets seen from the axis [rad], NaN if impossible.
+    """Return the angle at the central axis between two meshing planets [rad]; NaN if impossible.
 
     >>> round(float(lean(20.0, 20.0, 20.0)), 6)
     1.047198
@@ -70,7 +72,7 @@ def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
 
 
 def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount) -> Amount:
-    """Return the distance of a planet from the partner of the next planet [modules].
+    """Return the distance between a planet and the planet that meshes with its neighbour [modules].
 
     Parameters
     ----------
@@ -79,7 +81,7 @@ def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount
     apart : float or ndarray
         Distance of planets in mesh. [modules]
     turn : float or ndarray
-        2 pi/n of n places. [rad]
+        Angle between neighbouring places, 2 pi/n for n places. [rad]
 
     Examples
     --------

@@ -32,7 +32,7 @@ _UNCHECKED: Mapping[str, Sequence[tuple[float, float]]] = {
     "bevel_pair": [(UNCUT, math.inf)] * 2,
     "worm": [(1, 4), (28, math.inf)],
 }
-"""Usual limits of teeth, least and most of each gear, for kinds without checks."""
+"""Usual least and largest numbers of teeth of each gear, for kinds whose teeth are not checked."""
 
 
 def doubts(drawing: Drawing) -> Iterator[Problem]:

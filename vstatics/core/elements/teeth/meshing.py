@@ -83,7 +83,7 @@ def hunting(meshes: Sequence[Mesh], against: str) -> Iterator[Doubt]:
     ----------
     meshes : sequence of Mesh
     against : str
-        Reference of the turns in the text; the housing if empty.
+        Part relative to which the text counts turns; the housing if empty.
     """
     common = sorted(
         (mesh for mesh in meshes if mesh.divisor > 1), key=lambda mesh: mesh.divisor, reverse=True

@@ -19,22 +19,31 @@ from vstatics.core.elements.teeth.conditions import SHIFT
 from vstatics.core.elements.teeth.layout import Key, Teeth, ratio_pairs
 
 TEETH_PER_RATIO = 100
-"""Weight of a relative change of ratio: 1 % counts like a tooth."""
+"""Weight of a relative change of ratio: a change of 1 % counts as much as a change of one tooth."""
 
 FARTHEST_RATIO = 0.3
-"""Largest change of a ratio nearby, as a logarithm."""
+"""Largest change of a ratio in the search, as the natural logarithm of the quotient of ratios."""
 
 REACH = {1: 14, 2: 14, 3: 6, 4: 4, 5: 3, 6: 3}
-"""Largest sum of steps by number of moves: some 400 places at most, a few milliseconds."""
+"""Largest sum of steps, by the number of independent moves.
+
+The limits lead to about 400 candidates at most, which take a few milliseconds.
+"""
 
 WIDER = 2
-"""Factor of the reach in a search of the whole range."""
+"""Factor by which `REACH` is enlarged in a wide search."""
 
 FAR_MOVES = 14
-"""Number of moves above which only single steps are tried, as places would be too many."""
+"""Largest number of moves that are combined.
+
+With more moves only single steps are tried, because there would be too many candidates.
+"""
 
 FEW_WHEELS = 5
-"""Number of gears up to which a suggestion lists all teeth; above, only changed teeth."""
+"""Largest number of gears for which a suggestion lists all teeth.
+
+With more gears it lists only changed teeth.
+"""
 
 
 class Space(NamedTuple):

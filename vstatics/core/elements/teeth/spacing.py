@@ -25,7 +25,7 @@ PASSING = {
     "double_planet": (("inner", "ring"), ("outer", "sun")),
     "ravigneaux": (("long", "small_sun"),),
 }
-"""Rims and central gears without mesh that pass closely, by kind."""
+"""Pairs of a planet rim and a central gear that are close but do not mesh, by kind of gear set."""
 
 
 def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
@@ -185,7 +185,7 @@ def _touching_neighbours(layout: AxisLayout, count: int) -> Iterator[Doubt]:
 
 
 def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterator[Doubt]:
-    """Report a planet that touches the partner of the next planet."""
+    """Report a planet that touches the planet in mesh with its neighbour."""
     sides = _sides(layout, rim, partner)
     if sides is None or not closes(*map(float, sides)):
         return

@@ -29,7 +29,7 @@ class Subject(ABC):
     element: Element
 
     against: ClassVar = ""
-    """Reference of turns in messages; the housing if empty."""
+    """Part relative to which messages count turns; the housing if empty."""
 
     @property
     @abstractmethod

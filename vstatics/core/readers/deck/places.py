@@ -34,9 +34,12 @@ class Places:
         self.named: list[tuple[Iterable[str], Callable[[], Iterable[Spot]]]] = []
         """Labels of values with the function that returns their places, called when needed."""
         self.planet: dict[int, int] = {}
-        """Position in NNM of each non-standard mechanism."""
+        """Position of each non-standard mechanism in the deck's list NNM."""
         self.given: dict[tuple[str, int, int], int] = {}
-        """Position in NWZ or NMZ, by ``("speeds", gear, link)`` or ``("torques", gear, link)``."""
+        """Position of each given speed in the deck's list NWZ, and of each given torque in NMZ.
+
+    The keys are ``("speeds", gear, link)`` and ``("torques", gear, link)``.
+    """
         self._spots: dict[str, Spot] = {}
 
     @property

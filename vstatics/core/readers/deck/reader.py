@@ -262,7 +262,7 @@ def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
 
 
 def _links_above_all(parts: dict[str, Any]) -> int:
-    """Return a number of links above every link number, for an unknown KJG."""
+    """Return a number of links above every link number, for a deck whose KJG is unreadable."""
     links: list[int] = [2, parts["input"], parts["output"]]
     for element in parts["shift_elements"]:
         links += [element.first, element.second]

@@ -167,7 +167,7 @@ def _read_line(line: str) -> tuple[str, Any]:
 
 
 KEPT_CHARACTERS = 200
-"""Longest text whose meaning is cached, as many decks share short lines."""
+"""Largest number of characters of a line whose meaning is cached; many decks share short lines."""
 _meaning = lru_cache(maxsize=2000)(_read_line)
 
 

@@ -32,7 +32,7 @@ Spot = tuple[int, int]
 """Line and column, from 1."""
 
 _CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
-"""Operators of a calculation behind a number, with the signs of YAML and JSON."""
+"""Signs that can continue a number as a calculation, with the equal operators of YAML and JSON."""
 _DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"

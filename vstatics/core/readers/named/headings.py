@@ -25,7 +25,7 @@ MOST_TITLE_LINES = 100
 MOST_QUOTED = 76
 """Maximum number of characters of a line quoted in a message."""
 LEAST_LIKENESS = 0.75
-"""Similarity from 0 to 1 above which a heading counts as a mistyped name."""
+"""Least similarity, from 0 to 1, at which a heading counts as a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
 """Signs at the beginning of a comment."""
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")

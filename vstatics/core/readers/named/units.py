@@ -19,7 +19,7 @@ from vstatics.core.suggestions import mixed_letters, nearest
 Quantity = Literal["speed", "torque", "power"]
 
 _Factor = tuple[str, int, float]
-"""Kind of a factor of a unit, and the size as a ratio, in N, m, turns, minutes or kW."""
+"""Kind of a factor of a unit, and its size in N, m, turns, minutes or kW as a quotient."""
 _LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
 """Pound in kg and foot in m (International Yard and Pound, 1959), standard gravity in m/s^2
 (3rd CGPM, 1901). All values are exact."""

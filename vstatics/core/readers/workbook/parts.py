@@ -12,9 +12,12 @@ from functools import cached_property
 from typing import Any
 
 MOST_UNPACKED_BYTES = 10_000_000
-"""Bound on the unpacked size of all parts that are read. [bytes]"""
+"""Largest unpacked size of all parts that are read. [bytes]"""
 MOST_STYLE_BYTES = 20_000_000
-"""Bound on the part of formats, of which only the numbers of dates are stored. [bytes]"""
+"""Largest size of the part with the cell formats. [bytes]
+
+Only the numbers of the formats for dates are stored from it.
+"""
 MOST_NESTED_ELEMENTS = 100
 MOST_WORKBOOK_SHEETS = 1000
 _PART_PIECE = 2**16

@@ -30,7 +30,7 @@ from vstatics.core.readers.workbook.sheets import (
 from vstatics.core.suggestions import nearest
 
 _ROWS = MOST_ROWS + 2
-"""Step between the lines of two sheets, as a node has a single number for sheet and row."""
+"""Difference of line numbers between two sheets; a line number of a node encodes sheet and row."""
 
 
 class WorkbookSource(Source):

@@ -32,7 +32,7 @@ GRID_SIZE = 65
 GRID_WIDTH = 100.0
 """Largest torque of the grid, relative to the torque expected from the powers of the gear. [-]"""
 GRID_REFINEMENT = 1000.0
-"""Value of sinh at the end of the grid; a larger value concentrates the grid at 0. [-]"""
+"""Value of sinh at the end of the grid; a larger value places more of its torques near 0. [-]"""
 EDGE_STEPS = 50
 """Bisections to find the torque at which friction begins to lock the gear."""
 MOST_ROOT_STEPS = 100
@@ -44,7 +44,7 @@ MOST_POINTS_AT_ONCE = 100_000
 PROBE_PART = 0.37
 """Arbitrary torque, relative to the input torque, to probe if other torques are determinate. [-]"""
 NO_BALANCE, TWO_BALANCES = 3, 4
-"""States of a gear without, or with several torques that balance the battery."""
+"""States of a gear: no torque balances the battery, or several torques do."""
 
 Follow = Callable[[Columns, int], Followed]
 """Function that solves points, including laws."""
@@ -151,7 +151,7 @@ def balanced(
 
 
 def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:
-    """Return a gear with NaN for the unknown torque if there is no single solution."""
+    """Return a gear whose unknown torque is NaN unless it has exactly one solution."""
     if state not in (NO_BALANCE, TWO_BALANCES):
         return gear
     link = sought_link(case.gears[case.gear_number(gear.name) - 1], gear)

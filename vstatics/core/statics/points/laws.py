@@ -2,9 +2,9 @@
 
 Speeds do not depend on losses, so they determine drag torques and efficiencies over speed. If drag
 changes the state of freewheels, this is repeated until the states settle. Efficiencies over torque
-are the solution of a fixed-point iteration, started from the smallest and from the largest values;
-if a gear has a single one, all roots between the two are searched for. Only a single solution is
-accepted.
+are found by fixed-point iteration, from the smallest and from the largest values. If only one
+efficiency of a gear depends on torque, all its solutions between the two results are searched for.
+A solution is accepted only if it is the only one.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ MOST_FIXED_POINT_STEPS = 100
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
-"""Number of trial values of an efficiency that is the single unknown of a gear."""
+"""Number of trial values of an efficiency that is the only unknown efficiency of a gear."""
 MOST_ROOTS = 3
 """Largest number of sign changes searched for roots."""
 ROOT_BISECTIONS = 60
@@ -324,7 +324,7 @@ class _Search:
         left: Floats,
         place: Any,
     ) -> tuple[Floats, Booleans]:
-        """Bisect for the root after a place of the grid; return root and flags of success.
+        """Bisect for the root after a grid point; return the root and flags of success.
 
         At a jump there is no root.
         """

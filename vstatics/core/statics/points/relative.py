@@ -1,6 +1,6 @@
 """Solution of points with numbers in SI units, relative to an operating point that can vary.
 
-Points are solved together if their loads have equal signs, and their numbers are 0 or not 0 alike.
+Points are solved together if their loads have equal signs and the same of their numbers are 0.
 Their equations and the directions of drag are then equal, and a single case represents them all.
 """
 
@@ -206,7 +206,7 @@ def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) 
 
 
 class _PointData:
-    """Collector of the data that results in units need, filled group by group."""
+    """Collector of the data for results in rpm, N*m and kW, filled group by group of points."""
 
     def __init__(self, case: Transmission, loads: Sequence[GearLoad], variants: int) -> None:
         shape = variants, len(case.gears)

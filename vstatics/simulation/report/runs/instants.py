@@ -11,8 +11,10 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
 NEAR = 5e-4
-"""Largest deviation of lines from a column, as a fraction of the range: half of a visible
-difference."""
+"""Largest deviation of straight lines from a column, as a fraction of the range of the column.
+
+This is half of a visible difference.
+"""
 
 
 class ChosenInstants(NamedTuple):

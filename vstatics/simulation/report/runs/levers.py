@@ -19,11 +19,11 @@ from vstatics.pictures.paged.drawn import PAGE, in_spoken
 BESIDE = 8.0
 """Distance between a lever, the names of points and the speeds. [pt]"""
 ACROSS = 130.0
-"""Width for speeds, from the lowest to the highest of a run. [pt]"""
+"""Width of the range of speeds, from the lowest to the highest speed of a run. [pt]"""
 NUMBER = 48.0
 """Width of the number of a speed. [pt]"""
 LARGER = 1.25
-"""Pixels per point."""
+"""Pixels of the figure on the page per point."""
 MARGIN = 4.0
 """Margin above and below a lever. [pt]"""
 

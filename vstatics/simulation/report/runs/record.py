@@ -35,11 +35,11 @@ _TABLES = {
     "acceleration": "vehicle_acceleration",
     "output": "output_torque",
 }
-"""Tables of a run by kind of panel; other kinds are names of tables."""
+"""Tables of a run by kind of panel; all other kinds have the names of their tables."""
 
 
 class _RunColumns:
-    """Columns of a run without duplicates."""
+    """Columns of a run on a page; equal columns are stored once."""
 
     def __init__(self) -> None:
         self.values: list[Floats] = []
@@ -223,7 +223,7 @@ def _heading(table: str, name: str, motion: Motion) -> str:
 
 
 def _look(look: Look) -> dict[str, Any]:
-    """Return the colour of a line by name on the page, and the dashes from the start [pt].
+    """Return the name of the colour of a line on the page, and its dashes from the start [pt].
 
     >>> _look({"color": Style().colour(1), "linestyle": (10.0, (5.0, 10.0))})
     {'colour': 'colour1', 'dash': (0.0, 5.0, 5.0, 5.0)}
@@ -231,6 +231,6 @@ def _look(look: Look) -> dict[str, Any]:
     dash: tuple[float, ...] = ()
     if not isinstance(look["linestyle"], str):
         start, dash = look["linestyle"]
-        if start:  # within the gap of the stripes of others
+        if start:  # the dashes lie in the gaps of the dashes of other lines
             dash = (0.0, sum(dash) - start, dash[0], start - dash[0])
     return {"colour": colour_name(look["color"]), "dash": dash}

@@ -29,7 +29,7 @@ _BUTTONS = {
 
 
 def moving_run(results: Results, motion: Motion, stick: Drawn) -> Markup:
-    """Return panels, levers, stick diagram and tables of a run, hidden without the script.
+    """Return panels, levers, stick diagram and tables of a run, all hidden without the script.
 
     Parameters
     ----------

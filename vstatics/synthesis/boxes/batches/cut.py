@@ -1,7 +1,8 @@
-"""Division of a search into pieces: ranges of schemes and ports, equal for any workers.
+"""Division of a search into pieces: ranges of schemes and ports, for any number of workers.
 
-The stems form a line on which stems are as long as their weights. Pieces are equal parts of this
-line. A piece with a share of a stem contains this share of its choices of ports.
+Schemes grow from stems. The stems are laid end to end on a line, each as long as its weight, and
+the line is cut into equal pieces. A piece that covers a fraction of a stem contains this fraction
+of the choices of input and output (ports) of its schemes.
 """
 
 from __future__ import annotations
@@ -18,11 +19,11 @@ from vstatics.synthesis.boxes.schemes.stems import stems
 PIECE, LONGEST_PIECE = 0.5, 5.0
 """Estimated time of a piece in a short and in a long search. [s]"""
 MOST_SHORT_PIECES = 2000
-"""Number of pieces up to which pieces are short, so that an interrupted search has results."""
+"""Largest number of pieces of length `PIECE`; short pieces give an interrupted search results."""
 SAMPLED_CHOICES = 24
 """Number of choices of ports in the sample that estimates the total time."""
 DEPTH = Depth(firsts=8, sets=12, seconds=0.2)
-"""Depth to which the sample is tried."""
+"""Limits of the trial of each choice of ports in the sample."""
 
 
 def cut(search: BoxSearch) -> int:
@@ -70,7 +71,7 @@ def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:
 
 
 def _part(schemes: list[BoxScheme], first: int, last: int, weight: int) -> Iterator[BoxScheme]:
-    """Yield the schemes and ports between two places of a stem of a given weight."""
+    """Yield the schemes and ports of a stem from `first` to `last` of its `weight`."""
     total = sum(len(scheme.ports) for scheme in schemes)
     low, high = (min(max(place, 0), weight) * total // weight for place in (first, last))
     for scheme in schemes:

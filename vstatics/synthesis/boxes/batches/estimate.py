@@ -14,13 +14,13 @@ from vstatics.synthesis.boxes.schemes.stems import UNIT, box_schemes, stems
 from vstatics.synthesis.boxes.search.joining import NO_END
 
 ENOUGH = 3.0
-"""Time for which choices of ports are tried. [s]"""
+"""Time after which no further choice of ports is tried. [s]"""
 FEW_SCHEMES, FEW_PORTS = 40, 300
-"""Numbers of schemes and ports up to which all are tried, within a third of that time."""
+"""Numbers of schemes and ports up to which all are tried, if a third of `ENOUGH` suffices."""
 LEAST_WORK = 1e-9
-"""Lower limit of a measured time, shorter than any step. [s]"""
+"""Lower limit of the expected time of all trials, which avoids a division by zero. [s]"""
 DEPTH = Depth(firsts=16, sets=24, seconds=0.5)
-"""Depth to which choices of ports are tried."""
+"""Limits of the trial of each choice of ports."""
 
 
 class BoxEstimate(NamedTuple):
@@ -32,11 +32,12 @@ class BoxEstimate(NamedTuple):
     found: float
     """Number of gearboxes with the wanted ratios."""
     seconds: float
-    """Time in one process. [s]"""
+    """Time of the search in a single process. [s]"""
     exact: bool
-    """True if the whole search was tried."""
+    """True if the whole search was carried out, so that the numbers of gearboxes are exact."""
     at_least: bool
-    """True if parts took too long and were aborted, so that the time is a lower bound."""
+    """True if trials were aborted because they took too long, so that `seconds` is a lower
+    bound."""
 
 
 def box_estimate(search: BoxSearch) -> BoxEstimate:
@@ -73,7 +74,7 @@ def _of_all(search: BoxSearch) -> BoxEstimate | None:
 
 
 def _of_some(search: BoxSearch) -> BoxEstimate:
-    """Extrapolate from a sample of choices of ports, which share the time of the scheme."""
+    """Extrapolate from sampled choices of ports; those of a scheme share its preparation."""
     began = time.process_time()
     seen: list[tuple[float, Tried]] = []
     count, ready = 0, 0.0
@@ -91,7 +92,7 @@ def _of_some(search: BoxSearch) -> BoxEstimate:
         for name in ("searched", "found")
     )
     seconds = ready / count
-    for place in range(len(Work._fields)):  # each kind of work has its own speed on this machine
+    for place in range(len(Work._fields)):  # measured speed on this machine, by kind of work
         took = sum(part.seconds[place] for _, part in seen)
         pace = took / max(sum(part.spent[place] for _, part in seen), LEAST_WORK)
         seconds += pace * sum(stands * part.whole[place] for stands, part in seen) / count

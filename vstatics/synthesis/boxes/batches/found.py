@@ -17,11 +17,12 @@ class FoundPiece(NamedTuple):
     """Number of examined gearboxes."""
     boxes: tuple[FoundBox, ...]
     given_up: int = 0
-    """Number of sets of elements that could be gearboxes but were not examined completely."""
+    """Number of sets of shift elements that could form gearboxes but were not examined
+    completely."""
 
 
 def found_in(search: BoxSearch, piece: int = 0, count: int = 1) -> FoundPiece:
-    """Search a piece.
+    """Search a piece for gearboxes.
 
     Parameters
     ----------

@@ -24,7 +24,7 @@ from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED
 
 FIRST_ELEMENT_SETS = 4096
-"""Number of sets of elements for which there is room at first; increased on demand."""
+"""Number of sets of shift elements that the work arrays can hold at first; increased on demand."""
 
 
 class PortSearch:
@@ -53,7 +53,7 @@ class PortSearch:
         self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
-        """Return all gearboxes with an input and an output link."""
+        """Return all gearboxes of the scheme with input link `first` and output link `last`."""
         port, search = self.gears_of(first, last), self.search
         most = FIRST_ELEMENT_SETS
         while True:
@@ -66,7 +66,7 @@ class PortSearch:
             most *= 4
 
     def gears_of(self, first: int, last: int) -> PortGears:
-        """Prepare the gears of two ports, and count the gearboxes as searched."""
+        """Return empty arrays for the gears of two ports; count their boxes in `searched`."""
         search, table = self.search, self.table
         ports = self.bases.moving.index(first), self.bases.moving.index(last)
         ends = enumerate(table.ends.tolist())
@@ -133,9 +133,10 @@ def _retained(search: BoxSearch, bases: SpeedBases, table: Combinations) -> set[
 
 
 def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
-    """Calculate the different speeds of gears, and the speeds of each combination.
+    """Calculate the link speeds with each combination of shift elements engaged.
 
-    Speeds are compared at the point within; only the different ones are calculated at the corners.
+    Speeds are compared at a point within the bounds of the ratios. Different speeds are calculated
+    at the corners of the bounds, equal speeds only once.
     """
     points, links, _ = bases.speeds.shape
     within = np.zeros((len(table.members), links, 1))
@@ -152,4 +153,4 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
 
 
 _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
-"""Weights of the links in two sums that distinguish different speeds."""
+"""Weights of the link speeds in two sums, by which different speeds are recognised."""

@@ -1,8 +1,9 @@
-"""Trial of a sample of the ports before a search, to estimate its gearboxes and its time.
+"""Trial of some choices of input and output (ports), to estimate a search and its time.
 
-Some of the sets of elements of a choice are listed, and some of these are examined; the results are
-scaled to all. The amount of work is counted in steps, which are the same on every machine, and
-converted to seconds by the times of the machine on which the steps were measured.
+Some of the sets of shift elements of a choice of ports are listed, and some of these are examined;
+the results are scaled to all sets. The amount of work is counted in steps, which are the same on
+every machine, and converted to seconds by the times of the machine on which the steps were
+measured.
 """
 
 from __future__ import annotations
@@ -24,28 +25,28 @@ from vstatics.synthesis.boxes.search.kernel import find_gears
 from vstatics.synthesis.boxes.search.trying import Some, some_boxes, some_sequences, some_sets
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
-"""Times of the steps of a search: an attempt to join a set, a cell, a cell of a sequence. [s]"""
+"""Times to try an addition to a set, to examine a cell, and to examine a cell of a sequence. [s]"""
 SET = 2e-6
-"""Time for a set of elements, in addition to the time for cells. [s]"""
+"""Time to examine a set of shift elements, in addition to the time for its cells. [s]"""
 PORT, PORT_GEAR = 0.2e-3, 0.04e-6
-"""Times for a choice of ports, and for each combination of elements. [s]"""
+"""Times to prepare a choice of ports: a constant part, and a part per combination. [s]"""
 SCHEME, SCHEME_GEAR = 1e-3, 0.45e-6
-"""Times for a scheme without ports, and for each combination of elements. [s]"""
+"""Times to prepare a scheme without ports: a constant part, and a part per combination. [s]"""
 ELEMENT_SETS = 10_000
-"""Number of sets of elements for which there is room."""
+"""Number of sets of shift elements that the work arrays can hold."""
 GOLDEN = 0.6180339887498949
-"""Golden ratio minus 1: multiples modulo 1 are evenly spread, so samples are of all parts."""
+"""Golden ratio minus 1, whose multiples modulo 1 spread evenly, so samples come from all parts."""
 
 
 class Depth(NamedTuple):
     """Extent of the trial of a choice of ports."""
 
     firsts: int
-    """Approximate number of first combinations of sets."""
+    """Approximate number of combinations with which sets of shift elements begin."""
     sets: int
-    """Approximate number of sets with the first combinations."""
+    """Approximate number of these sets that are examined."""
     seconds: float
-    """Approximate limit of the time for both. [s]"""
+    """Approximate limit of the time to list sets and to examine them, together. [s]"""
 
 
 class Work(NamedTuple):
@@ -63,17 +64,17 @@ class Tried(NamedTuple):
     """Results of the trial of a choice of ports."""
 
     searched: int
-    """Number of gearboxes."""
+    """Number of gearboxes that the whole search examines for this choice of ports."""
     found: float
     """Estimated number of gearboxes with the wanted ratios."""
     whole: Work
-    """Expected time of all work, from the number of steps."""
+    """Expected time of the whole work on the choice, from the number of steps."""
     spent: Work
-    """Expected time of the trial, from the number of steps."""
+    """Expected time of the work done in the trial, from the number of steps."""
     seconds: Work
     """Measured time of the trial."""
     is_whole: bool
-    """True if the trial was completed; otherwise the work takes longer."""
+    """True if the trial was completed; otherwise the whole work takes longer than expected."""
 
 
 def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
@@ -119,7 +120,7 @@ class DrawnPorts(NamedTuple):
 
 
 def drawn(search: BoxSearch) -> Iterator[DrawnPorts | None]:
-    """Yield an endless sample of choices of ports, even over the weights of the stems.
+    """Yield an endless sample of choices of ports, spread evenly over the weights of the stems.
 
     A stem without schemes yields None.
     """

@@ -28,7 +28,7 @@ SEARCHED, GIVEN_UP = "searched", "given up"
 
 
 class BoxWork(NamedTuple):
-    """Constant data of a worker."""
+    """Data that all jobs of a worker share."""
 
     search: BoxSearch
     efficiency: float
@@ -87,14 +87,14 @@ _OPTIONS = {
     "sequence": "gears",
     "singly": "single",
 }
-"""Option names of fields with a different name."""
+"""Names of options by field of `BoxSearch`, where both names differ."""
 
 
 class SearchedPieces:
     """Finished pieces: in a directory that outlives the process, or in memory."""
 
     def __init__(self, count: int, store: FinishedPieces | None = None) -> None:
-        """Take over the pieces of an open store."""
+        """Take over the finished pieces of an open store, if there is a store."""
         self.count = count
         self._store = store
         self._accounts = {} if store is None else dict(store.accounts)

@@ -15,11 +15,11 @@ from vstatics.synthesis.boxes.case_sets import GROUP, case_mechanisms
 from vstatics.synthesis.structures.scheme import SetScheme
 
 OF_SETS = ("planetary", "double_planet", "ravigneaux", GROUP)
-"""Kinds of elements that are sets of a box."""
+"""Kinds of gear sets of a case that become planetary sets of a found gearbox."""
 
 
 class _CaseSet(NamedTuple):
-    """A set by the links of a case; the sun is the smaller gear."""
+    """Gear set with link numbers of the case; the sun is the central gear with fewer teeth."""
 
     links: tuple[int, int, int]
     """Sun, carrier and ring."""
@@ -27,7 +27,7 @@ class _CaseSet(NamedTuple):
 
 
 def built_box(case: Transmission) -> FoundBox | None:
-    """Return a case as a box; None for a case of other parts than sets, brakes and clutches.
+    """Return a case as a found gearbox; None if it has parts other than sets, brakes or clutches.
 
     One-way clutches are left out; a brake or clutch between the same links is engaged instead.
     Only gears with the largest number of engaged elements are gears of the box.
@@ -95,7 +95,7 @@ def _case_set(mechanism: Mechanism, held: Collection[int]) -> _CaseSet:
 def _elements(
     case: Transmission, number: Mapping[int, int], held: Collection[int]
 ) -> dict[int, tuple[int, int] | None]:
-    """Return the links of each shift element, None for links that are not links of a box."""
+    """Return the links of each shift element; None if a link does not belong to the gearbox."""
     ends: dict[int, tuple[int, int] | None] = {}
     for place, element in enumerate(case.shift_elements, 1):
         if element.is_freewheel:
@@ -108,13 +108,13 @@ def _elements(
 
 
 def _gears(case: Transmission, elements: Collection[int]) -> Iterator[tuple[int, ...]]:
-    """Yield the engaged elements of each gear with the largest number of elements."""
+    """Yield the engaged elements of each gear that engages the largest number of elements."""
     parallel = [place for place in map(partial(_parallel_element, case), case.freewheels) if place]
     most = max((len(gear.engaged) for gear in case.gears), default=0)
     for gear in case.gears:
         engaged = {*gear.engaged}
         spare = [place for place in parallel if place not in engaged]
-        if len(engaged) == most - 1 and len(spare) == 1:  # the gear needs the freewheel
+        if len(engaged) == most - 1 and len(spare) == 1:  # replaces the holding freewheel
             engaged |= {*spare}
         is_own = case.gear_input(gear) == case.input and case.gear_output(gear) == case.output
         if len(engaged) == most and is_own and engaged.issubset(elements):

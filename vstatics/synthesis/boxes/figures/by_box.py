@@ -10,30 +10,30 @@ from vstatics.core.suggestions import nearest
 
 
 class BoxFigures(NamedTuple):
-    """Figures of a box, better if smaller, and two properties."""
+    """Figures of a found gearbox, of which smaller values are better, and two properties."""
 
     error: float
     """Largest ``|ln(i/target)|`` of the gears. [-]"""
     loss: float
-    """Mean of 1 - efficiency of the forward gears, or else of all gears. [-]"""
+    """Mean of 1 - efficiency of the forward gears; of all gears if no gear is forward. [-]"""
     planet_speed: float
     """Largest planet speed relative to the carrier, per input speed. [-]"""
     slip: float
-    """Largest ``|slip|`` of an open element per input speed. [-]"""
+    """Largest ``|slip|`` of a disengaged shift element per input speed. [-]"""
     torque: float
-    """Largest ``|torque|`` of an engaged element per input torque, without losses. [-]"""
+    """Largest ``|torque|`` of an engaged shift element per input torque, without losses. [-]"""
     brakes: int
     clutches: int
     drag: float
-    """Weighted mean of the drag of the forward gears, or else of all gears. [-]"""
+    """Weighted mean of the drag of the forward gears; of all gears if no gear is forward. [-]"""
     skip_shifts: int
     """Number of pairs of forward gears, not neighbours, that differ by a single exchange."""
     reversing: tuple[str, ...]
-    """Elements whose torque has both signs."""
+    """Shift elements with positive torque in some gears and negative torque in others."""
     one_way: tuple[str, ...]
     """Brakes that a one-way clutch could replace."""
     beyond: tuple[float, ...]
-    """Further ratios of the box: forward and descending, then backward. [-]"""
+    """Further ratios that the shift elements permit: forward descending, then backward. [-]"""
     single: bool
     """True if neighbouring gears differ by a single exchange."""
     planar: bool

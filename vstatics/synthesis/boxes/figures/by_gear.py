@@ -19,17 +19,17 @@ class GearFigures(NamedTuple):
     torques: Mapping[str, float]
     """Torque from the first link on each engaged element, without losses. [-]"""
     slips: Mapping[str, float]
-    """Slip speed of each open element, first link minus second. [-]"""
+    """Slip speed of each disengaged shift element, first link minus second. [-]"""
     carriers: Mapping[str, float]
     """Carrier speed of each set. [-]"""
     planets: Mapping[str, float]
-    """Speed of the planets at the sun of each set, relative to the carrier. [-]"""
+    """Speed of the planets that mesh with the sun of each set, relative to the carrier. [-]"""
     losses: Mapping[str, float]
     """Loss of each set; the sum is 1 - efficiency. [-]"""
     circulating: float
     """Recirculating power, with losses. [-]"""
     drag: float
-    """Sum of ``|slip|`` times torque capacity over the open elements. [-]"""
+    """Sum of ``|slip|`` times torque capacity over the disengaged shift elements. [-]"""
 
 
 class BoxGear(NamedTuple):

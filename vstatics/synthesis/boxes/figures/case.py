@@ -111,7 +111,7 @@ def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
 
 
 def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
-    """Return the Ravigneaux set of two sets."""
+    """Return the Ravigneaux set that two gear sets with common carrier and ring form."""
     members = {"small_sun": meshed.first, "large_sun": plain.first}
     members |= {"ring": plain.second, "carrier": plain.third}
     ratios = {"small_sun": meshed.ratio, "large_sun": plain.ratio}
@@ -147,8 +147,8 @@ def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
 def planet_ratio(ratio: float) -> float:
     """Return the ratio of sun speed to planet speed relative to the carrier; NaN if impossible.
 
-    A planet between sun and ring has half the difference of the tooth numbers, each of two meshing
-    planets in line a quarter.
+    A planet that meshes with sun and ring has half the difference of their tooth numbers. Two
+    planets that mesh with each other, in line between sun and ring, each have a quarter of it.
 
     Examples
     --------
@@ -162,7 +162,7 @@ def planet_ratio(ratio: float) -> float:
 
 
 def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
-    """Return a set by number from 1; a set with the carrier held for good keeps the planets."""
+    """Return set `place`; meshed planets, or a carrier at the housing, need a planet ratio."""
     sun, carrier, ring = links
     has_planets = ratio > 0 or carrier == HOUSING
     of_planet = planet_ratio(ratio)

@@ -22,7 +22,7 @@ FAR_DECIMALS = 6
 
 
 class KnownBox(NamedTuple):
-    """A shipped gearbox, in a form of the least identity."""
+    """Shipped gearbox, in one of the forms with the least identity, see `least_forms`."""
 
     name: str
     """Name of the case."""
@@ -72,7 +72,7 @@ class KnownBox(NamedTuple):
         return f"{json.dumps(data)}\n"
 
     def rank(self, ratios: tuple[float, ...]) -> tuple[float, int, str]:
-        """Return the order among gearboxes of equal identity; the least has the nearest ratios."""
+        """Return a sort key for gearboxes of equal identity; the nearest ratios come first."""
         pairs = zip(ratios, self.box.ratios, strict=True)
         far = math.fsum(abs(math.log(ratio / known)) for ratio, known in pairs)
         return round(far, FAR_DECIMALS), self.left_out, self.name

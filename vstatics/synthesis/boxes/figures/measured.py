@@ -49,7 +49,7 @@ from vstatics.synthesis.tolerances import NO_LOAD
 FIGURE_DECIMALS = 9
 """Decimals to which figures are compared."""
 ALIKE: Mapping[str, float] = {}
-"""Weights of gears that count equally."""
+"""Empty weights: all gears count equally in a mean."""
 
 
 class MeasuredBox(NamedTuple):

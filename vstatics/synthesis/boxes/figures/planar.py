@@ -15,7 +15,7 @@ Edge = tuple[int, int]
 AXIS = -1
 """Vertex of the axis, in addition to the links and the housing."""
 MOST_ENDS = 2
-"""Links that an elastic component joins; a component of a single link joins the housing."""
+"""Number of links that an elastic component joins; with a single link it joins the housing."""
 
 
 @refusing()
@@ -70,7 +70,7 @@ def is_planar(edges: Iterable[Edge]) -> bool:
     (False, True)
     """
     require("boxes", "whether a gearbox is planar")
-    import networkx as nx  # an extra
+    import networkx as nx  # an optional dependency
 
     graph: nx.Graph[int] = nx.Graph()
     graph.add_edges_from((first, second) for first, second in edges if first != second)

@@ -27,7 +27,7 @@ def skip_shifts(gears: Sequence[Collection[object]]) -> int:
 
 
 def reversing(gears: Sequence[GearFigures]) -> tuple[str, ...]:
-    """Return the elements whose torque has both signs."""
+    """Return the shift elements with positive torque in some gears and negative in others."""
     torques = _by_element([gear.torques for gear in gears])
     return tuple(name for name, values in torques.items() if min(values) < 0 < max(values))
 
@@ -72,7 +72,7 @@ def _by_element(gears: Sequence[Mapping[str, float]]) -> dict[str, list[float]]:
 
 
 def beyond(box: FoundBox, known_ratios: Sequence[float]) -> tuple[float, ...]:
-    """Return the further ratios of combinations of as many elements, in the order of gears.
+    """Return the further ratios with equally many elements engaged, in the order of gears.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ Part = tuple[int, int]
 
 
 def splits(sets: int, links: int) -> list[tuple[Part, ...]]:
-    """Return the possible parts of a scheme by numbers of sets and links, largest last.
+    """Return the possible divisions of a scheme into parts, the largest part last.
 
     >>> splits(3, 8)
     [((1, 3), (2, 5))]
@@ -45,7 +45,9 @@ def _classes(part: Part) -> list[tuple[int, ...]]:
 
 
 def counts(split: tuple[Part, ...]) -> Integers:
-    """Count the schemes for each class of the last part, the greatest of equal parts.
+    """Return the number of schemes with each class of schemes as the last part.
+
+    Of parts with equal numbers of sets and links, the last part has the greatest class.
 
     >>> counts(((1, 3), (2, 5))), counts(((2, 5), (2, 5)))
     (array([1, 1, 1, 1, 1, 1]), array([1, 2, 3, 4, 5, 6]))

@@ -24,7 +24,7 @@ from vstatics.synthesis.structures.least_codes import symmetries
 COUNTED = 500
 """Number of stems up to which all schemes are counted; for more stems a sample is counted."""
 ALIKE = 24
-"""Sample size for stems that begin alike."""
+"""Number of stems in the sample from each group of stems with similar beginnings."""
 UNIT = 1000
 """Weight of a scheme, an integer larger than its number of choices of ports."""
 

@@ -87,7 +87,7 @@ def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, to
     cells : RatioCells
     match : MatchRoom
     top : int
-        The number of the cell.
+        Number of the cell in the stack.
     """
     low, high = cells.low[top], cells.high[top]
     for _ in range(MOST_SWEEPS):

@@ -19,7 +19,8 @@ class ChainRoom(NamedTuple):
     """Work arrays for combinations of consecutive gears."""
 
     used: Integers
-    """Places of a set that each combination uses, as bits, shape (combinations,)."""
+    """Places in a set of shift elements that each combination uses, as bits, shape
+    (combinations,)."""
     order: Integers
     """Targets in the order of the chain; targets joined by a single shift are consecutive."""
     is_shift: Booleans

@@ -68,7 +68,7 @@ def element_sets(table: Combinations, port: PortGears, room: SetRoom) -> int:
 
 @compiled
 def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
-    """List the usable combinations and choose the first branch; return False without a set."""
+    """List the usable combinations and choose the first branch; return False if no set exists."""
     if not _list_gears(table, port, room):
         return False
     room.sets[0] = 0
@@ -205,9 +205,9 @@ def _count(bits: int) -> int:
 
 @compiled
 def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> int:
-    """Return the targets that the chosen elements reach, as bits; count the missing ratios.
+    """Return the targets that the chosen elements reach, as bits.
 
-    The commonest ratio is not counted.
+    `lacking` receives the number of ratios still missing, without the commonest ratio.
     """
     held, lacking = 0, len(room.lengths) - 1
     room.held[0] += 1

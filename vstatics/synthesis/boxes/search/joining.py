@@ -23,7 +23,7 @@ NO_END = 2**62
 
 
 class SetRoom(NamedTuple):
-    """Work arrays for the search of element sets; a depth is a number of additions."""
+    """Work arrays for the search of element sets; a depth is the number of additions so far."""
 
     lists: Integers
     """Combinations that reach each target, as bits of elements, shape (targets,
@@ -70,7 +70,7 @@ class SetRoom(NamedTuple):
     steps: Integers
     """Number of attempts to join, and the limit; shape (2,)."""
     listed: Integers
-    """Complete sets, shape (most, size)."""
+    """Elements of each complete set, shape (most, size)."""
 
 
 def set_room(table: Combinations, targets: int, most: int) -> SetRoom:

@@ -1,4 +1,4 @@
-"""Can successive gears be shifted by one released and one engaged element, before any fit."""
+"""Check, before any fit, that one exchanged element can shift between successive gears."""
 
 from __future__ import annotations
 

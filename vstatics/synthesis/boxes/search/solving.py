@@ -185,7 +185,7 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
 
 @compiled
 def _give(target: int, cells: RatioCells, top: int) -> None:
-    """Split a cell: in the upper part only the first ratio has the target, in the lower not."""
+    """Copy a cell: the first ratio has the target in the upper copy, and lacks it in the lower."""
     double(cells, top)
     bit = 1 << target
     is_given = False

@@ -114,9 +114,10 @@ class BoxSearchEstimate(NamedTuple):
     found: float
     """Number of boxes with the wanted ratios."""
     exact: bool
-    """True if the whole search was tried."""
+    """True if the whole search was carried out, so that the numbers of boxes are exact."""
     at_least: bool
-    """True if parts took too long and were aborted, so that the time is a lower bound."""
+    """True if trials were aborted because they took too long, so that `seconds` is a lower
+    bound."""
     seconds: float
     """Time with all processes, including the time of writing a directory. [s]"""
     compile_seconds: float

@@ -54,7 +54,7 @@ def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> Bo
 
 
 def free_parts(texts: Sequence[str]) -> dict[str, int]:
-    """Read the largest number of missing parts by kind; the only kind is `elements`.
+    """Read the largest number of parts that a box can lack, by kind: only `elements`.
 
     >>> free_parts(["elements=2"])
     {'elements': 2}

@@ -54,7 +54,7 @@ class FoundBoxes:
     boxes: tuple[RankedBox, ...]
     """Boxes that pass the filter, in order."""
     given_up: int
-    """Number of element sets that could be boxes but were given up."""
+    """Number of sets of shift elements that could form boxes but were not examined completely."""
 
     @cached_property
     def listing(self) -> BoxListing:

@@ -35,7 +35,7 @@ from vstatics.synthesis.tolerances import (
 )
 
 WIDTH_WITHOUT_MIDDLE = 0.1
-"""Half-width that replaces that of a range without a middle. [-]"""
+"""Half-width that is assumed for a range without a middle. [-]"""
 
 
 @compiled
@@ -232,7 +232,7 @@ def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -
 
 @compiled
 def _weigh_errors(stiffness: float, room: SequenceRoom) -> None:
-    """Calculate half the first and second derivatives of the sum of squares by the errors."""
+    """Calculate half the derivatives of the sum of squares with respect to each error."""
     fit = room.fit
     for row in range(len(fit.errors)):
         error, counts = fit.errors[row], room.rows[row, 4]

@@ -19,7 +19,7 @@ from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 MOST_NEAREST_LOOKS = 20_000
-"""Largest number of gears to examine in choices."""
+"""Largest number of gears to put into choices."""
 MOST_NEAREST_FITS = 200
 """Largest number of choices to fit."""
 GRID = 3
@@ -31,7 +31,6 @@ def find_nearest(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
     """Find the choice with the least sum of squares among equally good choices.
 
     Every choice that the ranges allow is fitted, starting from the grid point where it is nearest.
-
     """
     targets, cell, depth, fits = len(asked.targets), room.cell, 0, 0
     length = targets + room.best[0]

@@ -32,7 +32,7 @@ class Sequence(NamedTuple):
     steps: tuple[float, float]
     """Range of ln(ratio/next ratio); the lower end separates the gears. [-]"""
     falling: bool
-    """True if no step can be larger than the step below."""
+    """True if no step can be larger than the step between the next lower gears."""
     singly: bool
     """True if neighbouring gears must differ by a single shift."""
 
@@ -79,7 +79,7 @@ class ChoiceRoom(NamedTuple):
     free: Booleans
     """True if a ratio is not assigned to a gear, shape (ratios,)."""
     looks: Integers
-    """Number of examined gears, shape (1,)."""
+    """Number of gears put into choices so far, shape (1,)."""
 
 
 class SequenceRoom(NamedTuple):

@@ -40,9 +40,9 @@ from vstatics.synthesis.boxes.search.sequences.room import NARROW_SEQUENCE_CELL,
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 MOST_CELL_LOOKS = 2000
-"""Largest number of gears to examine before a cell is halved."""
+"""Largest number of gears to put into choices before a cell is halved."""
 MOST_AT_POINT = 50_000
-"""Largest number of gears to examine at a point."""
+"""Largest number of gears to put into choices at a point."""
 MOST_SEQUENCE_CELLS = 20_000
 """Number of cells after which a set of elements is given up."""
 MORE_CELLS = 1000
@@ -113,7 +113,7 @@ def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
 
 @compiled
 def _may_be_better(count: int, top: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Return whether a cell can contain a better choice; True if the search takes too long."""
+    """Return whether a cell can contain a better choice; True if deciding takes too long."""
     cell, targets = room.cell, len(asked.targets)
     forward = find_bounds(room.parts[top], count, asked, cell, room.sums)
     if forward < fewest(room) or not matched(cell.reach, count, room.match):
