@@ -15,10 +15,10 @@ pictures, `paged` embeds pictures in HTML pages, `pair` puts two cases on one sh
 the command `vstatics plot`; other annexes have the pictures of their results.
 
 The records of annexes declare the kinds. A kind is a function ``draw(results, style, gears)`` in a
-module that is imported only for drawing, because matplotlib is an extra. The function returns
-pages no larger than the style allows; kinds that show a run take the motion, too. Where gears share
-work, the function is ``each(results, style, shown)``, which returns the pages of several lists of
-gears.
+module that is imported only for drawing, because matplotlib is an extra. The function returns pages
+no larger than the style allows; kinds that show a run take the motion, too. Kinds whose gears share
+work have a function ``each(results, style, shown)`` instead, which returns the pages of several
+lists of gears.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 
 def drawn_kinds() -> Mapping[str, PictureKind]:
-    """Return the kinds of pictures of a case in order, without kinds of other documents."""
+    """Return the kinds of pictures of a case in their order, without kinds that plot documents."""
     return {kind: record for kind, record in picture_kinds().items() if not record.plots}
 
 
@@ -52,7 +52,7 @@ def module_of(kind: str) -> ModuleType:
 
 
 def kinds_of_runs() -> list[str]:
-    """Return the kinds that can show a run, first the kind that requires a run."""
+    """Return the kinds of pictures that can show a run; the kind that requires a run is first."""
     kinds = [kind for kind, record in drawn_kinds().items() if "motion" in record.options]
     return sorted(kinds, key=lambda kind: picture_kinds()[kind].shows != "run")
 
@@ -111,7 +111,7 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[list[Figure]]:
-    """Draw the pages of each list of gears; scales of a run leave room for other runs."""
+    """Draw the pages of each list of gears; scales of a run are wide enough for the other runs."""
     from vstatics.pictures.drawing.files import settings_of
     from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
@@ -153,7 +153,7 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
 ) -> list[bytes]:
     """Draw a picture as files of a page each, or one PDF; parameters as in `picture`.
 
-    The scales of a run leave room for other runs.
+    The scales of a run are wide enough for the other runs.
     """
     from vstatics.pictures.drawing.files import files_of
 
@@ -178,7 +178,7 @@ def of_each_gear(
 def _run(
     kind: str, motion: PicturedRun | None, others: Sequence[tuple[Results, PicturedRun]]
 ) -> tuple[Any, ...]:
-    """Return the run for a kind that can show a run, and other runs for a kind with scales."""
+    """Return arguments of a kind that shows a run: the run, and runs that share its scales."""
     record = picture_kinds()[kind]
     if "motion" not in record.options:
         return ()

@@ -1,4 +1,4 @@
-"""The record of the annex of pictures: the command, public names and kinds of pictures."""
+"""Declaration of the annex of pictures: its command, public names and kinds of pictures."""
 
 from vstatics.core.annexes import Annex, Command, PictureKind
 

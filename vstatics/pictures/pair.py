@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 LETTERS = "AB"
 BESIDE = ("efficiency",)
-"""Kinds drawn side by side if both pictures are as high in half the width."""
+"""Kinds that are drawn side by side if half the width does not make the pictures much higher."""
 AS_HIGH = 1.1
-"""Largest ratio of the heights in half and in full width for pictures side by side."""
+"""Largest ratio of the height in half the width to the full-width height for this layout."""
 
 
 class PairedCase(NamedTuple):
@@ -90,14 +90,14 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Fig
 
 
 def _half(height: float) -> float:
-    """Return the room for a picture on a page of two, without the title line above [pt]."""
+    """Return the height for each of two pictures on a page, without the line above it [pt]."""
     from vstatics.pictures.drawing.join import LETTER_HEIGHT
 
     return height / 2 - LETTER_HEIGHT
 
 
 def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> list[Figure]:
-    """Draw the pages of a case, with scales that leave room for the second case.
+    """Draw the pages of a case, with scales that are wide enough for the second case, too.
 
     Raises
     ------

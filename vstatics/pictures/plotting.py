@@ -43,7 +43,7 @@ class Picture:
         gears: Sequence[int],
         motion: Motion | None = None,
     ) -> None:
-        """Store the subject; drawing begins when the picture is shown or saved."""
+        """Store the arguments; drawing begins when the picture is shown or saved."""
         self._drawn = results, kind, style, gears
         self._motion = motion
 

@@ -28,7 +28,7 @@ class PicturedEvent(Protocol):
 
     @property
     def word(self) -> str:
-        """Usual word for the event, such as a synchronisation; can be empty."""
+        """Word for the event in labels; empty if the word is the key of the event."""
 
     @property
     def step(self) -> int | None:
@@ -63,7 +63,7 @@ AnEvent = TypeVar("AnEvent", bound=PicturedEvent)
 NAME_LETTERS = 40
 """Largest number of letters of a name in a label."""
 IMPORTANCE = {"impact": 0, "locks": 1, "step": 2, "reverses": 3, "slips": 4}
-"""Events -> rank; of simultaneous events, lower ranks get a label first."""
+"""Ranks of events by their keys; of simultaneous events, lower ranks get a label first."""
 
 
 def short(name: str) -> str:
@@ -77,7 +77,7 @@ def short(name: str) -> str:
 
 
 def event_word(event: PicturedEvent, style: Style) -> str:
-    """Return the word for an event, with the number of a step of a sequence.
+    """Return the word for an event; for a step of a sequence, with its number.
 
     >>> from types import SimpleNamespace
     >>> event_word(SimpleNamespace(event="step", word="step", step=2), Style())
@@ -99,7 +99,7 @@ def event_text(event: PicturedEvent, style: Style) -> str:
 
 
 def named_events(events: Sequence[AnEvent], most: int) -> list[AnEvent]:
-    """Return the events that get a label; of many events, the most important."""
+    """Return the events that get a label; if there are more than `most`, the most important."""
     if len(events) <= most:
         return list(events)
     first = sorted(range(len(events)), key=lambda place: (IMPORTANCE[events[place].event], place))

@@ -57,24 +57,24 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     Parameters
     ----------
     case : Transmission or VariedScenario
-        A scenario comes from `vstatics.load_varied`.
+        Case or scenario to vary; `vstatics.load_varied` reads a scenario.
     vary : mapping of str to array_like or str, sequence of str, or str
-        Varied numbers: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
-        or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Elastic and
-        heavy parts: ``"shaft.stiffness"`` [N*m/rad], ``"shaft.compliance"`` [rad/(N*m)],
-        ``"shaft.damping"`` [N*m*s/rad], ``"engine.inertia"`` [kg*m^2]. Arrays of speeds, torques
-        and powers are in rad/s, N*m and W, even in a scenario and although `Load` has rpm;
-        ``"load.speed [rpm]"`` is in rpm.
+        Varied numbers: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}`` or
+        ``["D1.ratio=-0.9:-0.7:201"]``. The variants are a grid of all combinations, in which the
+        last number runs fastest. Numbers of elastic parts and inertias are ``"shaft.stiffness"``
+        [N*m/rad], ``"shaft.compliance"`` [rad/(N*m)], ``"shaft.damping"`` [N*m*s/rad],
+        ``"engine.inertia"`` [kg*m^2]. Arrays of speeds, torques and powers are in rad/s, N*m and W,
+        even in a scenario and although `Load` has rpm; ``"load.speed [rpm]"`` is in rpm.
     zip : bool
         Take the values in parallel instead of as a grid.
     sample : int, optional
-        Number of points between ``low:high`` of each number, instead of a grid.
+        Number of variants drawn between ``low:high`` of each number, instead of a grid.
     method : {"sobol", "lhs", "random"}
         Sampling method (of scipy).
     seed : int
         Seed of the sample; equal seeds give equal samples.
     variants : mapping of str to array_like, optional
-        A table of variants instead of `vary`: equally many values of each number. [-]
+        A table of variants instead of `vary`, with a value of each number for every variant. [-]
     out : str or sequence of str
         The columns, as in ``--out`` of the command line.
     where : str, optional

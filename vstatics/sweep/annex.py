@@ -1,4 +1,4 @@
-"""Record of the annex of sweeps."""
+"""Declaration of the annex of sweeps: its command, public names, document and pictures."""
 
 from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind
 

@@ -1,6 +1,6 @@
-"""Rows of a part of a sweep of a case.
+"""Calculation of a part of a sweep of a case, block by block.
 
-The variants are calculated in blocks, so that results of a block take tens of megabytes.
+The size of a block is chosen so that its results take tens of megabytes.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, imposs
 Chosen: TypeAlias = Integers | slice
 """Indices of variants in a block."""
 Made: TypeAlias = tuple[Chosen, Transmission | None]
-"""Case of some variants, or `None` if impossible."""
+"""Indices of variants in a block, and the case that they share; `None` for an impossible case."""
 Array = TypeVar("Array", Floats, Codes)
 
 
@@ -58,20 +58,20 @@ class Frequencies(Protocol):
 
     @property
     def tied_up(self) -> Booleans:
-        """Variants with a gear that cannot turn."""
+        """Mask of the variants with a gear that cannot rotate, shape (variants,)."""
 
     @property
     def conflict(self) -> Booleans:
-        """Variants with a conflict between freewheels."""
+        """Mask of the variants with a conflict between freewheels, shape (variants,)."""
 
 
 class BlockTables(NamedTuple):
-    """Tables of a block of variants: of statics, and natural frequencies."""
+    """Tables of a block of variants: results of statics, and natural frequencies."""
 
     results: Results | None
     modes: Frequencies | None
     numbers: Mapping[str, Floats] = MappingProxyType({})
-    """Table of `PART_NUMBERS` -> numbers of (variants, 1, mechanisms). [-]"""
+    """Numbers of mechanisms by the table in `PART_NUMBERS`, shape (variants, 1, mechanisms). [-]"""
 
     def existing(self, name: str) -> Floats:
         """Return a table that the plan uses."""
@@ -90,7 +90,7 @@ class BlockTables(NamedTuple):
 def possible_numbers(
     case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
-    """Return the varied numbers with impossible values replaced, and the mask of variants."""
+    """Return the varied numbers with impossible values replaced, and a mask of such variants."""
     invalid = np.zeros(len(values), dtype=np.bool_)
     possible = values
     for column, target in enumerate(targets):
@@ -104,7 +104,7 @@ def possible_numbers(
 
 
 def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans, float]:
-    """Return which values are impossible, and a replacement."""
+    """Return a mask of impossible values, and a possible value that replaces them."""
     if isinstance(target, Target):
         value = own_number(case, target.owner, target.quantity)
         between = [case.ratio_range(target.owner)] if target.quantity == "ratio" else []
@@ -114,19 +114,19 @@ def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans,
 
 
 class OfCases(NamedTuple):
-    """Tables of a block whose variants belong to several cases."""
+    """Tables of a block of variants that are calculated as several groups."""
 
     places: list[Chosen]
-    """Indices of the variants of each case."""
+    """Indices of the variants of each group."""
     parts: list[BlockTables]
 
     def existing(self, name: str) -> Floats:
-        """Return a table in the order of the variants."""
+        """Return a table of all groups in the order of the variants."""
         return _in_order(self.places, [part.existing(name) for part in self.parts])
 
     @property
     def outside(self) -> tuple[str, ...]:
-        """Laws evaluated outside the given points."""
+        """Names of laws that were evaluated outside their points."""
         points = [part.results.points for part in self.parts if part.results]
         return tuple(
             dict.fromkeys(
@@ -188,7 +188,7 @@ def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
 def _of_mechanisms(
     case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made] = ()
 ) -> dict[str, Floats]:
-    """Return ratios and efficiencies for `vstatics.solve`, (variants, mechanisms)."""
+    """Return ratios and efficiencies if they vary, else ratios; shape (variants, mechanisms)."""
     varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
     asked = OF_MECHANISM if cases else varied or {"ratio"}
     return {quantity: _numbers_of(case, plan, values, cases, quantity) for quantity in asked}
@@ -211,7 +211,7 @@ def _numbers_of(
 
 
 MEASURED_RUNS = 8
-"""Number of runs by which the time of all runs is estimated."""
+"""Number of runs from which the time of all runs is estimated."""
 BLOCK_BYTES = 32 * 2**20
 LEAST_BLOCK, MOST_BLOCK = 256, 16384
 
@@ -237,7 +237,7 @@ def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
 
 
 def middle(plan: SweepPlan) -> tuple[int, int]:
-    """Return the ends of a block in the middle of a sweep, for estimates."""
+    """Return the first variant and the end of a block in the middle of a sweep, for estimates."""
     start, stop = plan.span(plan.pieces // 2)
     if not isinstance(plan.subject, Transmission):
         return start, min(stop, start + MEASURED_RUNS)
@@ -246,7 +246,7 @@ def middle(plan: SweepPlan) -> tuple[int, int]:
 
 
 def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
-    """Return the ends of the blocks of a part, of nearly equal size."""
+    """Return the first variant and the end of each block of a part; sizes are nearly equal."""
     most = min(max(BLOCK_BYTES // variant_bytes(case), LEAST_BLOCK), MOST_BLOCK)
     number = -(-(stop - start) // most)
     ends = [start + (stop - start) * block // number for block in range(number + 1)]
@@ -320,7 +320,7 @@ def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
 
 
 def reason(plan: SweepPlan) -> list[Problem]:
-    """Return the problems if the first variant is not a possible case."""
+    """Return the problems of the first variant if its case is impossible, otherwise none."""
     values = plan.variants.block(0, 1)
     for n, varied in enumerate(plan.variants.targets):
         if isinstance(varied, Target) and varied.quantity == "ratio":
@@ -344,7 +344,7 @@ def reason(plan: SweepPlan) -> list[Problem]:
 
 
 def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, variants: int) -> Codes:
-    """Return the worst status over the gears that the plan uses, or per gear.
+    """Return the worst status of each variant over the gears that the plan uses, or of each gear.
 
     Whole arrays are tested first, because most variants are ok. If only natural frequencies are
     used, they determine the status.

@@ -1,4 +1,4 @@
-"""Plan of a sweep from options of the command line, a sweep file or a call."""
+"""Construction of the plan of a sweep from options of a command, a sweep file or a call."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def plan(
 def _variants(
     subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike | str]
 ) -> tuple[Variants, Sequence[Place | None]]:
-    """Return the variants, and the place of each varied number."""
+    """Return the variants, and the place of the text of each varied number."""
     if options.variants is not None:
         listed = load_table(options.variants, subject)
         return listed, [Place(options.variants, 1, 1)] * len(listed.targets)
@@ -145,7 +145,7 @@ def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place 
     Raises
     ------
     ReadError
-        With the place of the first path that prevents a solution.
+        If a path prevents a solution, with the place of the first such path.
     CaseError
         If this path has no place.
     """
@@ -189,7 +189,7 @@ def _check_ratios(
 
 
 def _check_slopes(sweep_plan: SweepPlan) -> None:
-    """Refuse natural frequencies if varied loads change the slope of a spring."""
+    """Refuse natural frequencies if a varied load changes the slope of a spring with points."""
     if not sweep_plan.modes:
         return
     bent = [spring.name for spring in sweep_plan.case.springs if spring.points]

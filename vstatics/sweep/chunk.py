@@ -1,4 +1,4 @@
-"""Rows of a sweep, with their statuses.
+"""Rows of a part of a sweep, with the status of each row.
 
 The plan alone determines where blocks of variants begin: equal builds give equal numbers for any
 number of jobs.
@@ -43,7 +43,7 @@ DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STO
 
 
 OF_ROWS = ("places", "values", "status", "columns", "objectives")
-"""Fields of a chunk with a row per variant."""
+"""Names of the fields of a chunk that have a row for each variant."""
 
 
 class Chunk(NamedTuple):
@@ -52,33 +52,33 @@ class Chunk(NamedTuple):
     start: int
     """First variant of the part, from 0."""
     places: Integers
-    """(rows,) indices in the order of all variants, or of all gears of variants."""
+    """(rows,) numbers of the variants, or of the gears of all variants in sequence, from 0."""
     values: Floats
     """(rows, targets): varied numbers. [-]"""
     status: Codes
-    """(rows,) indices into `STATUS`."""
+    """(rows,) statuses as indices into `STATUS`."""
     columns: Floats
-    """(rows, columns): columns of the plan; NaN for undefined values."""
+    """(rows, columns): values of the columns of the plan; NaN for undefined values."""
     objectives: Floats
-    """(rows, objectives): objectives, smaller is better."""
+    """(rows, objectives): values of the objectives; smaller is better, also for `max`."""
     counts: Mapping[str, int]
-    """Status -> number of variants of the whole part, including variants without a row."""
+    """Number of variants of the whole part by status, including variants without a row."""
     names: tuple[str, ...]
     """Names of the varied numbers."""
     headings: tuple[str, ...]
     """Headings of the columns."""
     removed: tuple[int, ...] = ()
-    """Number of variants that each part of the condition removed, in turn."""
+    """Numbers of variants that the parts of the condition removed, in the order of the parts."""
     gears: tuple[str, ...] = ()
     """Names of the gears of a variant, if each gear has a row."""
     outside: tuple[str, ...] = ()
-    """Laws evaluated outside the given points."""
+    """Names of laws that were evaluated outside their points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of runs, each once for the whole part."""
 
     @property
     def variants(self) -> Integers:
-        """(rows,) numbers of the variants."""
+        """(rows,) numbers of the variants, from 0."""
         return self.places // len(self.gears) if self.gears else self.places
 
     @property
@@ -90,7 +90,7 @@ class Chunk(NamedTuple):
         return gears
 
     def to_dataframe(self) -> pd.DataFrame:
-        """Return a table of a row per variant, the index, with columns as in a file.
+        """Return a pandas table with columns as in a file; its index is the number of the variant.
 
         Raises
         ------
@@ -124,7 +124,7 @@ class Chunk(NamedTuple):
         return dict(zip(headings, tables, strict=True))
 
     def rows(self, chosen: Integers | Booleans) -> Chunk:
-        """Return the chunk with some rows only."""
+        """Return the chunk with the chosen rows only."""
         return self._replace(**{name: getattr(self, name)[chosen] for name in OF_ROWS})
 
 
@@ -144,7 +144,7 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
     tables : Tables
         Results of these variants.
     unknown : ndarray, shape (variants,)
-        Variants without results: they have NaN, and never pass the condition.
+        Mask of variants without results; they have NaN, and never pass the condition.
     """
     if gears := len(plan.gears):
         tables, status = GearRows(tables, gears), status.ravel()
@@ -203,12 +203,12 @@ def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
 
 
 def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
-    """Return the laws evaluated outside the given points in several parts."""
+    """Return the laws that were evaluated outside their points in any of several parts."""
     return tuple(dict.fromkeys(name for part in parts for name in part.outside))
 
 
 def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
-    """Return the messages of several parts, merged if only numbers differ."""
+    """Return the messages of several parts; messages that differ only in numbers are merged."""
     merged: dict[tuple[str, str], Noticed] = {}
     for notice in (notice for part in parts for notice in part.noticed):
         alike = notice.alike

@@ -36,7 +36,7 @@ _NO_SWEEPS = {
     "case": "this is a case, expected a sweep file: `vstatics sweep CASE --vary NAME=VALUES` "
     "varies it",
 }
-"""Kind of a wrong document -> message."""
+"""Message about a document that is not a sweep file, by the kind of the document."""
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
@@ -76,7 +76,7 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
 
 
 class _WrongError(Exception):
-    """Expected value of a node, or of a given part of the node."""
+    """Error for a node with a wrong value; it states the expected value."""
 
     def __init__(self, expected: str, node: Node | None = None) -> None:
         super().__init__(expected)
@@ -159,7 +159,7 @@ class _Reader:
         return joined(Text(""), self.texts(node), ", ")
 
     def vary(self, node: Node, _: Option) -> tuple[Text, ...]:
-        """Return texts as of the option, also for varied numbers given as keys."""
+        """Return texts as for the option --vary, also for a mapping from numbers to values."""
         if not isinstance(node, Mapping):
             return self.texts(node)
         return tuple(

@@ -14,17 +14,17 @@ from vstatics.sweep.variants.samples import METHODS
 
 
 class PlacedPart(NamedTuple):
-    """Place of a part of a text."""
+    """Place in a sweep file of a part of the text of an option."""
 
     first: int
     """First column of the part in the text, from 1."""
     place: Place
     as_written: bool = True
-    """True if columns correspond; false for text joined from several lines."""
+    """True if the columns of text and file correspond; False for text joined from several lines."""
 
 
 class PlacedFile(str):
-    """Name of a file in a sweep file, with place."""
+    """Name of a file that a sweep file gives, with the place of the name."""
 
     __slots__ = ("place",)
     place: Place
@@ -36,7 +36,7 @@ class PlacedFile(str):
 
 
 class Text(NamedTuple):
-    """Text of an option, with places in a sweep file, if any."""
+    """Text of an option; text from a sweep file has the places of its parts."""
 
     text: str
     parts: tuple[PlacedPart, ...] = ()
@@ -81,7 +81,7 @@ def _moved(problem: Problem, text: Text) -> Problem:
 
 
 Kind = Literal["path", "count", "flag", "choice", "text", "texts", "list", "vary"]
-"""Kind of an option; `list` is a text of items with commas, `vary` are texts such as `a=1`."""
+"""Kind of the value of an option: `list` is a text with commas, `vary` are texts such as `a=1`."""
 
 
 class Option(NamedTuple):
@@ -150,8 +150,9 @@ class SweepOptions:
     def over(self, others: SweepOptions) -> SweepOptions:
         """Return the options, completed by others.
 
-        Other options that these exclude are dropped with their dependent options: a given table
-        replaces a grid. Objectives are replaced together.
+        Options in `others` that these options exclude are dropped, together with options that
+        depend on them. A given table, for example, replaces a grid. Objectives are replaced
+        together.
         """
         options = vars(self)
         given = {name for name in options if says(options[name])}
@@ -172,7 +173,7 @@ OPTIONS: Mapping[str, Option] = {
 
 
 class Rule(NamedTuple):
-    """Option with the excluded or required further options."""
+    """Option, and other options that it excludes, or of which it needs one."""
 
     option: str
     others: tuple[str, ...]
@@ -219,7 +220,7 @@ def conflicts(said: Mapping[str, object], spelled: Callable[[str], str] = str) -
 
 
 def says(value: object) -> bool:
-    """Return whether an option is given: a count of 0 is, a false flag is not."""
+    """Return whether an option is given; a count of 0 is given, a flag that is False is not."""
     return value is not False and value not in (None, (), "")
 
 

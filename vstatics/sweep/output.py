@@ -30,11 +30,11 @@ class SweepReport(NamedTuple):
 
     rows: int
     counts: dict[str, int]
-    """Status -> number of variants, or of gears of variants."""
+    """Number of variants, or of gears of variants, by status."""
     removed: tuple[int, ...] = ()
-    """Number of variants that each part of the condition removed, in turn."""
+    """Numbers of variants that the parts of the condition removed, in the order of the parts."""
     outside: tuple[str, ...] = ()
-    """Laws evaluated outside the given points."""
+    """Names of laws that were evaluated outside their points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of runs."""
 
@@ -74,18 +74,18 @@ def column_types(plan: SweepPlan) -> list[ColumnType]:
 
 
 class Output:
-    """Calculation and assembly of the file of a sweep, with a `store` that is opened before."""
+    """Calculation and assembly of the file of a sweep; its pieces are in an open `store`."""
 
     def __init__(
         self, plan: SweepPlan, form: Format, store: FinishedPieces, *, raw: bool = False
     ) -> None:
-        """Use the stored pieces, which do not depend on `raw`."""
+        """Prepare to use the stored pieces, which do not depend on `raw`."""
         self.task = SweepTask(plan, form, store.directory, raw, store.work)
         self.store = store
 
     @property
     def pending(self) -> Iterator[int]:
-        """Missing pieces, as an iterator because millions are possible."""
+        """Numbers of the missing pieces, as an iterator because there can be millions."""
         pieces = range(self.task.plan.pieces)
         return (piece for piece in pieces if piece not in self.store.accounts)
 
@@ -144,13 +144,13 @@ class Output:
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
-            self.store.discard(piece_file.ASSEMBLED)  # an unfinished output can fill the disk
+            self.store.discard(piece_file.ASSEMBLED)  # it can fill the disk
             raise
         self.store.finish()
         return SweepReport(sum(account.rows for account in accounts), *counts_and_notes)
 
     def _write(self, accounts: Sequence[Account]) -> None:
-        """Write formats that are built from all rows together."""
+        """Write a file whose format requires all rows together."""
         from vstatics.sweep.formats import tables
 
         rows = self.task.plan.output_headings, self._chunks(accounts)
@@ -174,7 +174,7 @@ class Output:
         return ArchiveLayout([(0, head)], copies, place)
 
     def _copy(self, workers: Workers, layout: ArchiveLayout) -> None:
-        """Write the known texts, and let the workers copy each piece into place."""
+        """Write the headers of the layout, and let the workers copy each piece into place."""
         with self.store.folder.writing(piece_file.ASSEMBLED) as file:
             file.truncate(layout.length)
             for place, text in layout.texts:
@@ -192,7 +192,7 @@ class Output:
             yield tasks.read_chunk(self.task, account)
 
     def _select(self, accounts: Sequence[Account]) -> Iterator[Account]:
-        """Yield the best rows of all pieces, as further pieces."""
+        """Yield the best rows of all pieces, as pieces in the order of the output."""
         number = self.task.plan.pieces
         for selected in best.among(self.task.plan, lambda: self._chunks(accounts)):
             data = tasks.data_of(self.task.form, selected)

@@ -62,7 +62,7 @@ class SweepPlan:
 
     @property
     def gears(self) -> tuple[str, ...]:
-        """Gears of each variant with a row each; empty if a row covers all gears."""
+        """Names of the gears, if each gear of a variant has a row; otherwise empty."""
         return tuple(gear.name for gear in self.case.gears) if self.by_gear else ()
 
     @property
@@ -78,22 +78,22 @@ class SweepPlan:
 
     @property
     def targets(self) -> tuple[Target, ...]:
-        """Varied numbers of a case."""
+        """Varied numbers of the case that are given by part and quantity, such as `D1.ratio`."""
         return tuple(varied for varied in self.variants.targets if isinstance(varied, Target))
 
     @property
     def places(self) -> list[int]:
-        """Indices of `targets` among all varied numbers."""
+        """Index of each of the `targets` among all varied numbers."""
         return [n for n, varied in enumerate(self.variants.targets) if isinstance(varied, Target)]
 
     @property
     def paths(self) -> list[CasePath]:
-        """Numbers of a case varied by path."""
+        """Varied numbers of the case that are given by their paths."""
         return [varied for varied in self.variants.targets if isinstance(varied, CasePath)]
 
     @property
     def parts(self) -> dict[int, CasePath]:
-        """Column -> varied number of a part, for which each set of values is a new case."""
+        """Varied numbers of parts, by index; each set of their values requires a new case."""
         paths = enumerate(self.variants.targets)
         return {n: varied for n, varied in paths if isinstance(varied, CasePath) and varied.part}
 
@@ -118,7 +118,7 @@ class SweepPlan:
         return -(-self.variants.count // self.piece)
 
     def span(self, piece: int) -> tuple[int, int]:
-        """Return the first variant of a piece, and the end."""
+        """Return the first variant of a piece, and the variant after its last."""
         return piece * self.piece, min((piece + 1) * self.piece, self.variants.count)
 
     @property
@@ -136,7 +136,7 @@ class SweepPlan:
 
     @property
     def asks_for_results(self) -> bool:
-        """True if results of statics are needed, not only natural frequencies."""
+        """True if expressions need results of statics, not only natural frequencies."""
         return self.tables - {OK} != {OMEGA}
 
     @property
@@ -156,7 +156,7 @@ class SweepPlan:
 
     @property
     def modes(self) -> dict[int, list[int]]:
-        """Index of a gear -> indices of the natural frequencies used by expressions."""
+        """Indices of the natural frequencies that expressions use, by the index of the gear."""
         asked: dict[int, set[int]] = {}
         for expression in self.expressions:
             for part in expression.selections:
@@ -169,7 +169,7 @@ class SweepPlan:
         return {gear: sorted(modes) for gear, modes in sorted(asked.items())}
 
     def objective_values(self, tables: Tables, values: Floats) -> Floats:
-        """Return the objectives, (variants, objectives), smaller is better.
+        """Return the values of the objectives, shape (variants, objectives); smaller is better.
 
         The values are rounded as in the output, so that rounding noise decides nothing.
         """
@@ -179,7 +179,7 @@ class SweepPlan:
         return objectives
 
     def fingerprint(self, *more: str) -> str:
-        """Return a hash of everything that decides the result, and of more texts.
+        """Return a hash of everything that determines the result, and of the given further texts.
 
         With equal builds of this package, equal fingerprints give equal files.
         """

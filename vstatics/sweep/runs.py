@@ -1,4 +1,4 @@
-"""Part of a sweep of a document: each variant is a run."""
+"""Calculation of a part of a sweep of a document, in which each variant is a run."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.documents import SweptDocument
 
 LEAST_PIECE, MOST_PIECES = 16, 4096
-"""Runs per piece at least, which take about half a second, and pieces at most."""
+"""Smallest number of runs in a piece (about half a second), and largest number of pieces."""
 
 
 def piece_of_runs(count: int) -> int:
-    """Return the number of runs per piece for a number of runs.
+    """Return the number of runs in a piece, for a sweep of `count` runs.
 
     >>> piece_of_runs(1000), piece_of_runs(10**6)
     (16, 245)

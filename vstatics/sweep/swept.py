@@ -75,7 +75,7 @@ class Sweep(Iterator[Chunk]):
 
     @property
     def _shape(self) -> list[int]:
-        """Numbers of values of a grid; empty for other variants."""
+        """Number of values of each varied number of a grid; empty for other variants."""
         variants = self.plan.variants
         return [*map(len, variants.values)] if isinstance(variants, VariantGrid) else []
 
@@ -85,9 +85,10 @@ class Sweep(Iterator[Chunk]):
         Returns
         -------
         DataFrame
-            A row per variant, or per gear of one; the index is the number of the variant from 0.
-            Columns as in a file: varied numbers, `status`, columns of `out`. `attrs["units"]` has
-            the units: ``load.speed`` is in rad/s, ``load.speed [rpm]`` in rpm. [-]
+            A row for each variant, or for each gear of a variant; the index is the number of the
+            variant from 0. Columns are as in a file: varied numbers, `status`, columns of `out`.
+            `attrs["units"]` has their units: ``load.speed`` is in rad/s, ``load.speed [rpm]`` in
+            rpm. [-]
 
         Raises
         ------
@@ -215,7 +216,7 @@ class Sweep(Iterator[Chunk]):
     def _placed(
         self, parts: Iterable[tuple[Integers, Chunk]], size: int
     ) -> tuple[Floats, np.ndarray[Any, np.dtype[np.object_]]]:
-        """Return columns and statuses in words, with each row in place."""
+        """Return columns and statuses in words as arrays of all variants, NaN without a row."""
         words = np.array(STATUS, object)  # 8 bytes each, for words of any length
         columns = np.full((len(self.plan.headings), size), np.nan)
         status = np.full(size, LEFT_OUT, object)

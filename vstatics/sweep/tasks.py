@@ -21,13 +21,13 @@ from vstatics.sweep.variants.numbered import VariantPart, VariantTable
 
 
 class SweepTask(NamedTuple):
-    """Task of all pieces of a sweep."""
+    """State that every worker of a sweep receives: the plan and the form of the output."""
 
     plan: SweepPlan
     form: Format
     directory: str = ""
     raw: bool = False
-    """True if headings in CSV are written without a guarding apostrophe."""
+    """True if CSV headings have no apostrophe in front that prevents their use as a formula."""
     work: str = ""
     """Hash of the definition of the sweep."""
 
@@ -46,7 +46,7 @@ class SweepTask(NamedTuple):
 
 
 class Portion(NamedTuple):
-    """Piece with the variants, for a worker without access to the file of variants."""
+    """Piece with its variants, for a worker without access to the file of variants."""
 
     piece: int
     variants: VariantPart

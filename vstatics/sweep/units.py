@@ -15,7 +15,7 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import Target, Varied
 
 KEEPING = (LAST, "abs", "min", "max", "sum")
-"""Functions whose value has the unit of the operands."""
+"""Functions whose value has the unit of their operands."""
 
 
 def units_of(plan: SweepPlan) -> dict[str, str]:

@@ -74,9 +74,9 @@ class IdentificationAnswer(NamedTuple):
     decrement: Sometimes[float] = None
     """Measured logarithmic decrement. [-]"""
     mean_line: Sometimes[Sequence[float]] = None
-    """Mean line at the inner extremes of a record, in the unit of the record."""
+    """Line about which a record oscillates, at its inner extremes, in the unit of the record."""
     amplitudes: Sometimes[Sequence[float]] = None
-    """Amplitudes at the inner extremes of a record, in the unit of the record."""
+    """Distances of the inner extremes of a record from the mean line, in the unit of the record."""
 
 
 @document("vstatics-damping")

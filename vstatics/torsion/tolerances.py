@@ -4,13 +4,13 @@ from __future__ import annotations
 
 # modes
 REAL_EIGENVALUE = 1e-12
-"""Imaginary part, relative to the modulus, below which an eigenvalue is real."""
+"""Largest imaginary part of an eigenvalue that counts as real, relative to its modulus."""
 SAME_MODULUS = 1e-9
-"""Relative difference below which moduli of eigenvalues, or parts in a mode, are equal."""
+"""Relative difference up to which moduli of eigenvalues, or parts in a mode, count as equal."""
 LAST_EIGENVALUE_STEP = 1e-8
 """Relative step of an eigenvalue after which the iteration ends, as convergence is quadratic."""
 LOST_SQUARE = 1e-4
-"""Relative size below which a squared frequency loses digits that its root would keep."""
+"""Relative size of a squared frequency below which it has fewer correct digits than its root."""
 BELOW_SQUARES = 1e-3
 """Shift below 0 of the iteration for the lowest modes, relative to the lowest square."""
 LEAST_SHOWN_PART = 0.0005
@@ -21,11 +21,11 @@ LEAST_PARTICIPATION = 1e-9
 
 # variants
 APART = 1e-9
-"""Root of the smallest share in the energy of a mode that counts for a device or body."""
+"""Square root of the share in the energy of a mode above which a device or body takes part."""
 LOST_PIVOT = 1e-6
-"""Pivot, relative to the first variant, below which a pivot can be zero."""
+"""Measure of regularity, relative to the first variant, up to which a lower rank is possible."""
 RESIDUE = 1e-11
-"""Residue of an equation, relative to coefficients times unknowns, below which it is zero."""
+"""Largest residue of a satisfied equation, relative to the largest coefficient times unknown."""
 NO_ROW = 1e-300
 """Assumed largest coefficient of an empty equation, to avoid division by zero."""
 
@@ -33,9 +33,9 @@ NO_ROW = 1e-300
 LAST_STEP = 1e-13
 """Relative step of a root after which the iteration ends, as convergence is quadratic."""
 SAME_SQUARE = 1e-14
-"""Relative difference below which squared frequencies are equal."""
+"""Relative difference up to which squared frequencies count as equal."""
 LOST_WEIGHT = 1e-32
-"""Share in the sum of weights below which a weight is a rounding error of the twists."""
+"""Share in the sum of weights up to which a weight counts as a rounding error of the twists."""
 AT_POLE = 1e-200
 """Smallest distance of a root from the pole below, relative to the gap between poles."""
 AT_NEXT_POLE = 1e-16
@@ -43,31 +43,31 @@ AT_NEXT_POLE = 1e-16
 
 # forced vibration, engagement
 SAME_ORDER = 1e-12
-"""Relative difference below which an order is equal to a fraction."""
+"""Relative difference up to which an order counts as equal to a fraction."""
 SAME_ANGLE = 1e-15
-"""Difference up to which angles are equal. [rad]"""
+"""Difference up to which angles count as equal. [rad]"""
 LEAST_RATE = 1e-99
-"""Rate of a clutch, relative to the frequency of the shaft, below which the factor is constant."""
+"""Rate of a clutch, relative to the natural frequency, below which the factor is constant."""
 
 # random vibration
 NEVER_DAMPED = 1e-12
-"""Real part, relative to the largest eigenvalue, below which a mode is undamped."""
+"""Largest magnitude of the real part of an undamped eigenvalue, relative to the largest one."""
 UNMOVED = 1e-9
-"""Sum, relative to the sum of absolute terms, below which a sum is a rounding error."""
+"""Sum, relative to the sum of absolute terms, up to which it counts as a rounding error."""
 WHOLE = 1e-9
 """Difference from 1 allowed for a sum of shares."""
 ACCURACY = 1e-10
 """Relative accuracy of integrals."""
 NOTHING = 1e-300
-"""Absolute accuracy of integrals, which only the variance 0 meets. [square of a unit]"""
+"""Absolute accuracy of integrals, so small that only a variance of 0 satisfies it. [unit^2]"""
 
 # records
 UNDAMPED = 1e-6
-"""Negative decrement, in magnitude, up to which it is a rounding error of 0. [-]"""
+"""Largest magnitude of a negative decrement that counts as a rounding error of 0. [-]"""
 
 # operating points and integrals
 SAME_INPUT_TORQUE = 1e-9
-"""Relative difference up to which the torque of the load is the torque of the pump. [-]"""
+"""Relative difference up to which the torques of load and pump count as equal. [-]"""
 ROUGH_ACCURACY = 1e-3
 """Relative accuracy of the first integral, which determines the size of each component."""
 SPEED_RATIO_STEP = 1e-15

@@ -37,7 +37,7 @@ from vstatics.core.suggestions import nearest
 click.UsageError.exit_code = WRONG_USE
 
 WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
-"""Commands with words in several languages, chosen by --lang."""
+"""Commands whose output has words in several languages; --lang chooses the language."""
 
 
 class Commands(LazyGroup):
@@ -82,7 +82,7 @@ class Commands(LazyGroup):
         except (click.ClickException, click.Abort, OSError):
             raise
         except Exception as error:  # noqa: BLE001 - users need a message, not a traceback
-            stop.check()  # an import that is stopped can raise an unrelated error
+            stop.check()  # a signal during an import can raise an unrelated error
             from vstatics.core.cli.shared.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
@@ -94,7 +94,7 @@ def _safe_usage_errors() -> Iterator[None]:
     try:
         yield
     except click.exceptions.NoArgsIsHelpError:
-        raise  # its message is the help, which needs no hint
+        raise  # the message is the help text, which needs no hint
     except click.UsageError as error:
         message = printable(error.format_message(), lines=True)
         if isinstance(error, click.NoSuchOption) and error.option_name == "--lang":
@@ -175,7 +175,7 @@ def entry() -> None:
             main(prog_name="vstatics")
         except SystemExit as leaving:
             code = leaving.code
-        if not code and sys.stdout is not None:  # the caller can have closed it
+        if not code and sys.stdout is not None:  # the caller can have closed stdout
             sys.stdout.flush()
     except BrokenPipeError:  # the reader of a pipe has left
         code = FAILED

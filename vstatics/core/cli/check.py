@@ -41,7 +41,7 @@ class ProblemRecord(NamedTuple):
     severity: Severity
     message: str
     id: str
-    """Id of the cause: a letter for the severity and three digits; see docs/messages.md."""
+    """Id of the cause: a letter for the severity and three digits, as in docs/messages.md."""
 
 
 def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
@@ -108,7 +108,7 @@ def conditions(file: str, results: Results) -> Grid:
         faults += [TIED_UP.english] * bool(tied_up)
         faults += [CONFLICT.english] * bool(conflict)
         count = given_conditions(gear) + len(holding)
-        bypassed = case.bypassed(with_engaged(gear, holding))  # bypassed parts impose no constraint
+        bypassed = case.bypassed(with_engaged(gear, holding))  # these impose no constraint
         needed = free + len(bypassed)
         state = f"{count} of {needed} conditions: {', '.join(faults) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
@@ -210,7 +210,7 @@ def _explained(asked: str, form: str) -> str:
 
 
 CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]
-"""Name of a file, problems, failure, and the table of constraints in each gear."""
+"""Name of a checked file, problems, whether the check failed, and the table of constraints."""
 
 
 def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedFile]:
@@ -237,13 +237,13 @@ def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[P
 
 
 class _Once:
-    """Memory of the reported problems, so that a case of several scenarios reports each once."""
+    """Reported problems; a case that several scenarios name reports each of its problems once."""
 
     def __init__(self) -> None:
         self._reported: set[tuple[str, str, str, int, int]] = set()
 
     def first(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Return the problems that are new, by place, however the file is spelled."""
+        """Return problems not reported before; the spelling of a file name does not matter."""
         new = []
         for problem in problems:
             file, line, column = problem.place[:3] if problem.place else ("", 0, 0)
@@ -299,7 +299,7 @@ def _array(records: Iterable[tuple[object, ...]]) -> str:
 
 
 def _as_junit(by_file: Sequence[tuple[str, Sequence[Problem]]], telling: Telling) -> str:
-    """Return the outcome of each file; warnings are failures with --strict only."""
+    """Return the outcome of each file for JUnit; warnings are failures with --strict only."""
     from vstatics.core.writers.junit import CaseOutcome, junit
 
     outcomes = []

@@ -146,7 +146,7 @@ def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> li
 
 
 def _as_junit(total: Verdict) -> str:
-    """Return the outcome of each case; changes without effect on numbers are successes."""
+    """Return the outcome of each case for JUnit; changes of a case alone are not failures."""
     return junit(
         "vstatics compare",
         [

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class AskedExercise(NamedTuple):
-    """Exercise on a gear: as a worksheet or a solution, with other numbers for each seed."""
+    """Exercise on a gear: a worksheet or its solution, whose numbers depend on a seed."""
 
     worksheet: bool
     solution: bool

@@ -24,10 +24,10 @@ from vstatics.core.tables.grid import Grid
 from vstatics.core.texts import speaking
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
-"""Options of rich for a text in a file, without colours."""
+"""Options of a rich console that writes plain text without colours into a file."""
 FORMATS = ("listing", "source", *formats.TABLES[1:], "parquet")
 MANY = 100
-"""Number of cases from which all cores are used."""
+"""Smallest number of cases for which all cores are used by default."""
 
 
 @click.command()

@@ -25,12 +25,12 @@ ANSWERS = {
     "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
     "exercise": ("A gear as an exercise, of vstatics explain --solution", SolvedExercise),
 }
-"""File of documents -> title, and type of each document."""
+"""Title of a schema and type of its documents, by file, for output with a document per case."""
 OTHERS = {
     "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
     "compare": ("What changed between results, of vstatics compare", Verdict),
 }
-"""File with a single document -> title, and type of the document."""
+"""Title of a schema and type of its document, by file, for output with a single document."""
 
 
 def schemas() -> dict[str, dict[str, Any]]:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 MOST_COMBINATIONS = 10_000
-"""Number of combinations of shift elements tried by default."""
+"""Largest number of combinations of shift elements that are tried by default."""
 
 
 @click.command()

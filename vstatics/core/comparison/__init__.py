@@ -1,9 +1,9 @@
 """Comparison of written results: changes of the case, and the numbers that differ.
 
-`numbers` compares the tables of two results, after `namesakes` has matched renamed rows; `steps`
-compares step ratios, `case_changes` the values of the cases. `verdicts` combines these for one case
-or many, `layout` formats the verdicts, and `pairs` finds the results to be compared. `sweeps`
-compares sweeps.
+`numbers` compares the tables of two results, after `namesakes` has matched renamed rows. `steps`
+compares step ratios, and `case_changes` compares the input data of the cases. `verdicts` combines
+all differences into a verdict on one case or on many, `layout` formats the verdicts, and `pairs`
+finds the results to be compared. `sweeps` compares sweeps.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> from vstatics.core.comparison.case_changes import case_changes

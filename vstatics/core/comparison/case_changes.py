@@ -1,4 +1,4 @@
-"""Changes of a case by path, as in a sweep: `P4.teeth.ring`, `gears.3.engaged`."""
+"""Changed input data of a case, with paths as in a sweep: `P4.teeth.ring`, `gears.3.engaged`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.core.writers.named import mapping
 
 
 class CaseChange(NamedTuple):
-    """Changed value of a case, or None for a missing value."""
+    """Changed value of a case; an expected or actual value is None if the case lacks it."""
 
     path: str
     expected: Any
@@ -23,7 +23,7 @@ class CaseChange(NamedTuple):
 _WORDS = ("name", "description", "source")
 """Keys without any effect on results."""
 _SETS = ("engaged", "allow")
-"""Lists whose order has no meaning."""
+"""Keys of lists whose order has no meaning."""
 
 
 def case_changes(
@@ -31,7 +31,7 @@ def case_changes(
 ) -> Iterator[CaseChange]:
     """Yield all changes of a case, in the order of the keys.
 
-    A part that is new or gone is a single change. Numbers are compared as in results; see
+    An added or removed part is a single change. Numbers are compared as in results; see
     `differences`.
 
     Examples
@@ -53,7 +53,7 @@ def case_changes(
 
 
 def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
-    """Return input and output, as far as the other case has such links."""
+    """Return the names of the input and output links that the other case has, too."""
     ports = {"input": case.link_name(case.input)}
     if not (case.outputs or other.outputs):
         ports["output"] = case.link_name(case.output)
@@ -61,7 +61,7 @@ def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
 
 
 def _by_path(case: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the case with parts by name, without keys that have no effect."""
+    """Return the data of a case by the first word of a path, without keys that have no effect."""
     parts: dict[str, Any] = {}
     for key, value in case.items():
         if key in (*PARTS, "converters"):
@@ -90,7 +90,7 @@ def _changes(
         and isinstance(expected, list)
         and len(actual) == len(expected)
         and not any(isinstance(item, str) for item in (*actual, *expected))
-    ):  # the items have numbers as paths
+    ):  # paths contain the numbers of the items
         for number, (here, there) in enumerate(zip(actual, expected, strict=True), 1):
             yield from _changes((*path, str(number)), here, there, atol, rtol)
     else:

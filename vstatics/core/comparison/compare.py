@@ -1,4 +1,4 @@
-"""Function `compare`, for results, files of results or directories of such files."""
+"""Function `compare` for two results, two files of results, or two directories of such files."""
 
 from __future__ import annotations
 
@@ -45,9 +45,9 @@ def compare(
     Returns
     -------
     Verdict
-        Numbers of cases that are `same`, `changed`, `added`, `gone` and `unreadable`, and the
-        differences of each of the `cases`. Messages are not compared, nor are the name,
-        description and source of a case.
+        Numbers of cases that are `same`, `changed`, `added`, `gone` or `unreadable`, and the
+        differences of each of the `cases`. Messages are not compared, nor are the name, description
+        and source of a case.
 
     Raises
     ------

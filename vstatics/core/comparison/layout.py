@@ -15,13 +15,13 @@ from vstatics.core.tables.markdown import escaped
 from vstatics.core.tables.numbers import fixed, rounded
 
 CASE_LINES = 20
-"""Number of lines for a case, unless all are requested."""
+"""Largest number of lines about a case, unless all lines are requested."""
 LONGEST_VALUE = 60
-"""Number of shown characters of a value of the case."""
+"""Largest number of characters of a value of the case; longer values are shortened."""
 Cells = tuple[str, str, str, str, str]
-"""Texts of a row: kind, place, expected value, actual value, deviation."""
+"""Texts of a row: kind of the difference, place, expected value, actual value, deviation."""
 CHANGES = ""
-"""Kind of the changes of a case, which is not a name of a table or column."""
+"""Kind of rows about changes of a case; it differs from every name of a table or column."""
 
 
 def text(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
@@ -56,10 +56,10 @@ def markdown(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
 
 
 def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str]]:
-    """Return the shown rows, and lines below: the number of omitted rows, or further errors.
+    """Return the shown rows, and the lines below: the number of omitted rows, or further errors.
 
-    Differences of other tables are shown only if all ratios, steps and efficiencies agree, and
-    for a sweep.
+    Differences of other tables are shown only if all ratios, steps and efficiencies agree. For a
+    sweep, differences of all columns are shown.
     """
     if verdict.problems:
         return [], [*map(str, verdict.problems[1:])]
@@ -87,7 +87,7 @@ def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list
 
 
 def _in_turn(kinds: Sequence[str], rows: dict[str, list[Cells]]) -> Iterator[str]:
-    """Yield each kind once per row, in turns, so that the first rows have all kinds."""
+    """Yield the kind of each row, all kinds in turn, so that the first rows include every kind."""
     turns: Iterable[Any] = zip_longest(*([kind] * len(rows[kind]) for kind in kinds))
     return (kind for turn in turns for kind in turn if kind is not None)
 
@@ -105,7 +105,7 @@ def _cells(difference: Difference, *, is_sweep: bool) -> Cells:
 
 
 def _numbers(old: float, new: float) -> tuple[str, str]:
-    """Format two numbers with enough digits to be different."""
+    """Format two numbers with enough digits that the texts differ."""
     if old != old or new != new:  # noqa: PLR0124 - NaN
         return shown(old), shown(new)
     for digits in (None, *range(4, 16)):

@@ -11,12 +11,12 @@ from vstatics.core.tables.written_results import WrittenResult
 
 LINK = "link"
 ROUNDS = 4
-"""Distance, in links and parts, of the neighbourhood that identifies a link or part.
+"""Number of connections up to which neighbours identify a link or part.
 
 Links and parts farther away can have changed.
 """
 Key = tuple[str, str]
-"""Kind, `LINK` or a kind of part, and name."""
+"""Kind and name of a link or part; the kind of a link is `LINK`."""
 
 
 class _JoiningPart(NamedTuple):
@@ -34,7 +34,7 @@ class _JoiningPart(NamedTuple):
 
 
 def renaming(actual: WrittenResult, expected: WrittenResult) -> Callable[..., str]:
-    """Return a function that translates names of rows of the actual to the expected result."""
+    """Return a function that translates row names of the actual result to the expected result."""
     if not (actual.case and expected.case):
         return lambda name, _rows="": name
     links, parts = row_names_of(actual.case, expected.case)
@@ -51,9 +51,9 @@ def renaming(actual: WrittenResult, expected: WrittenResult) -> Callable[..., st
 def row_names_of(actual: Transmission, expected: Transmission) -> tuple[dict[str, str], ...]:
     """Match renamed rows of the actual result with rows of the expected result.
 
-    Links and parts with equal names match. The others match if they have the same connections and
-    data, otherwise if they have the same connections, and finally in order if equally many of a
-    kind are left.
+    Links and parts with equal names match. Other links and parts match if their connections and
+    data agree, or else if their connections agree. If equal numbers of a kind remain, they match in
+    order.
 
     Returns
     -------
@@ -119,7 +119,7 @@ def _same(
     sides: Sequence[Mapping[Key, _JoiningPart]],
     names: Sequence[Sequence[Key]],
 ) -> dict[Key, str]:
-    """Return the expected name of each matched link and part of the actual case."""
+    """Return the name in the expected case of each matched link and part of the actual case."""
     same = {key: key[1] for key in names[0] if key in names[1]}
     exact = True
     while True:
@@ -141,7 +141,7 @@ def _same(
 
 
 def _pairs(left: Sequence[Sequence[Key]], looks: Sequence[Mapping[Key, int]]) -> dict[Key, str]:
-    """Match links and parts with equal unique looks, otherwise the first two with equal looks."""
+    """Match links and parts with equal unique hashes, otherwise the first two with equal hashes."""
     counts = [Counter(look[key] for key in keys) for keys, look in zip(left, looks, strict=True)]
     alike = [(new, old) for new in left[0] for old in left[1] if looks[0][new] == looks[1][old]]
     sure = [pair for pair in alike if all(count[looks[0][pair[0]]] == 1 for count in counts)]

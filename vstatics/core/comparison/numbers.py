@@ -20,9 +20,9 @@ class Difference(NamedTuple):
     table: str
     row: str
     gear: str
-    """Gear, or device in AJK."""
+    """Name of the gear, or of the device in a table AJK, whose columns are devices."""
     actual: float | str
-    """Number, NaN for a missing number, or a text about a whole gear, table or row."""
+    """Actual number, NaN for a missing number, or a text about a whole gear, table or row."""
     expected: float | str
 
     @property
@@ -35,7 +35,7 @@ class Difference(NamedTuple):
 
     @property
     def shown_deviation(self) -> float:
-        """Deviation [-] for readers, NaN also if the expected number is rounding noise."""
+        """Deviation [-] to be printed; NaN also if the expected number is only rounding noise."""
         if not isinstance(self.expected, str) and abs(self.expected) <= ATOL:
             return math.nan
         return self.deviation
@@ -56,7 +56,7 @@ def differences(
 
     Numbers agree if ``|actual - expected| <= atol + rtol*|expected|``; a number from a listing can
     also differ by half a unit of the last digit. A missing number agrees only with a missing
-    number. Tables that are not in the report of the source are compared if both results have them.
+    number. Tables that the listing of the source lacks are compared if both results have them.
     Gears are matched by name if the results share a name, otherwise by number.
 
     Parameters
@@ -133,9 +133,10 @@ def _with_gears(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
 def _rows(
     quantity: Quantity, actual: WrittenResult, expected: WrittenResult
 ) -> list[Sequence[str]]:
-    """Return the names of a table's rows in both results, empty if names are repeated.
+    """Return the row names of a table in both results; they are empty if a name is repeated.
 
-    Written names come first, as the rows of a drawn case are not mechanisms.
+    Names that the result contains have priority over names from the case, because the rows of a
+    drawn case are not mechanisms.
     """
     both = actual, expected
     rows = [result.rows.get(quantity.key, ()) for result in both]
@@ -147,7 +148,7 @@ def _rows(
 
 
 def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
-    """Return the names of a table's rows in the case, empty if the number differs."""
+    """Return the row names of a table from the case; empty if the number of rows differs."""
     case = None if result.is_of_source else result.case
     names = row_names(case, quantity.rows) if case else ()
     return names if len(names) == len(result.tables[quantity.key]) else ()
@@ -156,7 +157,7 @@ def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
 def _by_name(
     table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
-    """Yield a difference for each unmatched row, and return names and rows of the others."""
+    """Yield a difference for each unmatched row; return names and values of the matched rows."""
     here, there = (dict(zip(*pair, strict=True)) for pair in zip(names, figures, strict=True))
     new = [name for name in here if name not in there]
     gone = [name for name in there if name not in here]
@@ -171,7 +172,7 @@ def _by_name(
 def _same_devices(
     table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
-    """Yield a difference for each unmatched column, and return names and columns of the others."""
+    """Yield a difference for each unmatched column; return names and values of matched columns."""
     is_whole = all(
         rows and {len(row) for row in rows} == {len({*devices})}
         for devices, rows in zip(names, figures, strict=True)
@@ -187,9 +188,10 @@ def _same_devices(
 def _lacking(
     quantity: Quantity, actual: WrittenResult, expected: WrittenResult
 ) -> Iterator[Difference]:
-    """Yield the difference of an unmatched table.
+    """Yield a difference for a table that only one result has.
 
-    An empty table is not printed, and a listing of the source has published tables only.
+    An empty table does not count, because it is not printed. A listing of the source lacks all
+    tables that were not published.
     """
     is_new = quantity.key in actual.tables
     owner, other = (actual, expected) if is_new else (expected, actual)
@@ -240,7 +242,7 @@ def is_same(actual: Figure, expected: Figure, atol: float, rtol: float) -> bool:
     """Check that two numbers agree within the tolerances; see `differences`."""
     if math.isnan(actual.value) or math.isnan(expected.value):
         return math.isnan(actual.value) and math.isnan(expected.value)
-    slack = max(actual.slack, expected.slack) * (1 + ROUNDED_PART)  # half a digit is rounded, too
+    slack = max(actual.slack, expected.slack) * (1 + ROUNDED_PART)  # half a digit is rounded itself
     return abs(actual.value - expected.value) <= slack + atol + rtol * abs(expected.value)
 
 

@@ -21,11 +21,11 @@ from vstatics.core.tables.suffixes import known, suffix_of
 from vstatics.core.tables.written_results import WrittenResult, WrittenSweep
 
 Content = list[WrittenResult] | WrittenSweep
-"""Content of a compared file."""
+"""Content of a compared file: results or a sweep."""
 SUFFIXES = known(("listing", "json", "jsonl", "csv", "parquet", "npz"))
-"""Suffixes of the compared files of a directory."""
+"""Suffixes of the files of a directory that are compared."""
 SEPARATORS = re.compile(r"[/\\]")
-"""Separators of folders, of any operating system."""
+"""Separator of folders in a path of any operating system."""
 
 
 def content(data: bytes, file: str) -> Content:
@@ -117,7 +117,7 @@ def _called(result: WrittenResult, way: str = "") -> str:
     ----------
     result : WrittenResult
     way : str
-        File with the folders that distinguish it from other files, if they are needed.
+        Path of the file, with only the folders that distinguish it from other files.
     """
     file = "" if result.file == STDIN_NAME else result.file
     if file and SEPARATORS.search(way) and file.endswith(way):
@@ -131,11 +131,11 @@ def file_stem(file: str) -> str:
 
 
 _Key = tuple[str, int]
-"""Key of a result: file or name of the case, and a count of equal names."""
+"""Key of a result: name of the file or case, and the number of its occurrence."""
 
 
 def _counted(name: str, time: int) -> str:
-    """Return the name of a result, with a count of equal names.
+    """Return the name of a result, with the number of its occurrence if the name is repeated.
 
     >>> _counted("box", 1), _counted("box", 2), _counted("box", 3)
     ('box', 'box (there twice)', 'box (there 3 times)')
@@ -148,9 +148,10 @@ def _counted(name: str, time: int) -> str:
 def _paired(
     actual: Sequence[WrittenResult], expected: Sequence[WrittenResult]
 ) -> list[dict[_Key, WrittenResult]]:
-    """Return the results of both sides by the keys that distinguish most results.
+    """Return the results of both sides by file or case name, whichever distinguishes more results.
 
-    Files get only as many folders as necessary, as the cases can have been in different folders.
+    Paths of files contain only as many folders as necessary, because the folders of the two sides
+    can differ.
     """
     sides = actual, expected
     paths = [[SEPARATORS.split(result.file) for result in side] for side in sides]
@@ -176,7 +177,7 @@ def _numbered(names: Iterable[str]) -> Iterator[_Key]:
 
 
 def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iterator[CaseVerdict]:
-    """Yield the verdicts on the files of two directories, also on unreadable files.
+    """Yield the verdicts on the files of two directories, including unreadable files.
 
     Files are paired by their relative paths without suffix. Results of a file with several results
     are named by the file and the case.
@@ -211,7 +212,7 @@ def _verdicts_of_pair(name: str, paths: Sequence[str], how: Tolerances) -> Itera
         return
     try:
         parts = verdicts_of_files(contents[0], contents[1], (paths[0], paths[1]), how)
-    except ReadError as error:  # only one of the files is a sweep
+    except ReadError as error:  # one file is a sweep and the other is not
         yield unreadable(name, error.problems)
         return
     for part in parts:
@@ -219,7 +220,7 @@ def _verdicts_of_pair(name: str, paths: Sequence[str], how: Tolerances) -> Itera
 
 
 def _result_files(folder: str) -> dict[str, str]:
-    """Find files of results below a folder, by relative path without unnecessary suffixes."""
+    """Return the files of results below a folder, by relative path without the suffix if unique."""
     paths = []
     for place, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if not name.startswith(".")]

@@ -24,8 +24,8 @@ def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | N
     gears : sequence of str
         Names of all gears of the result.
     case : Transmission or None
-        Case, from which comparable gears are known; without a case gears of one direction are
-        comparable.
+        Case, which determines the gears between which steps are defined. Without a case, steps are
+        defined between all gears of one direction.
 
     Examples
     --------

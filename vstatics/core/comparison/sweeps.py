@@ -24,7 +24,8 @@ def sweep_places(
 ) -> Iterator[Difference]:
     """Yield all differences between two sweeps; `table` is the column, `row` the variant.
 
-    The difference of an unmatched variant has the table `variant`, of a column no row.
+    An unmatched variant has the table `variant`; the difference of an unmatched column has an empty
+    row.
     """
     here, there = (
         {row: place for place, row in enumerate(_rows(sweep))} for sweep in (actual, expected)
@@ -51,7 +52,7 @@ def sweep_places(
 def sweep_counts(
     actual: WrittenSweep, expected: WrittenSweep, leave_out: Container[str] = ()
 ) -> dict[str, int]:
-    """Return the numbers of common variants, or rows of gears, and of common columns."""
+    """Return the numbers of common variants, or common rows of gears, and of common columns."""
     rows = {*_rows(actual)} & {*_rows(expected)}
     columns = actual.columns.keys() & expected.columns.keys()
     row = "row" if actual.gears or expected.gears else "variant"

@@ -1,4 +1,4 @@
-"""Verdicts on a result compared with the expected result, and on many."""
+"""Verdict on a result compared with the expected result, and verdict on many results."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vstatics.core.texts import tr
 
 State = Literal["same", "changed", "added", "gone", "unreadable"]
 MAIN = {"ratio": "ratio", "step": "step", "ETA": "efficiency"}
-"""Tables listed first, with the names in a verdict."""
+"""Keys of the tables that are listed first, with their names in a verdict."""
 PLURALS = {"ratio": "ratios", "step": "steps", "efficiency": "efficiencies"}
 
 
@@ -28,11 +28,11 @@ class NumberRecord(NamedTuple):
 
     table: str
     row: str | None
-    """Row of the table, or variant of a sweep."""
+    """Name of the row of the table, or number of the variant of a sweep."""
     gear: str | None
-    """Gear, lower gear of a step ratio, or device of AJK."""
+    """Name of the gear, of the lower gear of a step ratio, or of the device in a table AJK."""
     expected: float | str | None
-    """Number, or a text about a whole table or row."""
+    """Expected number, or a text about a whole table or row; None for a missing number."""
     actual: float | str | None
     deviation: float | None
     """Deviation relative to the magnitude of the expected number. [-]"""
@@ -49,9 +49,9 @@ class CaseVerdict(NamedTuple):
     differences: Sequence[Difference] = ()
     """Differing numbers, the largest differences of each table first."""
     counts: Mapping[str, int] = {}
-    """Number of ratios, step ratios and efficiencies, or of variants and columns of a sweep."""
+    """Numbers of compared ratios, step ratios and efficiencies, or of variants and columns."""
     differs: bool = False
-    """True if results differ, not only the case."""
+    """True if results differ; changes of the case alone do not count."""
     problems: Sequence[Problem] = ()
     """Errors of unreadable results."""
 
@@ -132,7 +132,7 @@ class Verdict(NamedTuple):
     cases: Sequence[CaseVerdict]
 
     def __repr__(self) -> str:
-        """Return the number of results of each state."""
+        """Return the number of results in each state, such as `same` or `changed`."""
         return f"<Verdict: {self.tally}>"
 
     @property
@@ -152,7 +152,7 @@ class Verdict(NamedTuple):
 
     @property
     def tally(self) -> str:
-        """Number of results of each state, in words."""
+        """Number of results in each state, in words."""
         counts = [*zip(self._fields[:4], self[:4], strict=True)]
         counts += [("unreadable", self.unreadable)] * bool(self.unreadable)
         return ", ".join(f"{count} {state}" for state, count in counts)
@@ -217,7 +217,7 @@ def _steps(
     unequal: Sequence[Difference],
     how: Tolerances,
 ) -> tuple[Sequence[Difference], dict[str, int]]:
-    """Return the differing steps, and the number of compared ratios, steps and efficiencies."""
+    """Return the differing steps, and the numbers of compared ratios, steps and efficiencies."""
     gears = [_gears(result) for result in (actual, expected)]
     if not {*gears[0]} & {*gears[1]} and len(gears[0]) == len(gears[1]):
         gears[0] = gears[1]

@@ -1,7 +1,7 @@
 """Long work on many items: processes, resumable finished work, files written completely.
 
-A state goes to every worker once, then `function(state, item)` is called for each item. A
-worker that dies is replaced; work that was finished before a run was stopped is reused later.
+Every worker receives a state once, then `function(state, item)` is called for each item. A worker
+that dies is replaced. If a run is stopped, a later run reuses the work that is finished.
 
 >>> from vstatics.core.jobs.workers import workers
 >>> with workers(10, describe=str, jobs=1) as called:

@@ -16,7 +16,7 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 Describe = Callable[[Any], str]
 Work = Callable[[Any, Item], Result]
-"""Function of a state and an item."""
+"""Function that processes an item with the state of the workers, and returns the result."""
 
 
 class Workers(ABC):
@@ -47,7 +47,7 @@ class Workers(ABC):
     def each(
         self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
-        """Yield each item with the result, in order on request.
+        """Yield each item with its result, in the order of the items if `ordered`.
 
         Raises
         ------
@@ -59,16 +59,16 @@ class Workers(ABC):
 
 
 class Rules(NamedTuple):
-    """Treatment of special items by processes, and of a process that dies."""
+    """Limits of waiting results and of retries, and the treatment of special items."""
 
     ahead: int = 2
-    """Number of results per process that can wait for a slow item."""
+    """Largest number of unfinished items and waiting results per process, when one item is slow."""
     tries: int = 3
-    """Number of dead processes after which an item is given up."""
+    """Number of processes that can die at an item before the item is abandoned."""
     lost: Callable[[Any], Any] | None = None
-    """Function that returns the result of an item given up; by default an error is raised."""
+    """Function that returns a result for an abandoned item; by default an error is raised."""
     here: Callable[[Any], bool] = lambda item: False  # noqa: ARG005
-    """Function that returns whether only the main process can process an item."""
+    """Function that returns True for an item that only the main process can process."""
 
 
 def call(function: Work[Item, Result], state: object, item: Item, describe: Describe) -> Result:
@@ -90,7 +90,7 @@ def call(function: Work[Item, Result], state: object, item: Item, describe: Desc
 
 
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
-    """Return the error of a fault in the program that occurred at an item."""
+    """Return the error that reports a fault in the program, with the name of the item."""
     message = f"an error of vstatics, please report it: {type(error).__name__}: {error}"
     return CaseError("E002", f"{describe(item)}: {message}")
 

@@ -18,7 +18,7 @@ SCHEDULER_SECONDS = 10
 """Longest wait for a scheduler, and then for a first worker [s]."""
 RETRIES = 3
 LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
-"""Names of Dask's errors after the loss of the scheduler or of all workers with the state."""
+"""Names of the errors of Dask if the scheduler, or all workers with the state, are lost."""
 
 
 class Cluster(Workers):
@@ -43,7 +43,7 @@ class Cluster(Workers):
         distributed = import_module("distributed")  # costs start-up time, and may be missing
         _silence()
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # such as other versions of Python on the workers
+            warnings.simplefilter("ignore")  # about other Python versions on workers
             try:
                 self._client = distributed.Client(
                     self.address, timeout=SCHEDULER_SECONDS, set_as_default=False
@@ -86,7 +86,7 @@ class Cluster(Workers):
     def _loss(self, error: Exception) -> ReadError:
         """Return the error of a lost scheduler or of lost workers.
 
-        Dask can report both losses alike; then the scheduler is asked for an answer.
+        Dask can report both losses by the same error; the scheduler is then asked for an answer.
         """
         client = self._client
         is_scheduler_lost = getattr(error, "reason", None) == "scheduler-connection-lost"
@@ -131,7 +131,7 @@ class Cluster(Workers):
             raise self._loss(error) from None
 
     def _result(self, future: Any, item: object) -> Any:
-        """Return the result of a future, if calculated by the local build.
+        """Return the result of a future; refuse a result that another build calculated.
 
         A worker with another build can join after the check of the builds.
 
@@ -169,7 +169,7 @@ def _silence() -> None:
 
 
 async def _answers(client: Any) -> bool:
-    """Return whether the scheduler answers, because a client can notice a loss late."""
+    """Return whether the scheduler answers now; the client can notice a loss late."""
     request = asyncio.ensure_future(client.scheduler.ncores(workers=None))
     end = time.monotonic() + SCHEDULER_SECONDS
     while client.status == "running" and not request.done() and time.monotonic() < end:
@@ -187,7 +187,7 @@ class _Held:
 
 
 class _Answer(NamedTuple):
-    """Result, and the build that calculated it."""
+    """Result of an item, and the build of the package that calculated the result."""
 
     version: str
     result: Any
@@ -203,7 +203,7 @@ def _call(function: Work[Item, Result], held: _Held, item: Item) -> _Answer:
 
 
 def _reason(error: Exception) -> str:
-    """Return why a cluster cannot be reached, in one line."""
+    """Return the reason why a cluster cannot be reached, in one line."""
     if isinstance(error, ValueError):
         return f"is no address of a scheduler, expected tcp://HOST:PORT ({error})"
     if "worker" in str(error).lower():

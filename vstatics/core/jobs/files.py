@@ -19,12 +19,12 @@ STDIN_NAME = "<stdin>"
 OLD = ".old"
 PREFIX = ".vstatics-"
 OWN_FAULTS = {errno.EISDIR, errno.ENAMETOOLONG, errno.ELOOP, errno.EILSEQ}
-"""Errors of writing that concern a single name; other errors affect every file."""
+"""Numbers of errors of writing that concern a single name; other errors affect every file."""
 Write = Callable[[bytes | memoryview], None]
 
 
 def is_stream(output: str | None) -> bool:
-    """Return whether an output is stdout, or exists and is not a replaceable file.
+    """Return whether an output is a stream: stdout, or an existing file that cannot be replaced.
 
     >>> is_stream("-"), is_stream("/dev/stdout"), is_stream("gears.csv")
     (True, True, False)
@@ -88,7 +88,8 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
     path : str
     data : bytes
     mark : str, optional
-        Mark in temporary names, by which files of a killed process are removed later.
+        Mark in temporary names. A later process removes files with the mark that a killed process
+        has left.
 
     Raises
     ------
@@ -166,7 +167,7 @@ def whole_file(  # noqa: PLR0913
 
 
 class ChangedFileError(Exception):
-    """Error for a file that was changed in the meantime by a further process."""
+    """Error for a file that another process has changed in the meantime."""
 
 
 def _exchange(new: str, path: str, expected: bytes) -> None:
@@ -213,7 +214,7 @@ def sync(path: str) -> None:
 
 
 def set_aside(path: str) -> str:
-    """Rename an earlier file with the suffix `OLD`, and return the new name if any."""
+    """Rename an earlier regular file with the suffix `OLD`; return the new name or ""."""
     with contextlib.suppress(FileNotFoundError):
         if stat.S_ISREG(os.lstat(path).st_mode):
             os.replace(path, path + OLD)  # noqa: PTH105
@@ -222,7 +223,7 @@ def set_aside(path: str) -> str:
 
 
 def hash_of(case: bytes) -> str:
-    """Return the SHA-256 of a case as read."""
+    """Return the SHA-256 hash of the bytes of a case as read."""
     from hashlib import sha256  # costs start-up time
 
     return sha256(case).hexdigest()
@@ -245,12 +246,12 @@ def is_temporary(name: str) -> bool:
 
 
 def front(mark: str) -> str:
-    """Return the beginning of the names of temporary files with a mark."""
+    """Return the prefix of the names of temporary files with a mark."""
     return f"{PREFIX}{mark}-" if mark else PREFIX
 
 
 def _new_file(folder: str, mark: str, opened: int | None) -> tuple[str, int]:
-    """Create a temporary file in a folder, and return the name and the handle."""
+    """Create a temporary file in a folder, and return the name and the descriptor."""
     for number in itertools.count():
         temporary = os.path.join(folder, f"{front(mark)}{os.getpid()}-{number}")  # noqa: PTH118
         try:

@@ -32,7 +32,7 @@ OTHER_BUILD = "what is there is of another build of vstatics"
 
 
 def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
-    """Return the keys whose values differ between finished and new work.
+    """Return the keys of descriptions whose values differ between finished and new work.
 
     >>> differing({"gears": [7, [6.5, 9]]}, {"gears": (7, (6.5, 9.0))})
     []
@@ -69,7 +69,7 @@ def why_not_taken(
     path: str,
     anew: str = "calculate all cases again without --resume",
 ) -> str:
-    """Return why finished work cannot be reused, or "" if possible.
+    """Return the reason why finished work cannot be reused, or "" if it can.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def why_not_taken(
         First line of the finished work, which identifies the run.
     options : dict
     path : str
-        File of the line.
+        File that contains the line.
     anew : str
         Advice for a new run, in words.
 
@@ -118,7 +118,7 @@ class _Entry(NamedTuple):
 
 
 class FinishedCases:
-    """Results of a run in a directory, which one process at a time writes."""
+    """Results of a run in a directory to which only one process at a time writes."""
 
     def __init__(self, folder: str, suffix: str, options: Description) -> None:
         self.folder = folder
@@ -163,7 +163,7 @@ class FinishedCases:
         self._files.replace(self.name, described(self.options) + b"\n")
 
     def resume(self) -> str:
-        """Resume the run; return why every case is calculated again, if so.
+        """Resume the run; return "", or the reason why every case must be calculated again.
 
         Raises
         ------
@@ -189,7 +189,7 @@ class FinishedCases:
             write(data)
 
     def _take(self, line: bytes) -> None:
-        """Load an entry, unless the line is cut or damaged."""
+        """Register the result of a line, unless the line is cut or damaged or the case failed."""
         text = unsealed(line)
         if text is None:
             return
@@ -199,7 +199,7 @@ class FinishedCases:
             self._done[name] = _Entry(case, dict(named_files), run, state)
 
     def is_done(self, file: str, target: str) -> bool:
-        """Return whether a result of the run and the present case exists."""
+        """Return whether the run has a result for the present version of the case `file`."""
         entry = self._done.get(os.path.basename(target))  # noqa: PTH119
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False

@@ -99,7 +99,7 @@ class FinishedParts:
         unlock(self._lock)
 
     def _leave(self, *, is_over: bool) -> None:
-        """Remove the parts, or keep all with a mark if the run was completed."""
+        """Remove the parts, or keep all; a mark shows that a run was completed, not stopped."""
         if (self._parts or self._added) and (self.stays or not is_over):
             if is_over:
                 with contextlib.suppress(OSError):
@@ -118,11 +118,11 @@ class FinishedParts:
         return len(self._parts)
 
     def exists(self) -> bool:
-        """Return whether anything has the name of the directory of parts."""
+        """Return whether a file or directory has the name of the directory of parts."""
         return self.folder.exists()
 
     def open(self, *, resume: bool) -> str:
-        """Begin, or resume an earlier run; return why resuming is impossible, if so.
+        """Begin a run or resume an earlier run; return "", or why resuming is impossible.
 
         Raises
         ------
@@ -136,7 +136,7 @@ class FinishedParts:
         self.folder.check()
         self._lock = lock(self.folder, LOCK, "run")
         if self._lock is not None:
-            self.folder.forget()  # the unfinished output of a killed run
+            self.folder.forget()  # remove the unfinished output of a killed run
         if not (resume or OVER in self.folder.names()):
             self._refuse()
         why_not = self._take() if resume else NO_RUN
@@ -162,7 +162,7 @@ class FinishedParts:
             raise ReadError([of_file("E033", self.directory, message)])
 
     def _take(self) -> str:
-        """Load the existing parts; return why resuming is impossible, if so."""
+        """Load the existing parts; return "", or the reason why resuming is impossible."""
         try:
             with self.folder.reading(PARTS) as file:
                 why_not = why_not_taken(file.readline(), self.options, self.path, ANEW)
@@ -192,7 +192,7 @@ class FinishedParts:
         Raises
         ------
         OSError
-            If that is not possible.
+            If the part cannot be written.
         """
         assert self._file is not None  # noqa: S101 - it was opened
         entry = [file, mark.case, mark.named_files, len(part), hash_of(part)]

@@ -1,8 +1,8 @@
 """Finished pieces of long work such as a sweep, which a resumed run reuses.
 
 While a sweep into `out.csv` runs, the directory `out.csv.parts` contains a file for each finished
-piece, a description of the sweep, and a lock. Other kinds of work supply their own name, and
-whether the output is a directory.
+piece, a description of the sweep, and a lock. For other kinds of work, the caller gives the name of
+the work, and says whether the output is a directory.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ SUFFIX = ".parts"
 PLAN = "plan.json"
 LOCK = "lock"
 CASE = "the case, a file that it names, or an option"
-"""Words for a change that cannot be named more precisely."""
+"""Words in a message for a change that cannot be named more precisely."""
 OF_BUILDS = ("build", "fingerprint", "pieces")
 """Keys of a description that can differ between builds for equal work."""
 
@@ -36,7 +36,7 @@ class FinishedPieces:
     output : str
         Final file or directory.
     what : str
-        Name of the work.
+        Name of the work in messages.
     into_folder : bool
         Whether the output is a directory, which the caller fills.
     """
@@ -66,7 +66,7 @@ class FinishedPieces:
         return self.folder.file(name)
 
     def exists(self) -> bool:
-        """Return whether anything has the name of the directory of pieces."""
+        """Return whether a file or directory has the name of the directory of pieces."""
         return self.folder.exists()
 
     def size(self) -> int:
@@ -74,7 +74,7 @@ class FinishedPieces:
         return self.folder.size()
 
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
-        """Create the directory or load the pieces; return why not, if so.
+        """Create the directory or load the pieces; return "", or why pieces cannot be used.
 
         Parameters
         ----------
@@ -127,7 +127,7 @@ class FinishedPieces:
         raise ReadError([of_file("E032", self.directory, message)])
 
     def finished(self) -> list[int]:
-        """Return the numbers of the existing pieces of any process."""
+        """Return the numbers of the existing pieces, whichever process has written them."""
         return sorted(int(name) for name in self.folder.names() if name.isdigit())
 
     def _check(

@@ -23,17 +23,17 @@ KINDS = {
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
-"""Names of kinds of files in messages."""
+"""Words in messages for kinds of files, by the type bits of their mode."""
 AT_ONCE = getattr(os, "O_NONBLOCK", 0)
 """Flag that opens a FIFO without waiting for the process at the other end."""
 _STREAM_PIECE = 2**20
-"""Size of the parts in which a stream is read [bytes]."""
+"""Size of the parts in which a stream is read. [bytes]"""
 Data = TypeVar("Data", str, bytes)
 Data_co = TypeVar("Data_co", str, bytes, covariant=True)
 
 
 class Readable(Protocol[Data_co]):
-    """Stream that returns at most the requested size, and nothing at the end."""
+    """Stream whose `read` returns at most the requested size, and an empty part at the end."""
 
     def read(self, size: int, /) -> Data_co:
         """Return the next part."""

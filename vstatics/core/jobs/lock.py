@@ -11,7 +11,7 @@ from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.state_files import StateFolder
 
 WITHOUT = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)
-"""Errors of a file system without locks."""
+"""Numbers of errors that a file system without locks gives."""
 LOCK_TENTHS = 10
 """Longest wait for the lock, in tenths of a second."""
 
@@ -43,7 +43,7 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
     holder = ""
     for attempt in range(LOCK_TENTHS):
         if attempt:
-            time.sleep(0.1)  # workers of a killed process leave soon
+            time.sleep(0.1)  # workers of a killed process end soon and release the lock
             folder.make()
         file = folder.open(name, os.O_RDWR | os.O_CREAT)
         try:
@@ -57,7 +57,7 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
                 return None
             raise
         else:
-            if folder.has(name, file):  # not removed by a process that has finished
+            if folder.has(name, file):  # true unless a process that finished has removed the file
                 with contextlib.suppress(OSError):  # a full disk does not prevent the lock
                     os.ftruncate(file, 0)
                     os.write(file, f"{os.getpid()}\n".encode())

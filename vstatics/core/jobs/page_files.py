@@ -18,7 +18,7 @@ PAGE_KEY = "data-page"
 """Attribute of an SVG, or text key of a PNG, with the number of a further page."""
 _MARK = re.compile(rb'(?:<svg\b[^>]*? data-page="|tEXtdata-page\0)([1-9]\d{0,5})')
 _LOOKED_AT = 2000
-"""Number of bytes at the beginning of a file in which the mark is searched."""
+"""Number of bytes at the beginning of a file that are searched for the mark."""
 _FURTHER = re.compile(r"(.+)-([1-9]\d{0,5})")
 
 
@@ -90,7 +90,7 @@ def _refuse(path: str, count: int) -> None:
 
 
 def _marked(path: str) -> int:
-    """Return the page number that a file carries, or 0."""
+    """Return the page number in the mark of a file; 0 without a mark."""
     if not os.path.isfile(path):  # noqa: PTH113 - a FIFO would never answer
         return 0
     with suppress(OSError), open(path, "rb") as file:  # noqa: PTH123

@@ -1,4 +1,4 @@
-"""Finished piece of a sweep as a file.
+"""File with a finished piece of a sweep.
 
 The file is written under another name and then renamed, so it is complete or absent. The data
 come first, so that they can be copied into the output unchanged, then an account of the data in
@@ -34,7 +34,7 @@ class Segment(NamedTuple):
 
 
 class Noticed(NamedTuple):
-    """Message of several variants, with different numbers in the text."""
+    """Message that several variants share, except for the numbers in the text."""
 
     id: str
     text: str
@@ -60,12 +60,12 @@ class Account(NamedTuple):
     piece: int
     rows: int
     counts: dict[str, int]
-    """Status -> number of variants, including variants without a row."""
+    """Number of variants by status, including variants without a row."""
     segments: tuple[Segment, ...]
     removed: tuple[int, ...] = ()
-    """Number of variants that each part of the condition removed, in turn."""
+    """Numbers of variants that the parts of the condition removed, in the order of the parts."""
     outside: tuple[str, ...] = ()
-    """Laws evaluated outside the given points."""
+    """Laws that were evaluated outside their points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
     work: str = ""
@@ -83,7 +83,7 @@ class Account(NamedTuple):
 
 
 class Copy(NamedTuple):
-    """Part of a piece, with the place in the output."""
+    """Part of a piece to be copied, with the offsets in its file and in the output, in bytes."""
 
     piece: int
     source: int

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 QUEUED = 2
 """Number of items queued per process, so that no process waits for the next item."""
 END_SECONDS = 5
-"""Longest time a process can take to end after the pipe is closed [s]."""
+"""Time after the closing of its pipe at which a process that still runs is killed. [s]"""
 TELLING = "telling"
 """Name of a thread that sleeps, and holds locks only while printing."""
 
@@ -72,7 +72,7 @@ class Processes(Workers):
         return sum(len(process.items) for process in self._processes)
 
     def _give(self, function: Work[Any, Any], coming: _Coming, done: dict[int, Any]) -> None:
-        """Hand out items to the processes, up to the limits."""
+        """Give items to the processes, up to the limits of `QUEUED` and `Rules.ahead`."""
         under_way = self._under_way()
         while under_way + len(done) < self.rules.ahead * self.jobs:
             if under_way >= QUEUED * self.jobs:
@@ -100,7 +100,7 @@ class Processes(Workers):
         return min(self._processes, key=lambda process: len(process.items))
 
     def _gather(self, coming: _Coming, done: dict[int, Any]) -> None:
-        """Wait for results, and requeue the items of a process that died."""
+        """Wait for results; queue the items of a process that died again."""
         from multiprocessing.connection import wait
 
         ready = set(wait([process.connection for process in self._processes]))
@@ -118,7 +118,7 @@ class Processes(Workers):
             done[number] = process.items.pop(number), result
 
     def _again(self, entries: list[tuple[int, Any]], coming: _Coming, done: dict[int, Any]) -> None:
-        """Requeue the items of a dead process, the first of which was in progress."""
+        """Queue the items of a dead process again; it died at the first of these items."""
         if entries and coming.dies(entries[0][0]) >= self.rules.tries:
             number, item = entries.pop(0)
             if self.rules.lost is None:
@@ -136,7 +136,7 @@ class Processes(Workers):
 
 
 class _Coming:
-    """Numbered items to come, first the items to be tried again."""
+    """Numbered items that no process has yet; items to be tried again come first."""
 
     def __init__(self, items: Iterable[Any]) -> None:
         self.items = enumerate(items)
@@ -162,7 +162,7 @@ class _Process:
         import multiprocessing
         from multiprocessing import resource_tracker
 
-        # A fork costs nothing, but is not safe where another thread holds a lock.
+        # A fork is fast, but is not safe if another thread holds a lock.
         may_hold = [thread for thread in threading.enumerate() if thread.name != TELLING]
         fork = sys.platform == "linux" and len(may_hold) == 1
         context: Any = multiprocessing.get_context("fork" if fork else "spawn")

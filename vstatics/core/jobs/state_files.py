@@ -26,7 +26,7 @@ CURE = "remove it, or choose another output"
 
 
 class StateFolder(NamedTuple):
-    """Folder with files of a state.
+    """Folder with locks and records of finished work, the files of a state.
 
     Parameters
     ----------
@@ -53,12 +53,12 @@ class StateFolder(NamedTuple):
             os.mkdir(self.path)  # noqa: PTH102
 
     def check(self, *names: str) -> None:
-        """Refuse anything but files of a state; without names, in the whole folder.
+        """Refuse named files, or by default all files of the folder, that are not files of a state.
 
         Raises
         ------
         ReadError
-            With the path that is refused.
+            If a file is refused; the message names the path.
         """
         if not self.exists():
             return
@@ -82,7 +82,7 @@ class StateFolder(NamedTuple):
             return sum(os.lstat(name, dir_fd=folder).st_size for name in names)
 
     def open(self, name: str, flags: int) -> int:
-        """Open a file, and return the descriptor, which the caller closes.
+        """Open a file, and return the descriptor; the caller closes it.
 
         Raises
         ------
@@ -101,7 +101,7 @@ class StateFolder(NamedTuple):
         return handle
 
     def has(self, name: str, handle: int) -> bool:
-        """Return whether an open file still has a name."""
+        """Return whether an open file still has this name in the folder."""
         try:
             with self._opened() as folder:
                 return os.path.samestat(os.fstat(handle), os.lstat(name, dir_fd=folder))
@@ -162,7 +162,7 @@ class StateFolder(NamedTuple):
             os.unlink(name, dir_fd=folder)
 
     def forget(self, mark: str = "") -> None:
-        """Remove unfinished files with a mark; no process may be writing one."""
+        """Remove unfinished files with a mark, while no process is writing such a file."""
         for name in self.names():
             if re.fullmatch(rf"{re.escape(front(mark))}\d+-\d+", name):
                 self.remove(name)

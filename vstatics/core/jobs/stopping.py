@@ -11,7 +11,7 @@ from types import FrameType
 
 ENDING = (signal.SIGINT, signal.SIGTERM)
 AGAIN = (signal.SIGALRM,) if hasattr(signal, "setitimer") else ()
-"""Signal of a timer, on systems with timers."""
+"""Signal of a timer, as a tuple; empty on systems without timers."""
 SIGNAL_DELAY = 0.001
 """Delay of a signal that arrives during the import of a module [s]."""
 

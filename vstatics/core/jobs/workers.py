@@ -28,7 +28,7 @@ def workers(
     state, describe
         See `Workers`; both can be pickled.
     jobs : int
-        Number of processes; with 1 this process does everything.
+        Number of processes; with 1, this process does all the work.
     scheduler : str, optional
         Address of a Dask scheduler.
     rules : Rules

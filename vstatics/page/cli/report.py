@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class PageOptions(NamedTuple):
-    """Options of the command: sections, digits, language, cases and duty cycle."""
+    """Options of `vstatics report`: sections, digits, language, reading of cases, duty cycle."""
 
     asked: AskedPage
     digits: int | None
@@ -169,7 +169,7 @@ def report(cases: tuple[str, ...], output: str | None, watch: bool, page: PageOp
 
 
 def _listing_in(file: str) -> tuple[object, object] | None:
-    """Return the listed gearboxes and the document of a file; None without a list."""
+    """Return the gearboxes that a file of `synth box` lists, and its document; None for a case."""
     if not module_of_method("listing_in"):
         return None
     listing: tuple[object, object] | None = higher("listing_in")(file)
@@ -198,7 +198,7 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
 def _shown(
     outcome: CalculatedCase, results: Results, page: PageOptions, cycle: GivenCycle | None
 ) -> texts.CaseOutput:
-    """Return the page of a case as the output of the command."""
+    """Return the page of a case as the output of `vstatics report`."""
     asked, quiet = page.asked, page.settings.telling.quiet
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     chosen_page = asked._replace(gears=[results.case.gears[index].name for index in chosen])

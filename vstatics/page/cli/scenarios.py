@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def run_of(outcome: CalculatedCase) -> PicturedRun | None:
-    """Return the run of a scenario and print its problems; None for a case.
+    """Return the run of a scenario, and print the problems of the run; return None for a case.
 
     Raises
     ------

@@ -32,10 +32,10 @@ if TYPE_CHECKING:
     from vstatics.pictures.runs import PicturedRun
 
 TOKEN_BYTES = 24
-"""Random bytes in the token of the address; the token has four characters per three bytes."""
+"""Number of random bytes in the token of the address; three bytes give four characters."""
 MOST_PORT = 65535
 GARBAGE = 50_000
-"""New objects before Python collects cyclic garbage: about as many as a state of the page has.
+"""Number of new objects after which Python collects garbage; a page state has about as many.
 """
 
 
@@ -130,7 +130,7 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
             loop.add_signal_handler(signal, stop.set)
 
     def ready(address: str) -> None:
-        gc.freeze()  # the imported modules stay; collecting them delayed some saves
+        gc.freeze()  # modules are never collected; searching them delayed some saves
         gc.set_threshold(GARBAGE)
         files.write_output(f"{address}\n", None)
         if opens:
@@ -155,7 +155,7 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
             regular=True,
         )
     if outcome.results is not None and len(texts_read) < len(file_names):
-        return calculated(file, settings, texts)  # a file that was missing has reappeared
+        return calculated(file, settings, texts)  # a missing file has appeared since
     return Calculated(
         outcome.results,
         outcome.problems,
@@ -168,7 +168,7 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
 
 
 def _read(file: str, texts: Texts) -> tuple[dict[str, bytes], list[str]]:
-    """Return the texts of readable documents, scenario first, and the names of all documents."""
+    """Return the texts of all readable files, scenario first, and the names of all files."""
     texts_read, file_names = {}, [file]
     with contextlib.suppress(ReadError):  # the calculation reports the reason
         texts_read[file] = texts.get(file) or files.read_input(file, regular=True)[0]

@@ -26,7 +26,7 @@ _PLACES = {
     "conventions": ("Conventions", 160),
 } | {key: (part.name, part.place) for key, part in report_parts().items()}
 SECTIONS = {key: _PLACES[key][0] for key in sorted(_PLACES, key=lambda key: _PLACES[key][1])}
-"""Sections of a page in order, including sections of annexes: key -> heading."""
+"""Headings of sections by key, in the order of the page, including sections of annexes."""
 PRINTED = (
     *("overview", "gears", "flow", "efficiency", "vehicle", "duty", "largest"),
     *(key for key, part in report_parts().items() if part.is_printed),
@@ -46,7 +46,7 @@ class AskedPage(NamedTuple):
     prints_all : bool
         Whether to print everything that the screen shows.
     stamp : mapping of str to str
-        Entries of the stamp at the head of the page, such as author, project and date.
+        Entries of the stamp at the head of the page by name, such as author, project and date.
     """
 
     sections: Collection[str] = ()
@@ -71,7 +71,7 @@ class AskedPage(NamedTuple):
         return self.prints_all or section in (self.sections or PRINTED)
 
     def in_full(self, section: str) -> bool:
-        """Check whether print shows everything in a section that the screen shows.
+        """Check whether a section is printed in full, with everything that the screen shows.
 
         >>> AskedPage().in_full("flow"), AskedPage(["flow"]).in_full("flow")
         (False, True)

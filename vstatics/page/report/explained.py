@@ -36,7 +36,7 @@ def _explained(material: Material, gear: str) -> Iterator[Markup]:
 
 
 def no_formula() -> str:
-    """Return the reason why ratios have no formula, or an empty text."""
+    """Return the reason why ratios have no formula, such as a missing package, or an empty text."""
     return missing("formula", "the formula of the ratio")
 
 

@@ -1,4 +1,4 @@
-"""The input of a case as tables: its parts, its gears, and its inertias and springs."""
+"""Input data of a case as tables: its parts, its gears, and its inertias and springs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _NAMED = (
     *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
     *("inertias", "masses", "springs"),
 )
-"""Keys of a case with separate tables or text on the page."""
+"""Keys of a case that are shown in tables or texts of their own on the page."""
 _LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
 
 
@@ -29,14 +29,14 @@ def given(
     digits: int | None = None,
     marked: Callable[[Iterable[Grid]], Iterator[Grid]] = iter,
 ) -> Iterator[Markup]:
-    """Yield the input of a case: common values, then tables of parts.
+    """Yield the input data of a case: common values, then tables of parts.
 
     Parameters
     ----------
     mapping : mapping
         The case as plain data: ``case`` of its result in JSON.
     marked : callable, optional
-        Adds the marks for the scripts of the page to the tables.
+        Function that returns tables with the marks for the scripts of the page.
     """
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
@@ -139,7 +139,7 @@ def _shift_elements(case: Transmission) -> Grid:
 
 
 def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
-    """Return the table of the data of gears other than engaged elements."""
+    """Return the table of the data of gears, except engaged shift elements."""
     rows = (
         (name, _said({key: value for key, value in gear.items() if key != "engaged"}))
         for name, gear in gears.items()
@@ -148,7 +148,7 @@ def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
 
 
 def _said(value: Any) -> str:
-    """Describe plain data in words.
+    """Describe a value of a case in words: a number, text, list or mapping.
 
     >>> _said({"teeth": {"sun": 48, "ring": 96}, "planets": 3})
     'teeth: sun 48, ring 96; planets: 3'
@@ -169,11 +169,11 @@ def _key(key: str) -> str:
 
 
 KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
-"""Keys whose values have keys of the format within; other values are keyed by names."""
+"""Keys of mappings whose keys are words of the format; keys of other mappings are names."""
 
 
 def _inner(value: Any, *, keyed: bool = False) -> str:
-    """Describe data within data, with deeper levels in brackets."""
+    """Describe a value within a list or mapping, with deeper levels in brackets."""
     if isinstance(value, bool):
         return tr("yes" if value else "no")
     if isinstance(value, Mapping):
@@ -193,7 +193,7 @@ def _single(value: Any, *, keyed: bool = False) -> str:
 
 DAMPED = ("damping, N*m*s/rad", "loss factor")
 ELASTIC = ("stiffness, N*m/rad", *DAMPED)
-"""Columns of components that are not rigid."""
+"""Headings of the columns of elastic components."""
 
 
 def torsion_grids(case: Transmission) -> Iterator[Grid]:
@@ -241,7 +241,7 @@ def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
 
 
 def _stiffness(spring: Spring) -> list[Cell]:
-    """Return stiffness and compliance, or the number of points of a characteristic."""
+    """Return the stiffness and compliance of a spring, or the number of points of its curve."""
     if spring.strut:
         return [_number(spring.rate), word("strut")]
     if spring.points:

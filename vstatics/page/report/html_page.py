@@ -24,10 +24,10 @@ NOTHING = Markup()
 
 
 class PageFrame(NamedTuple):
-    """Parts of a page around the sections."""
+    """Parts of a page in addition to its sections."""
 
     choice: Markup = NOTHING
-    """Links that choose a gear, in sight while the page scrolls."""
+    """Links that choose a gear and stay in sight while the page scrolls."""
     panel: Markup = NOTHING
     """Panel below the head of the page."""
     scripts: Sequence[Markup] = ()
@@ -38,11 +38,11 @@ class PageFrame(NamedTuple):
     policy: str = POLICY
     """Content security policy; empty if the server sends a header with the policy."""
     state: Mapping[str, object] = {}
-    """Attributes of the body."""
+    """Attributes of the element `body`."""
     revision: int | None = None
-    """Number of the first state shown, for an attribute of the page."""
+    """Number of the state that the page shows first, for an attribute of the page."""
     named: object = None
-    """Plain data whose names are not translated; None for the case of the document."""
+    """Plain data with names that are not translated; by default the case in the document."""
 
 
 BARE = PageFrame()
@@ -63,8 +63,8 @@ _LITERAL = re.compile(r'"((?:[^"\\\n]|\\u\w{4})*)"|`([^`\\\n]*)`')
 def in_language(script: Markup) -> Markup:
     """Translate the user-visible texts of a script to the spoken language.
 
-    A text is user-visible if it begins with a capital letter or contains a blank, which no key of
-    the scripts does.
+    A text is user-visible if it begins with a capital letter or contains a blank. Keys in the
+    scripts do neither.
 
     >>> from vstatics.core.texts import speaking
     >>> with speaking("ru"):
@@ -121,16 +121,16 @@ def framed(
     notes : iterable of Markup
         Text below the title.
     document : dict
-        Contents of the page as JSON.
+        Contents of the page that are embedded as JSON.
     frame : PageFrame, optional
-        Parts around the sections.
+        Parts in addition to the sections.
     """
     links = (tag("a", tr(part.name), href=f"#{id_of(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label=tr("Contents"))
     shown = tag("main", *map(_section, parts))
     main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
-    data = data.replace("<", "\\u003c")  # a text of the case cannot end the script element
+    data = data.replace("<", "\\u003c")  # so that no text of the case ends the script element
     body = tag(
         "body",
         tag("header", tag("h1", title), *notes, contents),
@@ -169,12 +169,12 @@ def stamped_page(
 
 
 def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """Return the body of a section, with the names of a document untranslated."""
+    """Return a section without its heading; names that occur in a document are not translated."""
     return printed(joined(*part.shown), _names(document.get("case")))
 
 
 def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """Return a section with heading, with the names of a document untranslated."""
+    """Return a section with its heading; names that occur in a document are not translated."""
     return printed(_section(part), _names(document.get("case")))
 
 

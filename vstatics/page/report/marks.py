@@ -1,4 +1,4 @@
-"""Marks on the tables of a page for results of gears and for powers."""
+"""Marks on results of gears and on powers, by which scripts of a page find the numbers."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ _OF_GEARS = {"ratio": "ratio", "step": "step", "efficiency": "ETA"} | {
     for quantity in QUANTITIES
     if quantity.rows == "one"
 }
-"""Quantities by the headings of the table with a row per gear."""
+"""Keys of quantities by the heading of their column in the table with a row for each gear."""
 _WITH_ROWS = {quantity.key for quantity in QUANTITIES if quantity.columns == "gears"}
-"""Quantities whose tables have a column per gear."""
+"""Keys of quantities whose tables have a column for each gear."""
 
 
 def marked(grid: Grid) -> Grid:
@@ -46,8 +46,8 @@ def marked(grid: Grid) -> Grid:
 def marked_powers(grid: Grid, gear: str) -> Grid:
     """Return the table of powers of a gear with marks on the numbers.
 
-    Rows are named ``link ring``, ``mechanism P1.sun``. Powers of tooth meshes and of members of
-    springs are converted from their present unit, because no script recalculates them.
+    Names of rows are such as ``link ring`` or ``mechanism P1.sun``. Powers of tooth meshes and of
+    members of springs are converted from their present unit, because no script recalculates them.
 
     Examples
     --------
@@ -78,7 +78,7 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
 
 
 def _in_units(cells: Sequence[Cell], names: Sequence[str], gear: str) -> Iterator[Cell]:
-    """Yield the cells of powers that a script converts to other units without recalculation."""
+    """Yield cells of powers that a script only converts from their present unit."""
     for cell, name in zip(cells, names, strict=True):
         if cell.kind is not float or name in ("", LOSS_SHARE):
             yield cell

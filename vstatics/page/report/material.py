@@ -27,7 +27,7 @@ from vstatics.pictures.runs import PicturedRun
 
 
 class Naming(NamedTuple):
-    """Name and description of a case from the file or the scenario."""
+    """Name and description for a page, from the file of the case or from the scenario."""
 
     name: str = ""
     """Name of the scenario; without a scenario, name of the file."""
@@ -116,7 +116,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     results : Results
         Results of one case, not of arrays of variants.
     problems : iterable of Problem
-        Warnings of the input; messages that the results repeat are left out.
+        Warnings of the input; warnings that the results repeat are left out.
     digits : int, optional
         Digits after the point; by default a number that suits each quantity.
     motion : Motion, optional
@@ -148,7 +148,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     messages = []
     for problem in problems:
         if not _is_among(problem, results.messages):
-            # Lists of the page give the line, but not the file.
+            # Messages on the page name the line, but not the file.
             place = f"line {problem.place.line}: " if problem.place and problem.place.line else ""
             messages.append(f"{problem.severity}: {place}{problem.message}")
     return Material(

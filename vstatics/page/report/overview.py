@@ -16,11 +16,11 @@ from vstatics.page.report.tools.marks import RELATIVE
 from vstatics.pictures.paged.parts import gear_link, line_of
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
-"""Severities from the heaviest: singular -> plural."""
+"""Plural of each severity by its singular, the most severe first."""
 
 
 def overview(material: Material) -> Iterator[Markup]:
-    """Yield the line of main figures with the gear of each figure.
+    """Yield the line of the main figures, each with the gear to which it belongs.
 
     The figures are the number of gears, the spread, the lowest efficiency, the largest torque of a
     shift element, the largest share of circulating power, and the number of alerts by severity.
@@ -31,7 +31,7 @@ def overview(material: Material) -> Iterator[Markup]:
 
 
 def alerts(messages: Sequence[str]) -> Iterator[Markup]:
-    """Yield a list of messages for each severity, the heaviest first."""
+    """Yield a list of messages for each severity, the most severe first."""
     for weight, name in WEIGHTS.items():
         items = [tag("li", message, class_=weight) for message in _of_weight(messages, weight)]
         if items:

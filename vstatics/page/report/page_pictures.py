@@ -13,7 +13,7 @@ from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn, of_each, picture_of
 
 OF_ALL_GEARS = ("efficiency", "plan")
 OF_A_VEHICLE = ("traction", "sawtooth")
-"""Pictures of a case whose vehicle has an engine."""
+"""Kinds of pictures of a case whose vehicle has an engine."""
 
 
 def of_all_gears(case: Transmission) -> tuple[str, ...]:
@@ -68,7 +68,7 @@ def _sticks(
     """Draw large and small stick diagrams of gears, and a diagram without a gear.
 
     Structures replace diagrams that cannot be drawn. If the section of gears prints small diagrams,
-    the large ones are printed only on request.
+    large diagrams are printed only on request.
     """
     in_full = asked.in_full("overview") and (asked.prints_all or not asked.has("gears"))
     for kind in ("stick", "structure"):

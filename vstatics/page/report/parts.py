@@ -22,7 +22,7 @@ def in_gear(kind: str, gear: str) -> str:
 
 
 def conventions(said: Mapping[str, str]) -> Markup:
-    """List the conventions of results; a dash stands for null of the JSON result.
+    """List the conventions of results; where JSON has null, tables have a dash.
 
     >>> conventions({"null": "does not exist"})
     '<dl><dt>-</dt><dd>does not exist</dd></dl>'
@@ -39,7 +39,7 @@ def chooser(gears: Iterable[str]) -> Markup:
 
 
 def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
-    """Return a picture for print only, cut after a number of sheets."""
+    """Return a picture for print only; sheets after the first `most` sheets are left out."""
     first_sheets = drawn._replace(sheets=drawn.sheets[:most])
     shown = [*figures(first_sheets, name, captioned=False, scrolls=False)]
     omitted = len(drawn.sheets) - len(first_sheets.sheets)

@@ -27,18 +27,18 @@ from vstatics.pictures.paged.drawn import Drawn, name_of
 from vstatics.pictures.paged.parts import Part, figures, gear_link, of_gear, on_screen
 
 ALREADY = ("ETA", "ratio")
-"""Columns of the results by gear that the table of gears contains already."""
+"""Columns of the table of results by gear that the table of gears has already, by heading."""
 WELL = {
     "power balance": (0.0, "power balance 0"),
     "consistent": (1.0, "directions of power agree with the losses"),
     "locked": (0.0, "none locked by friction"),
 }
-"""Columns of the results by gear -> number and statement if everything is correct."""
+"""Value of a column of the results by gear if all is well, and the sentence that replaces it."""
 PORTS, LARGEST = "ports", ("planets", "shift elements")
-"""Keys of the tables of ports and of largest values; the latter also exist in units."""
+"""Keys of the tables of ports and of largest values; largest values also have tables in units."""
 MARKS = Marks(holds="○", open="")
 SPREAD = "spread"
-"""Key of the table of the spread, which the overview gives in words."""
+"""Key of the table of the spread; the page has the spread in the overview instead."""
 SHIFTS = ("transitions", "margins", "margins by gear")
 """Keys of the tables of shifts and of torque margins of shift elements."""
 VEHICLE = ("vehicle gears", "vehicle")
@@ -133,7 +133,7 @@ def gears_grid(material: Material, grid: Grid) -> Grid:
 
 
 def _without_last_step(grid: Grid) -> Grid:
-    """Blank the step of a gear without a next gear."""
+    """Return the table of gears with an empty step for each gear without a next gear."""
     step = [column.heading for column in grid.columns].index("step")
     blank = Cell("", math.nan, kind=float)
     rows = [

@@ -1,4 +1,4 @@
-"""Room on paper: limits of the printed pictures, so that a case fits on ten sheets."""
+"""Limits of the number of printed pictures, so that the page of a case fits on ten sheets."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn
 MOST_SHEETS = 10
 """Largest number of printed sheets of a case."""
 STICK_ROOM = 1.7
-"""Room for small stick diagrams. [sheets]"""
+"""Room for the small stick diagrams of all gears. [sheets]"""
 FLOW_SHEETS = 5
-"""Sheets of power flow in a case without sections of annexes."""
+"""Number of printed sheets of power flow, for a page without sections of annexes."""
 LESS_BESIDE = 2
-"""Sheets of power flow that each section of an annex replaces."""
+"""Number of sheets by which each section of an annex reduces the sheets of power flow."""
 CAPTION = 22.0
 """Height of a caption with margins. [pt]"""
 _SIZE = re.compile(r'viewbox="0 0 ([\d.]+) ([\d.]+)"', re.IGNORECASE)

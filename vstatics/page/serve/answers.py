@@ -1,4 +1,4 @@
-"""HTTP responses: a head with strict security fields, and a body."""
+"""HTTP responses: a head with fields for the security of the browser, and a body."""
 
 from __future__ import annotations
 

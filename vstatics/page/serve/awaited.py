@@ -1,4 +1,4 @@
-"""Placeholders of pictures and slow sections until they come into sight."""
+"""Placeholders for pictures and slow sections, which are drawn when they come into sight."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Limits on the number and duration of connections: the slowest makes room for new ones."""
+"""Limits on the number and duration of connections; the slowest is ended in favour of a new one."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Phase = Literal["slow", "busy", "listening"]
 
 
 class Connections:
-    """Open connections and phases, ordered by the last change of phase."""
+    """Open connections with their phases, in the order of the last change of phase."""
 
     def __init__(self) -> None:
         """Begin without connections."""
@@ -56,7 +56,7 @@ class Connections:
         self._phases[task] = phase
 
     def _end_first(self, phase: Phase) -> bool:
-        """End the connection that has been longest in a phase, if any."""
+        """End the connection that has been in the given phase for the longest time, if any."""
         for task, task_phase in self._phases.items():
             if task_phase == phase:
                 del self._phases[task]

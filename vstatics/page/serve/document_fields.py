@@ -1,4 +1,4 @@
-"""Numbers in the documents of a case: their paths as in a sweep, their places in the text."""
+"""Numbers in the documents of a case, with their paths as in a sweep and places in the text."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class CaseDocuments(NamedTuple):
         return [number.field for number in self.numbers.values()]
 
     def with_changes(self, changes: Mapping[str, float]) -> dict[str, bytes]:
-        """Return the texts of the files that change, with other numbers.
+        """Return the new texts of all files in which numbers change.
 
         Raises
         ------
@@ -108,7 +108,7 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
     candidates = [number for file in scenario for number in _of_scenario(file, texts[file], case)]
     candidates += _of_case(of_case, texts[of_case], case)
     numbers: dict[str, DocumentNumber] = {}
-    for number in candidates:  # the scenario wins where both have the path, as in a sweep
+    for number in candidates:  # if both have the path, the scenario has priority, as in a sweep
         numbers.setdefault(number.field.path, number)
     return CaseDocuments(texts, _with_same(numbers))
 
@@ -128,7 +128,7 @@ def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumbe
 
 
 def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
-    """Find the numbers in the text of a case or scenario; none in a deck or workbook."""
+    """Find the numbers in the text of a case or scenario; a deck or workbook gives none."""
     try:
         document = case_document(data, file, None)
     except ReadError:
@@ -138,7 +138,7 @@ def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
 
 
 def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
-    """Yield the numbers of a scenario, with the paths of the text as in a sweep."""
+    """Yield the numbers of a scenario, with paths as in a sweep."""
     text = decode(data, file)
     root = yaml_tree(text)
     spots = number_spots(text.source.text, root)
@@ -160,7 +160,7 @@ def _over(root: Node, keys: Keys) -> str:
 
 
 def _unit(unit: str, keys: Keys, case: Transmission) -> str:
-    """Return a unit, or nothing where links can move straight or controls are pressures."""
+    """Return the unit, or "" if links can move straight or controls are pressures."""
     pressed = keys[0] == "controls" and any(element.friction for element in case.shift_elements)
     return "" if (unit in _TURNING and case.masses) or pressed else unit
 

@@ -24,13 +24,13 @@ from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
 _BY_LINK = ("speeds", "torques")
-"""Numbers whose path ends with the name of a link."""
+"""Keys of numbers for each link; their paths end with the name of the link."""
 _PARTS = ("load", "mesh_efficiency")
-"""Parts of a case that can be the first word of a path instead of a name."""
+"""Keys of a case that can be the first word of a path, where others have the name of a part."""
 _REACH = 2.0
-"""Ratio of the range of a slider to the number."""
+"""Largest number of a slider, divided by the given number."""
 _UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
-"""Units of numbers that a case stores in other units than SI, by the end of the path."""
+"""Units of numbers that a case does not store in SI units, by the end of the path."""
 _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
 """Default values; a number equal to the default gets no field."""
 
@@ -49,15 +49,15 @@ class PageField(NamedTuple):
     """Path of the number as in a sweep: ``P1.teeth.sun``."""
     value: float
     unit: str = ""
-    """Unit of the value; empty for a bare number."""
+    """Unit of the value; empty for a number without a unit."""
     whole: bool = False
     """Whether the number is a count, such as teeth."""
     same: tuple[str, ...] = ()
-    """Paths of numbers that are an alias of the number in a YAML document."""
+    """Paths of other numbers that change with this number, as aliases in the YAML text."""
 
     @property
     def owner(self) -> str:
-        """Owner of the number: the path without the words of the quantity.
+        """Path of the part to which the number belongs: the path without the words of the quantity.
 
         >>> PageField("P1.teeth.sun", 30).owner, PageField("gears.low.speeds.MG1", 0).owner
         ('P1', 'gears.low')
@@ -80,7 +80,7 @@ class PageField(NamedTuple):
 
     @property
     def step(self) -> float:
-        """Step of the keys up and down: a power of 10, about a hundredth of the range.
+        """Step of the arrow keys up and down: a power of 10, about a hundredth of the range.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).step, PageField("D1.ratio", -2.5).step
         (1.0, 0.1)
@@ -125,7 +125,7 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
 
 
 def _derived(case: Transmission) -> Iterator[str]:
-    """Yield the paths of numbers of mechanisms that follow from gear sets of a drawing."""
+    """Yield the paths of numbers of mechanisms that are derived from the gear sets of a drawing."""
     drawing = drawing_of(case)
     given = (
         {mechanism.name for mechanism in drawing.mechanisms}
@@ -154,7 +154,7 @@ def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterato
     Parameters
     ----------
     fields : iterable of PageField
-        Fields, those of one owner in succession.
+        Fields; fields of the same owner follow each other.
     fixed : bool
         Whether to disable the fields, as for a deck.
 

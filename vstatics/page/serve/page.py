@@ -1,4 +1,4 @@
-"""The served page of a case with its panel, and its sections one by one."""
+"""HTML of the served page of a case, as a whole with its panel, or section by section."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> 
     changed = Part(CHANGE, [tag("div", *shown_fields(shown, fixed=fixed), class_="fields")])
     first, *others = awaited_sections(material, runs=runs)
     tools = toolbar.tools_of(material.results.case, digits=material.digits)
-    first = first._replace(shown=[*first.shown, tools])  # replaced together with the section
+    first = first._replace(shown=[*first.shown, tools])  # a new section replaces both
     return [*([changed] if shown else []), first, *others]
 
 

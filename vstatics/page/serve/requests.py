@@ -20,7 +20,7 @@ READ_SECONDS = 10.0
 _LINE = re.compile(r"([A-Za-z]{1,16}) (/[\x21-\x7e]*) HTTP/1\.[01]")
 _FIELD = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]+):[ \t]*([\x20-\x7e\x80-\xff\t]*?)[ \t]*")
 METHODS = {"": "GET", "events": "GET", "shown": "GET", "part": "GET", "try": "POST", "save": "POST"}
-"""Routes below the token -> HTTP methods."""
+"""HTTP method of each route below the token."""
 
 
 class RefusedError(Exception):
@@ -55,7 +55,7 @@ async def read_request(reader: asyncio.StreamReader, port: int, token: str) -> R
     ------
     RefusedError
     EOFError, OSError
-        If there is nobody any more.
+        If the browser has closed the connection.
     """
     try:
         async with asyncio.timeout(READ_SECONDS):
@@ -117,7 +117,7 @@ async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[s
     ------
     RefusedError
     EOFError, OSError
-        If there is nobody any more.
+        If the browser has closed the connection.
     """
     lengths = request.all_of("content-length")
     if request.all_of("transfer-encoding"):
@@ -137,7 +137,7 @@ async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[s
 
 
 def changes_of(body: bytes) -> dict[str, float]:
-    """Return the changed numbers of a body.
+    """Return the changed numbers in the body of a request, by path.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The HTTP server of a page: its sections and pictures, events for open pages, and saving."""
+"""HTTP server of a page, which sends its sections and pictures, sends events, and saves files."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from vstatics.page.serve.states import ChangedMeanwhileError, RefusedChangeError
 from vstatics.page.serve.studio import StudioProcess
 
 LOOK_SECONDS = 0.02
-"""Interval of checks of the files. [s]"""
+"""Time between two checks of the files for changes. [s]"""
 BEAT_SECONDS = 10.0
-"""Interval of comments that keep the events of a page alive. [s]"""
+"""Time between two comments that keep the stream of events to a page open. [s]"""
 END_TRIES, END_SECONDS = 20, 0.1
-"""Attempts to end the process of the studio, and the time of each [s]."""
+"""Number of attempts to end the process of the studio, and the time for each attempt [s]."""
 
 T = TypeVar("T")
 
@@ -115,7 +115,7 @@ class PageServer:
                 self._wake_listeners()
                 self._in(
                     self._numbers, self._file_state
-                )  # cached for the pages that ask for it next
+                )  # cached for the pages that request it next
 
     def _look_again(self) -> bool:
         return self._states.look_again()

@@ -1,4 +1,4 @@
-"""States of a page: those of the files as saved, and those with numbers under trial."""
+"""States of a page: states of the saved files, and states with changed numbers under trial."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ from vstatics.pictures.paged.parts import Part
 from vstatics.pictures.runs import PicturedRun
 
 WRITE_SECONDS = 0.1
-"""Time before an invalid, perhaps half-written file is read again. [s]"""
+"""Time after which an invalid file, which may be half-written, is read again. [s]"""
 SETTLE_SECONDS = 0.005
-"""Time before the last comparison, for editors that react to a new file. [s]"""
+"""Waiting time before the last comparison of files, for editors that react to a new file. [s]"""
 MOST_KEPT = 32
 """Number of tried states whose pictures can still be drawn."""
 
@@ -82,7 +82,7 @@ class ShownStates:
     """States of the page of one case."""
 
     shown: Shown
-    """State of the files."""
+    """State that shows the files as they are now."""
     good: Shown | None = None
     """Last state of the files that had results."""
     _documents = CaseDocuments({}, {})
@@ -121,12 +121,12 @@ class ShownStates:
         return True
 
     def is_old(self) -> bool:
-        """Check whether a file has changed since the last calculation."""
+        """Return whether a file has changed since the last calculation."""
         return signature_of(self._files) != self._signature
 
     @property
     def digest(self) -> str:
-        """Digest of the documents when last read."""
+        """Digest of the documents as last read."""
         return digest_of(self.shown.calculated.texts)
 
     def kept(self, number: str) -> Shown | None:
@@ -176,7 +176,7 @@ class ShownStates:
         return shown
 
     def _write(self, texts: Texts) -> None:
-        """Write new contents into all files or no file.
+        """Write new contents into all files, or into none.
 
         The files are compared again when the new files are ready, so that a save by an editor in
         that moment is not lost.
@@ -209,7 +209,7 @@ class ShownStates:
             raise RefusedChangeError(str(error)) from None
 
     def _shown(self, texts: Texts) -> Shown:
-        """Calculate a state from the files, with other contents of some."""
+        """Calculate a state from the files, with the given texts instead of some of them."""
         calculated = self._calculate(texts)
         material = None
         if calculated.results is not None:
@@ -224,7 +224,7 @@ class ShownStates:
         return shown
 
     def _take(self, shown: Shown) -> None:
-        """Make a state the present state of the files."""
+        """Make `shown` the present state of the files."""
         self.shown = shown
         calculated = shown.calculated
         self._files = list(dict.fromkeys([self.file, *calculated.texts, *calculated.files]))

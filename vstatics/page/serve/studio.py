@@ -1,4 +1,4 @@
-"""Pictures and slow sections, drawn in a separate process so that numbers do not wait."""
+"""Drawing of pictures and slow sections in a separate process, so that numbers do not wait."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Studio:
     Parameters
     ----------
     calculate : callable
-        As for `vstatics.page.serve.states.ShownStates`; sent to another process.
+        Function as for `vstatics.page.serve.states.ShownStates`; it is sent to another process.
     digits : int, optional
         Digits after the point.
     language : str

@@ -20,7 +20,7 @@ def digest_of(texts: Texts) -> str:
 
 
 def signature_of(files: Sequence[str]) -> dict[str, tuple[int, ...]]:
-    """Return the metadata that change with each file; empty for a missing file."""
+    """Return metadata of each file that change when it is written; empty for a missing file."""
     signature: dict[str, tuple[int, ...]] = {}
     for file in files:
         signature[file] = ()

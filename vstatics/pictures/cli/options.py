@@ -39,7 +39,7 @@ class AskedPicture(NamedTuple):
 
     @property
     def of_kinds(self) -> dict[str, object]:
-        """Values of options that only some kinds of pictures have."""
+        """Values, by name, of the options that only some kinds of pictures have."""
         return {
             **{name: getattr(self, name) for name in ("merge", "wheels", "orders", "at", "speed")},
             "order": self.order != "free",
@@ -50,7 +50,7 @@ class AskedPicture(NamedTuple):
 
     @property
     def columns(self) -> tuple[str, tuple[str, ...], str, str] | None:
-        """Columns of a written sweep, if any is named."""
+        """Columns of a written sweep that the user names; None if no column is named."""
         named = (self.x, self.y, self.z, self.by)
         return named if any(named) else None
 

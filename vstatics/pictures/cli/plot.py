@@ -34,7 +34,7 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.pair import PairedCase, pair_pages
 
 _FLAGS = {"columns": "x, --y, --z, --by"}
-"""Option of a kind -> names of the corresponding command-line options."""
+"""Names of options on the command line, by the option in the record of a kind."""
 
 
 def _with_kinds(command: Callable[..., int]) -> Callable[..., int]:
@@ -124,7 +124,7 @@ def plot(
 
 
 def _misplaced(kind: str, given: Mapping[str, object]) -> list[tuple[bool, str]]:
-    """List the rules against options that a kind of picture does not have."""
+    """List the rules that refuse options which a kind of picture does not have."""
     return [(True, f"--{_FLAGS.get(name, name)}: {why}") for name, why in misplaced(kind, given)]
 
 
@@ -148,7 +148,7 @@ def _chosen(case: Transmission, gears: Sequence[str]) -> list[int]:
 def _asked_case(
     outcome: CalculatedCase, results: Results, asked: AskedPicture, style: Style
 ) -> tuple[PairedCase, Style]:
-    """Return the case to draw with the run, and the style with the speeds of a scenario.
+    """Return the case to draw, with its run if the kind shows runs, and the style.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Names at the edge of a panel, at the ends of lines and verticals."""
+"""Names at the edge of a panel, where the lines or verticals that they name end."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ AFTER_END_SIGN = 4.0
 
 
 class LineEnd(NamedTuple):
-    """Line that reaches the edge, with the names of the links."""
+    """Line that ends at the edge of a panel, with the names of the links that it shows."""
 
     at: float
-    """Share of the edge below the line."""
+    """Place of the line on the edge: 0 at the lower end, 1 at the upper end. [-]"""
     names: Sequence[str]
-    """Names, wrapped."""
+    """Names of the links, wrapped into lines."""
     looks: Sequence[Look] = ()
-    """Line style of each name, empty for other texts."""
+    """Style of the line sample before each name; empty for texts without samples."""
 
     @property
     def high(self) -> float:
-        """Height of the names [pt]."""
+        """Height of all names with a gap [pt]."""
         return sum(map(height, self.names)) + LABEL_GAP
 
     @property
@@ -90,12 +90,12 @@ def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) ->
 def along(
     pen: Pen, edge: Literal["bottom", "top"], texts: Sequence[Label], *, upright: bool
 ) -> None:
-    """Write texts at the lower or upper edge, with lines to the places of the texts.
+    """Write texts along the lower or upper edge, with lines to the places that they name.
 
     Parameters
     ----------
     upright : bool
-        True for vertical texts, which need little room along the edge.
+        True to write vertical texts, which need less room along the edge.
     """
     sizes = [
         height(label.text) + LABEL_GAP if upright else across_size(label.text) for label in texts

@@ -1,4 +1,4 @@
-"""Figures as files: SVG and PNG for each page, PDF for all pages."""
+"""Conversion of figures to files: an SVG or PNG for each page, or a PDF with all pages."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ DPI = 200
 """Resolution of PNG. [1/inch]"""
 
 ALONE = threading.RLock()
-"""Lock that is held while settings of matplotlib are changed, which all threads share."""
+"""Lock that a thread holds while it changes the settings of matplotlib, which threads share."""
 
 # Without dates and versions, equal cases give equal bytes.
 _METADATA: dict[str, dict[str, Any]] = {
@@ -35,12 +35,12 @@ _METADATA: dict[str, dict[str, Any]] = {
 def settings_of(style: Style) -> Iterator[None]:
     """Apply the settings of a style in matplotlib temporarily, instead of user settings.
 
-    Other threads that draw wait, or they would draw with these settings and disturb them.
+    Other threads that draw must wait meanwhile, because all threads share the settings.
     """
     import matplotlib as mpl
 
     with ALONE, mpl.rc_context(), warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box replaces it
+        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box is drawn instead
         mpl.rcdefaults()
         mpl.rcParams.update(style.settings)
         yield

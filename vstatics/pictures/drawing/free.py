@@ -1,4 +1,4 @@
-"""Places within a panel where texts do not overlap."""
+"""Search for a place within a panel where a text does not overlap with other texts."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from collections.abc import Iterable
 from vstatics.pictures.drawing.labels import Point, Span
 
 Taken = list[tuple[Span, Span]]
-"""Horizontal and vertical extents of the present texts. [pt]"""
+"""Horizontal and vertical extents of the texts that are already placed. [pt]"""
 
 
 def first_free(
     places: Iterable[Point], wide: float, high: float, size: Point, taken: Taken
 ) -> Point | None:
-    """Return the first free place for the middle of a text, and record the extent.
+    """Return the first free place for the middle of a text, and add the extent to `taken`.
 
     Parameters
     ----------

@@ -16,29 +16,29 @@ from vstatics.core.statics.state import GearState
 from vstatics.core.statics.status import Status
 
 NOT_DETERMINED = Status("missing", "not determined", "")
-"""Fault of a gear with a free speed."""
+"""Fault of a gear in which a speed is undetermined."""
 
 
 class PictureState(NamedTuple):
-    """Gear as shown in pictures."""
+    """State of a gear in which pictures show it."""
 
     input: int
-    """Input link."""
+    """Number of the input link."""
     output: int
     outputs: Sequence[int]
-    """Output links, the link of the ratio first."""
+    """Numbers of the output links; the link to which the ratio refers comes first."""
     gear: Gear
-    """Gear with holding freewheels among the engaged elements."""
+    """Gear whose engaged elements include the freewheels that hold."""
     faults: Sequence[Status]
     """Reasons why the gear cannot be calculated."""
     ratio: float
     """Ratio of the gear. [-]"""
     speeds: Sequence[float]
-    """Speed of each link, the housing first; NaN where free. [-]"""
+    """Relative speed of each link, the housing first; NaN if undetermined. [-]"""
     joined: Bodies
-    """Lowest link connected to each link by engaged elements and shafts, the housing first."""
+    """Lowest link that engaged elements and shafts connect to each link, the housing first."""
     is_still: Sequence[bool]
-    """True for mechanisms and gear sets without inner motion, if the gear exists."""
+    """True for each mechanism or gear set without relative motion, if the gear is calculable."""
     roles: Sequence[Role]
     """Role of each mechanism: idle, or locked up."""
     loaded_springs: Sequence[bool]
@@ -46,9 +46,9 @@ class PictureState(NamedTuple):
     loaded_elements: Sequence[bool]
     """True for shift elements with torque, or with unknown torque."""
     loaded_links: Sequence[frozenset[int]]
-    """Links with torque from each mechanism or gear set."""
+    """For each mechanism or gear set: the links on which it exerts a known or unknown torque."""
     leaving: Mapping[tuple[int, str], float]
-    """Known power that leaves, by link and role of the port. [-]
+    """Power that leaves the gear, as far as known, by link and role of the port. [-]
 
     Roles are ``input``, ``output`` or ``given``.
     """

@@ -17,7 +17,7 @@ BELOW_HEAD = 5.0
 SIGN_ROW_HEIGHT = LINE_HEIGHT * SIZE + 2.0
 """Height of a row of symbols. [pt]"""
 BELOW: Look = {"va": "top", "linespacing": LINE_HEIGHT}
-"""Style of text lines below a given height."""
+"""Style of texts whose upper edge is at a given height."""
 
 
 class NameInKey(str):
@@ -34,7 +34,7 @@ A style with ``facecolor`` is an area, otherwise a line.
 
 
 class KeySign(NamedTuple):
-    """Symbol of a key with the meaning, in lines."""
+    """Symbol of a key with its meaning, wrapped into lines."""
 
     text: str
     look: Look
@@ -50,7 +50,7 @@ class KeySign(NamedTuple):
         return SIGN_ROW_HEIGHT + height(self.text) - height("")
 
     def draw(self, pen: Pen, x: float, top: float) -> None:
-        """Draw the symbol at the left end, next to the first line of text, below a height [pt]."""
+        """Draw the symbol and its text from the left end `x` down from the height `top` [pt]."""
         y = top - SIGN_ROW_HEIGHT / 2
         if "facecolor" in self.look:
             pen.box((x, y - 4.0), (SIGN_WIDTH, 8.0), **self.look)
@@ -67,7 +67,7 @@ class SheetHead(NamedTuple):
     """Title, note and key in a given width."""
 
     lines: Sequence[tuple[str, float, Look]]
-    """Texts, each with the height including a gap [pt]."""
+    """Texts, each with its height including a gap [pt] and its style."""
     rows: Sequence[Sequence[KeySign]]
     high: float
     """Total height with a gap below, 0 without texts. [pt]"""

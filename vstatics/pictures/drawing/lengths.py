@@ -12,9 +12,9 @@ _POINTS = {
     "in": 72.0,
     "pt": 1.0,
 }
-"""Points per unit of length."""
+"""Number of points in each unit of length."""
 LEAST_WIDTH, MOST_WIDTH = 80.0, 1200.0
-"""Smallest and largest width of a page: a column of a journal, an A0 sheet. [mm]"""
+"""Smallest width of a page, a column of a journal, and largest width, an A0 sheet. [mm]"""
 DECIMALS = 6
 """Number of decimals of a length in comparisons, because of rounded conversions. [mm]"""
 _LENGTH = re.compile(r"(\d{1,9}(?:\.\d*)?|\.\d+) *([a-z]+)")

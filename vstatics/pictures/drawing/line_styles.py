@@ -8,17 +8,17 @@ from typing import Any
 from vstatics.pictures.drawing.style import Style
 
 Look = dict[str, Any]
-"""Properties of a line of matplotlib."""
+"""Properties of a line or area as keyword arguments of matplotlib."""
 STRIPE = 5.0
-"""Length of a stripe, relative to the width of the line."""
+"""Length of a stripe of a striped line, relative to the width of the line."""
 TINTS = (0.5, 0.16, 0.34)
-"""Shares of the colour of losses in areas of a loss, for readable letters."""
+"""Shares of the colour of losses, mixed with paper, in areas on which letters stay readable."""
 PARTS = ("", "////", "....", "\\\\\\\\", "xx")
 """Hatches of areas of a loss; with the tints, fifteen areas differ."""
 
 
 def link_looks(links: Sequence[int], style: Style) -> list[Look]:
-    """Return the line style of each link, numbered from 1, with stripes on a shared line.
+    """Return the line style of each link, numbered from 1; a line that links share has stripes.
 
     >>> [look["color"] for look in link_looks([1], Style())]
     ['#0c4cff']

@@ -35,7 +35,7 @@ _UPRIGHT: Look = {"rotation": 90, "ha": "center", "va": "center", "linespacing":
 
 
 class AxisScale(NamedTuple):
-    """Scale of an edge.
+    """Linear or logarithmic scale along an edge of a panel.
 
     >>> AxisScale(0.0, 4.0).part(1.0), AxisScale(1.0, 100.0, is_log=True).part(10.0)
     (0.25, 0.5)
@@ -46,14 +46,14 @@ class AxisScale(NamedTuple):
     is_log: bool = False
 
     def part(self, value: float) -> float:
-        """Return the share of the edge from the low end to a value."""
+        """Return the place of a value on the edge, from 0 at the low end to 1."""
         if self.is_log:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
 
 
 WHOLE = AxisScale(0.0, 1.0)
-"""Scale of places given as shares of an edge."""
+"""Scale for places that are given from 0 to 1 along an edge."""
 
 
 class Pen(NamedTuple):
@@ -62,14 +62,14 @@ class Pen(NamedTuple):
     figure: Figure
     style: Style
     points: Transform
-    """Transform from points of the figure."""
+    """Transform of matplotlib from points of the figure to pixels."""
     corner: Point = (0.0, 0.0)
     """Lower left corner of the rectangle."""
     size: Point = (0.0, 0.0)
     x: AxisScale = WHOLE
     y: AxisScale = WHOLE
     part: float = 1.0
-    """Ratio of lengths in the figure to lengths of the pen."""
+    """Factor by which lengths of the pen are multiplied in the figure."""
     letters: float = 1.0
     """Additional scale of letters."""
     groups: tuple[MarkGroup, ...] = ()
@@ -107,11 +107,11 @@ class Pen(NamedTuple):
         return self._replace(corner=(0.0, 0.0), part=part, points=place + self.points)
 
     def across(self, x: float) -> float:
-        """Return the place of an abscissa."""
+        """Return the horizontal place of a value on the scale of abscissas [pt]."""
         return self.x.part(x) * self.size[0]
 
     def up(self, y: float) -> float:
-        """Return the place of an ordinate."""
+        """Return the vertical place of a value on the scale of ordinates [pt]."""
         return self.y.part(y) * self.size[1]
 
     def add(self, artist: Artist, title: str = "", kind: str = "") -> None:
@@ -216,7 +216,7 @@ class Pen(NamedTuple):
             line.set_clip_box(TransformedBbox(clip, self.points))
 
     def frame(self, *sides: Side) -> None:
-        """Draw lines along edges, by default all."""
+        """Draw lines along the given edges, by default along all four edges."""
         wide, high = self.size
         ends: dict[Side, tuple[Point, Point]] = {
             "left": ((0.0, 0.0), (0.0, high)),
@@ -296,13 +296,13 @@ def corners(left: float, low: float, right: float, high: float) -> list[Point]:
 
 
 def zigzag(x: float, y: float, half: float, high: float) -> list[Point]:
-    """Return the windings of a spring along a horizontal line around a middle."""
+    """Return the zigzag line of a spring on a horizontal line, with its middle at (x, y)."""
     turns = [(x + half * (step / 4 - 1), y + high * (1, -1)[step % 2]) for step in range(1, 8)]
     return [(x - half, y), *turns, (x + half, y)]
 
 
 def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str]:
-    """Return the numbers of a scale with equal decimals, as many as any value needs.
+    """Return the numbers of a scale, all with the decimals that the most precise value needs.
 
     >>> tick_texts([-0.5, 0.0, 0.5, 1.0]), tick_texts([0.0, 2000.0]), tick_texts([1.0], [0.25])
     (['−0.5', '0.0', '0.5', '1.0'], ['0', '2000'], ['1.00'])

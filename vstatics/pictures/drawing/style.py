@@ -45,9 +45,9 @@ POINTS_PER_MILLIMETRE = 72 / 25.4
 PAGE_WIDTH, PAGE_HEIGHT = 170 * POINTS_PER_MILLIMETRE, 240 * POINTS_PER_MILLIMETRE
 """Width and height of the text area of a page. [pt]"""
 
-# Found by a search. In normal vision, and without red or green cones (Machado et al. 2009), any two
-# colours differ by 0.12 in OKLab, and by 0.09 from ink, faint and engaged. Each has a contrast of 3
-# to 1 with the paper (WCAG 2.2, 1.4.11).
+# A search gave these colours. In normal vision, and without red or green cones (Machado et al.
+# 2009), any two colours differ by at least 0.12 in OKLab, and by 0.09 from ink, faint and engaged.
+# Each has a contrast of 3 to 1 with the paper (WCAG 2.2, 1.4.11).
 _ON_PAPER = ("#0c4cff", "#d9780c", "#045965", "#7300af", "#a25500", "#8788ef", "#2a9693")
 _ON_BLACK = ("#5aa5ff", "#fca03c", "#cac3dd", "#e059a9", "#b47c2e", "#7d5cf2", "#f2f046")
 DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
@@ -57,9 +57,9 @@ DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
     (0, (8, 2, 2, 2)),
     (0, (4, 1, 1, 1, 1, 1)),
 )
-"""Dashes of lines by group of seven: first seven lines, next seven, and so on."""
+"""Dashes of the first seven lines, of the next seven lines, and so on."""
 LARGE_NUMBER = 1e6
-"""Size from which numbers are written with a power of ten."""
+"""Magnitude from which numbers are written with a power of ten."""
 
 
 class Excitation(NamedTuple):
@@ -118,7 +118,7 @@ class Style(NamedTuple):
 
     @property
     def paper(self) -> str:
-        """Background colour; white is readable on any screen."""
+        """Colour of the background; white is readable on any screen."""
         return "#14171c" if self.dark else "#ffffff"
 
     @property

@@ -33,7 +33,7 @@ SVG = "http://www.w3.org/2000/svg"
 _GROUP, _TITLE = f"{{{SVG}}}g", f"{{{SVG}}}title"
 XLINK = "http://www.w3.org/1999/xlink"
 HALO = 2.0
-"""Width of the paper around a text over lines. [pt]"""
+"""Width of the border in the colour of paper around letters that are written over lines. [pt]"""
 _SIZE = f"{SIZE:g}px"
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 _BESIDE_LETTER = re.compile(r"(?<=[A-Za-z]) (?=[-\d])|(?<=\d) (?=[A-Za-z])")
@@ -73,7 +73,7 @@ def told(
     Parameters
     ----------
     title : str
-        Text under the pointer, which is also the alternative text.
+        Text that appears under the pointer, and is the alternative text.
     halo : bool
         True for a text with paper around its letters, see `halo`.
     kind : str
@@ -123,7 +123,7 @@ def written_as_svg(figure: Figure, title: str, style: Style, number: int = 1) ->
         figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
     root = ET.fromstring(file.getvalue())  # noqa: S314 - written above
     _strip(root)
-    for child in root:  # the data of the figure belong to the root
+    for child in root:  # data of the whole figure become attributes of the root
         if child.get("id", "").startswith("{"):
             data = json.loads(child.attrib.pop("id"))["data"]
             root.attrib |= {f"data-{key}": value for key, value in data.items()}

@@ -3,34 +3,32 @@
 from __future__ import annotations
 
 SAME_TICK = 1e-9
-"""Relative tolerance of the numbers of a scale, above which more decimals are written. [-]"""
+"""Relative rounding error of a number of a scale above which more decimals are written. [-]"""
 NO_LOSS_SHARE = 1e-9
-"""Share of the power below which a loss is rounding noise. [-]"""
+"""Share of the power below which a loss counts as rounding noise. [-]"""
 EFFICIENCY_STEP = 0.001
 """Smallest step of efficiencies, which determines the decimals. [-]"""
 LEAST_SHOWN_POWER = 0.0005
-"""Smallest power that is not shown as 0.000. [-]"""
+"""Smallest relative power that is not shown as 0.000. [-]"""
 SAME_POWER = 1e-9
-"""Relative difference of equal powers of a port and a run, which are written once. [-]"""
+"""Relative difference up to which a port and its run have equal powers, written once. [-]"""
 SAME_CROSSINGS = 1 - 1e-9
-"""Factor by which the cost of a better order of a column must be lower, since sums are rounded.
-[-]"""
+"""Ratio of costs below which an order of a column counts as better, since sums are rounded. [-]"""
 STANDS_IN_ALL_MODES = 1e-9
-"""Amplitude below which a link is at rest in a mode, relative to the largest. [-]"""
+"""Relative amplitude below which a link counts as at rest in a mode. [-]"""
 NO_LEVER_TORQUE = 1e-12
-"""Torque below which a sum is zero. [-]"""
+"""Torque or speed, relative to the input, below which it counts as 0. [-]"""
 SAME_LEVER_COST = 1e-9
-"""Smallest improvement of the cost of an order of levers, which is in tenths."""
+"""Smallest improvement of the cost of an order of levers that counts."""
 LEAST_POINT_DISTANCE = 1e-3
-"""Smallest distance of two points of a lever, relative to the length, to avoid division by 0.
-[-]"""
+"""Smallest relative distance of two points from which the height of a lever is calculated. [-]"""
 SAME_RUN_SPEED = 1e-6
-"""Relative tolerance of equal speeds and of zero torques in a run. [-]"""
+"""Relative difference up to which speeds or torques in a run count as equal, or as 0. [-]"""
 NO_RUN_TORQUE = 1e-9
-"""Torque below which a curve is rounding noise, relative to the largest of all. [-]"""
+"""Torque below which a curve counts as rounding noise, relative to the largest torque. [-]"""
 SAME_CURVE = 1e-9
-"""Relative difference of the values of equal curves. [-]"""
+"""Relative difference of values up to which curves count as equal. [-]"""
 SAME_FREQUENCY = 0.005
-"""Relative difference of frequencies of gears that are drawn as a single frequency. [-]"""
+"""Relative difference up to which frequencies of several gears are drawn as one frequency. [-]"""
 SAME_RADIUS = 1e-9
-"""Difference of coefficients of a twist that belong to a common axis. [-]"""
+"""Difference of coefficients of a twist up to which links count as on a common axis. [-]"""

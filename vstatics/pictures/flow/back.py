@@ -1,4 +1,4 @@
-"""Bands of a power flow that return below all others, each in a separate row."""
+"""Bands of a power flow that return to the left below all other bands, each in its own row."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ class BackRow(NamedTuple):
 
     @property
     def needed(self) -> float:
-        """Width needed between the ends [pt]."""
+        """Width that the nodes on the way back need between the ends of the band, or 0 [pt]."""
         return self.cell.wide + SPACE if self.cell else 0.0
 
 
 def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
-    """Return the rows from the top, the shortest way back first."""
+    """Return the rows from top to bottom; the shortest way back is at the top."""
 
     def reach(number: int) -> int:
         source, target = graph.ends(graph.bands[number])
@@ -70,7 +70,7 @@ def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[Span]:
 
 
 def nearest(wanted: float, wide: float, places: Iterator[Span]) -> float | None:
-    """Return the place nearest to a wanted place with room for a width."""
+    """Return the place nearest to the wanted place that has room for a width."""
     half = wide / 2
     candidates = [
         min(max(wanted, low + half), high - half) for low, high in places if high - low >= wide

@@ -21,7 +21,7 @@ WORD_GAP = 4.0
 
 
 def is_chain(flow: GearFlow, drawn: Graph) -> bool:
-    """Return whether the picture of a gear would be a single straight row without remarks.
+    """Return whether the power flow of a gear is a single straight row without remarks.
 
     The row begins where power enters and ends where power leaves. Further components behind the
     output, such as a dragging brake, form a branch.

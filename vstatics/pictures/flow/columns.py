@@ -26,14 +26,14 @@ BAND_CLEARANCE = 8.0
 LOSS_LENGTH = 8.0
 """Length of a loss, in addition to half the width. [pt]"""
 BEND = 2.4
-"""Squared length of a smooth curve, relative to width times rise. [-]"""
+"""Smallest squared length of a smooth curve along the row, relative to width times rise. [-]"""
 
 Key = tuple[int, int]
-"""Layer, and index of the run or complement of the index of a passing band."""
+"""Layer of a cell, and its `FlowCell.number`."""
 
 
 def signs(run: Run, loss: float = 0.0) -> list[float]:
-    """Return the width of each node of a run with a loss of given thickness [pt]."""
+    """Return the width of each node of a run, for a loss with a width [pt]."""
     return [LINK_WIDTH if node.kind == "link" else max(BODY, loss) for node in run]
 
 
@@ -43,7 +43,7 @@ def length(run: Run, loss: float = 0.0) -> float:
 
 
 class FlowCell(NamedTuple):
-    """Cell of a column: a run with texts, or a passing band."""
+    """Cell of a column: a run of nodes with texts, or a band that passes the column."""
 
     number: int
     """Index of the run, or complement of the index of a passing band."""
@@ -53,7 +53,7 @@ class FlowCell(NamedTuple):
     thick: float = 0.0
     """Thickness of the run or band. [pt]"""
     loss: float = 0.0
-    """Width of the loss. [pt]"""
+    """Width of the band of the loss. [pt]"""
     ends: float = 0.0
     """Width of the arrow of a port on either side. [pt]"""
 
@@ -85,7 +85,7 @@ class FlowCell(NamedTuple):
 
 
 class NodeColumns(NamedTuple):
-    """Cells, and the ways of bands through the cells."""
+    """Cells of all columns, and the ways of bands through the cells."""
 
     cells: list[list[FlowCell]]
     """Cells by layer."""
@@ -128,7 +128,7 @@ def _cell(graph: Graph, number: int, run: Run, scale: float, texts: FlowTexts) -
 
 
 def on_way_back(run: Run, power: float, scale: float, texts: FlowTexts) -> FlowCell:
-    """Return the cell of nodes that only a loop passes, from left to right."""
+    """Return the cell of the nodes on the way back of a loop, from left to right."""
     return FlowCell(
         -1, run[::-1], texts.run(run, power, length(run), back=True), thick=power * scale
     )

@@ -1,4 +1,4 @@
-"""Vertical positions of runs, bands and ports in a power flow."""
+"""Vertical positions of runs, bands and ports in a power flow, as depths below the top."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
 
 RUN_SWEEPS = 12
-"""Number of times that runs are moved toward neighbours."""
+"""Number of passes in which all runs are moved toward their neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
 
@@ -32,7 +32,7 @@ class Depths(NamedTuple):
 
 
 def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) -> Depths:
-    """Return depths with few crossings of bands and short distances of neighbours.
+    """Return depths at which few bands cross and neighbours are close to each other.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def _stacked(
 
 
 def _rising(wanted: Sequence[float]) -> list[float]:
-    """Return depths near the wanted depths that keep the order of the column."""
+    """Return depths of a column that keep its order and are close to the wanted depths."""
     lower = reversed([*accumulate(reversed(wanted), min)])
     return [(high + low) / 2 for high, low in zip(accumulate(wanted, max), lower, strict=True)]
 

@@ -27,7 +27,7 @@ from vstatics.pictures.drawing.words import fault, gear_title, title
 AXES_HEIGHT = 200.0
 """Height of a panel. [pt]"""
 STEP, LEAST_STEP = 42.0, 30.0
-"""Usual and smallest distance of gears, so that numbers do not overlap. [pt]"""
+"""Usual distance of neighbouring gears, and smallest distance without overlapping numbers. [pt]"""
 LEAST_AXIS_WIDTH = 200.0
 """Smallest width of a panel. [pt]"""
 BAR_WIDTH = 0.66
@@ -35,27 +35,27 @@ BAR_WIDTH = 0.66
 EFFICIENCY_SCALE_WIDTH, GEARS_NAME_HEIGHT = 58.0, 24.0
 """Room for the scale, and for the common name of the gears. [pt]"""
 LEAST_OF_HEAD = 330.0
-"""Room for the title. [pt]"""
+"""Smallest width of a figure without scale and margin, which leaves room for the title. [pt]"""
 PANEL_ROW_GAP = 12.0
 """Distance between panels, vertically. [pt]"""
 
 
 class _Losses(NamedTuple):
-    """Gears, and the losses that occur in any gear."""
+    """Efficiency of some gears, and the losses of mechanisms and by drag."""
 
     gears: list[str]
     efficiency: Floats
     """Efficiency of each gear. [-]"""
     names: list[str]
     shares: Floats
-    """Shares of the losses, shape (names, gears). [-]"""
+    """Losses as shares of the input power, shape (names, gears). [-]"""
     missing: dict[int, str]
-    """Reason for a missing efficiency, by place of the gear."""
+    """Reason for a missing efficiency, by the index of the gear."""
     style: Style
 
     @property
     def key(self) -> list[Meaning]:
-        """Areas of the losses."""
+        """Entries of the key, which explain the areas of the losses."""
         return [(True, NameInKey(name), loss_look(row, self.style)) for row, name in self._drawn()]
 
     def _drawn(self) -> list[tuple[int, str]]:
@@ -85,7 +85,7 @@ def draw(
     Parameters
     ----------
     alike : sequence of Results
-        Results of further cases with a common scale.
+        Results of further cases that share the scale.
 
     Raises
     ------

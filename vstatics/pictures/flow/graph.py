@@ -17,7 +17,7 @@ Run = tuple[Node, ...]
 
 
 class Band(NamedTuple):
-    """Power from a source node to a target node."""
+    """Band of power from a source node to a target node."""
 
     source: Node
     target: Node
@@ -26,9 +26,9 @@ class Band(NamedTuple):
     loop: int | None = None
     """Index of the loop that contains the band, if any."""
     back: bool = False
-    """True from right to left."""
+    """True if the band is drawn from right to left."""
     between: Run = ()
-    """Nodes on the way back that only the loop passes."""
+    """Nodes along a returning band that transmit only the power of its loop."""
 
     @property
     def pairs(self) -> tuple[tuple[Node, Node], ...]:
@@ -44,25 +44,25 @@ class EndPort(NamedTuple):
     """Power relative to the input power. [-]"""
     enters: bool
     cut: Band | None = None
-    """Band that continues in a further row."""
+    """Band that continues in another row at this port; None for a port of the gear."""
 
 
 class Graph(NamedTuple):
-    """Drawn parts of a gear."""
+    """Power flow of a gear as drawn: runs, bands, ports and losses."""
 
     runs: tuple[Run, ...]
-    """All nodes in runs, except nodes on ways back."""
+    """Runs, which together contain all nodes except nodes on ways back."""
     layers: tuple[int, ...]
     """Layer of each run, from 0 on the left."""
     place: Mapping[Node, int]
     """Index of the run of each node."""
     bands: tuple[Band, ...]
     ports: Mapping[Node, tuple[EndPort, ...]]
-    """Ports by link."""
+    """Ports of each node that is a link."""
     losses: Mapping[Node, float]
     """Loss of each node, including the drag of a link. [-]"""
     numbered: frozenset[int]
-    """Indices of bands whose power is not given by nodes and loops."""
+    """Indices of bands that need a number, because nodes and loops do not show their power."""
 
     def ends(self, band: Band) -> tuple[int, int]:
         """Return the indices of the runs at the ends of a band."""
@@ -112,7 +112,7 @@ def graph(side: PowerFlow) -> Graph:
     ]
     pairs = [(edge.source, edge.target) for edge in edges]
     bands = [Band(*edge) for edge in edges]
-    for number, piece in pieces:  # pieces that close no cycle run from left to right
+    for number, piece in pieces:  # a piece that closes no cycle is drawn from left to right
         power = side.loops[number].power
         if piece[0] in _behind(piece[-1], pairs):
             ends = piece[0], piece[-1]
@@ -201,7 +201,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the longest way to each run; bands with numbers count double."""
+    """Return the layer of each run: its longest way from the left; numbered bands count double."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)

@@ -15,9 +15,9 @@ from vstatics.pictures.flow.places import Box, FlowLayout, Line, Note, Stub
 from vstatics.pictures.flow.texts import FlowTexts
 
 TRIES = 12
-"""Number of times that rows of returning bands grow."""
+"""Largest number of times that the rows of returning bands grow."""
 STRAIGHT = 0.5
-"""Rise below which a band is drawn horizontal. [pt]"""
+"""Vertical distance of its ends below which a band is drawn horizontal. [pt]"""
 
 
 class _Placed(NamedTuple):

@@ -12,12 +12,12 @@ from vstatics.pictures.flow.columns import Key, NodeColumns
 from vstatics.pictures.flow.graph import Graph
 
 COLUMN_ROUNDS = 4
-"""Number of times that all columns are sorted."""
+"""Number of times that all columns are sorted, from each of two initial orders."""
 
 Near = Mapping[Key, Sequence[tuple[Key, float, float]]]
-"""Neighbours of each cell, with exchanged power and relative depth. [-, pt]
+"""Neighbours of each cell, each with the exchanged power [-] and a relative depth [pt].
 
-A neighbour at the relative depth makes the band in between horizontal.
+The band is horizontal if the cell is at this depth relative to the neighbour.
 """
 
 
@@ -66,7 +66,7 @@ def neighbours(
 
 
 def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], cell: Key) -> float:
-    """Return the depth at which bands to neighbours are horizontal, weighted by power.
+    """Return the mean of the depths at which bands to neighbours are horizontal, weighted by power.
 
     A cell without neighbours keeps its place.
     """
@@ -105,7 +105,7 @@ def _exchanged(
 
 
 def _crossings(columns: Sequence[Sequence[Key]], after: Near, graph: Graph) -> float:
-    """Return the sum of power products of crossing bands; returning bands cross all below."""
+    """Return the sum of the power products of crossing bands; returning bands cross all below."""
     ranks = {key: rank for column in columns for rank, key in enumerate(column)}
     total = 0.0
     for column in columns:

@@ -35,7 +35,7 @@ BAND_WIDTH = 30.0
 MOST_NODE_HEIGHT = 90.0
 """Largest height of a node. [pt]"""
 LEAST_FLOW_WIDTH = 330.0
-"""Smallest width of the figure without margins. [pt]"""
+"""Smallest width of a figure without its margins. [pt]"""
 TITLE_WIDTH = 450.0
 """Width up to which a title is not wrapped. [pt]"""
 NAME_WIDTHS = (SHORT_NAME, 60.0, 44.0)
@@ -79,7 +79,7 @@ def _titles(results: Results, flow: GearFlow, number: int, style: Style) -> Flow
 
 
 def placed(gear_flows: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
-    """Return the rows of gears in a common scale, empty for a gear without a flow."""
+    """Return the rows of each gear in a common scale; a gear without power flow has no rows."""
     graphs = [graph(flow.shown) if flow.shown is not None else None for flow in gear_flows]
     powers = [
         drawn.through(node) for drawn in graphs if drawn for run in drawn.runs for node in run

@@ -12,13 +12,13 @@ from vstatics.pictures.flow.graph import Band, EndPort, Graph
 
 
 class Box(NamedTuple):
-    """Run of nodes, with the text centred above, and the loss below."""
+    """Run of nodes with a position; the text is centred above, and the loss is below."""
 
     cell: FlowCell
     middle: float
-    """Distance from the left. [pt]"""
+    """Distance of the middle from the left end of the layout. [pt]"""
     top: float
-    """Distance from the top. [pt]"""
+    """Distance of the upper edge from the top of the layout. [pt]"""
 
     @property
     def left(self) -> float:
@@ -48,13 +48,13 @@ class Line(NamedTuple):
 
     band: Band
     width: float
-    """Power times scale. [pt]"""
+    """Width of the band: power times scale. [pt]"""
     points: tuple[Point, ...]
     """Corners of a returning band, or ends of horizontal parts, with curves in between."""
 
 
 class Stub(NamedTuple):
-    """Port at the contact point with the link."""
+    """Port, with the position where it touches the link."""
 
     link: Node
     port: EndPort
@@ -65,7 +65,7 @@ class Stub(NamedTuple):
 
 
 class Note(NamedTuple):
-    """Text of a band or a loop, with the centre."""
+    """Text of a band or a loop, with the position of its centre."""
 
     x: float
     y: float

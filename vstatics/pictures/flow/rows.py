@@ -12,19 +12,19 @@ from vstatics.pictures.flow.graph import Band, EndPort, Graph
 from vstatics.pictures.flow.places import FlowLayout
 
 ELSEWHERE = Node("port", -1, "…")
-"""Node of a band that continues in a further row."""
+"""Node that stands for the other end of a band that continues in another row."""
 COST_OF_CROSSING = 0.4
-"""Cost of each further cut band, relative to a row."""
+"""Cost of each cut band after the first, relative to the cost of a row."""
 COST_OF_RAGGED = 0.1
-"""Cost of rows of very different widths."""
+"""Cost of very different widths of rows, relative to the cost of a row."""
 NARROWER = 0.93
-"""Factor of the room after a row became wider than expected."""
+"""Factor by which the expected room is reduced after a row became too wide."""
 TRIES_OF_ROWS = 6
 """Largest number of reductions of the room."""
 
 
 class RowsCost(NamedTuple):
-    """Rows from the first layer on, with the cost."""
+    """Division of the first layers into rows, with its cost."""
 
     cost: float
     ends: tuple[int, ...]
@@ -49,7 +49,7 @@ def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> l
 
 
 def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
-    """Return a graph cut after given layers, which include the last layer.
+    """Return the parts of a graph that is cut after the given layers, the last of which is the end.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.core.flow.power import flows
@@ -75,7 +75,7 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
 
 
 def _cuts(drawn: Graph) -> dict[int, list[Band]]:
-    """Return the bands that cross each layer boundary without recirculating power."""
+    """Return the bands that are cut after each layer, without layers where loops would be cut."""
     by_layer = {}
     for layer in range(max(drawn.layers)):
         behind = [place > layer for place in drawn.layers]
@@ -103,7 +103,7 @@ def _columns(whole: FlowLayout) -> list[Span]:
 
 
 def _best(columns: Sequence[Span], cuts: Mapping[int, int], room: float) -> tuple[int, ...]:
-    """Return the last layer of each row for few rows, few cut bands, and similar widths."""
+    """Return the last layer of each row, so that rows and cut bands are few and widths similar."""
     last = len(columns) - 1
     best = {-1: RowsCost(0.0, ())}
     for end in (*sorted(cuts), last):

@@ -1,4 +1,4 @@
-"""Pages of several gears, side by side if possible, with plain chains as lines of text."""
+"""Pages with the power flow of several gears, side by side if possible, chains as lines of text."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ from vstatics.pictures.flow.texts import heading
 from vstatics.pictures.flow.titles import FlowTitles
 
 FLOW_GEAR_GAP = 20.0
-"""Distance between gears. [pt]"""
+"""Distance between neighbouring gears. [pt]"""
 CHAIN_LINE_GAP = 6.0
 """Distance between gears as lines of text. [pt]"""
 LINE_START = 10.0
 """Distance from the name of a gear to the line. [pt]"""
 LEAST_BLOCK_WIDTH = 190.0
-"""Smallest width of a gear on a shared shelf, for the line below the name. [pt]"""
+"""Smallest width of a gear next to other gears, for the line below its name. [pt]"""
 BELOW_TEXT = 8.0
-"""Distance between a text of the whole figure and the next part. [pt]"""
+"""Distance between a text about the whole figure and the next part. [pt]"""
 
 
 class FlowGear(NamedTuple):
@@ -52,7 +52,7 @@ class FlowBlock(NamedTuple):
     """Gear with heading, or a row of a gear."""
 
     shown: Sequence[FlowGear]
-    """Gears with bands, for the key."""
+    """Gears with bands in this block, for the key."""
     wide: float
     """Width. [pt]"""
     high: float
@@ -177,7 +177,7 @@ def _draw_row(gear: FlowGear, row: FlowLayout, pen: Pen, left: float, top: float
 
 
 def nothing(_pen: Pen, _left: float, _top: float) -> None:
-    """Draw nothing."""
+    """Draw nothing, as the block of a gear without a picture."""
 
 
 def _head_block(name: str, text: str, wide: float) -> FlowBlock:

@@ -20,7 +20,7 @@ from vstatics.pictures.flow.places import Box, FlowLayout, Line, Stub
 from vstatics.pictures.flow.titles import FlowTitles
 
 LEAST_BAND_WIDTH = 0.6
-"""Width of a band with hardly any power. [pt]"""
+"""Smallest width at which a band is drawn. [pt]"""
 TURN_RADIUS = 6.0
 """Radius of the inner side of a turn. [pt]"""
 BAND_COVER = 0.75
@@ -28,13 +28,13 @@ BAND_COVER = 0.75
 CURVE_PIECES = 6
 """Number of straight pieces of a curve of a thin band."""
 HATCH = "////"
-"""Hatch of power divided by convention, and of possible artefacts of the model."""
+"""Hatching of power that is divided by convention, and of possible artefacts of the model."""
 MILD_HATCH = "...."
-"""Hatch of power divided by the ratio, apart from friction."""
+"""Hatching of power that the ratio divides, apart from a small part due to friction."""
 
 
 class FlowView(NamedTuple):
-    """Gear with the upper left corner at a point of a figure."""
+    """Drawing of a gear, with its upper left corner at a point of a figure."""
 
     pen: Pen
     left: float
@@ -148,7 +148,7 @@ class FlowView(NamedTuple):
 
 
 def _curves(points: Sequence[Point]) -> Path:
-    """Return a smooth path through points, horizontal at each."""
+    """Return a smooth path through points that is horizontal at each point."""
     places, codes = [points[0]], [Path.MOVETO]
     for (left, start), (right, end) in pairwise(points):
         if start == end:
@@ -194,7 +194,7 @@ def hatched_look(colour: str, style: Style) -> Look:
 
 
 def _outline(path: Path, wide: float) -> list[Point]:
-    """Return the edge of a band from the centre line, in straight pieces."""
+    """Return the outline of a band of width `wide` around its centre line, in straight pieces."""
     pieces, points = round(CURVE_PIECES + wide / 4), []
     curves: Any = path.iter_bezier()
     for curve, code in curves:

@@ -17,7 +17,7 @@ from vstatics.pictures.flow.graph import EndPort, Run
 LOOP_TEXT_WIDTH = 300.0
 """Width to which the text of a loop is wrapped. [pt]"""
 UNBROKEN = "\u00a0"
-"""Blank at which no line is broken."""
+"""Blank at which a line cannot be broken."""
 
 
 class FlowTexts(NamedTuple):

@@ -1,4 +1,4 @@
-"""Texts of nodes and bands of a power flow under the pointer."""
+"""Texts that appear under the pointer at nodes and bands of a power flow."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ class FlowTitles(NamedTuple):
         return self.divided.issuperset(band.pairs)
 
     def is_open(self, node: Node) -> bool:
-        """Return whether a node rotates as a block, with the power given by convention."""
+        """Return whether a node rotates as a block, so that its power is divided by convention."""
         return node in self.texts.flow.by_convention
 
     def is_mild(self, node: Node) -> bool:
-        """Return whether the power of a locked-up node is undetermined by friction only.
+        """Return whether only the friction in a locked-up node leaves its power undetermined.
 
         A locked-up differential divides torque by its ratio. Only the small friction in the teeth
         is decided by convention.

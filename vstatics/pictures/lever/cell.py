@@ -1,4 +1,4 @@
-"""Drawing of a lever in a gear: its line, torques at the points, speeds to the side; in points."""
+"""Drawing of a lever in a gear, with torques at its points and speeds at its side; in points."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def draw_lever(view: LeverView, name: str, top: float) -> None:
 def lever_names(
     page: LeverPage, gear: LeverGear, same: dict[int, str], style: Style, end: float
 ) -> list[str]:
-    """Return the texts above the levers in a gear, in lines that end before the next lever."""
+    """Return the texts above the levers in a gear, wrapped to end before the next lever."""
     ends = [
         after.left - BESIDE_LEVER if after and after.band == cell.band else end
         for cell, after in zip(page.cells, [*page.cells[1:], None], strict=True)
@@ -171,7 +171,7 @@ def _carried(gear: LeverGear, names: str, style: Style) -> str:
 def draw_route(
     sheet: LeverSheet, gear: LeverGear, route: LeverRoute, feet: Mapping[int, float]
 ) -> None:
-    """Draw the line of a link, clutch or spring between levers, in the present rows.
+    """Draw the line of a link, clutch or spring between levers, in the rows that the page has.
 
     Parameters
     ----------

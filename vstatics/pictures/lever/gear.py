@@ -17,23 +17,23 @@ from vstatics.pictures.drawing.tolerances import NO_LEVER_TORQUE
 from vstatics.pictures.lever.points import Lever, held_for_good
 
 Spot = tuple[int, int]
-"""Point of a picture: number of the lever, and of the node."""
+"""Point of a lever: index of the lever, and index of the node on the lever."""
 
 
 class LeverTie(NamedTuple):
-    """Connection of two points: a link on two levers, a clutch, a spring as a shaft."""
+    """Connection of two points: a link on two levers, a clutch, or a spring drawn as a shaft."""
 
     name: str
-    """Name, empty for a link."""
+    """Name of the clutch or spring; empty for a link."""
     link: int
-    """Link of the first point."""
+    """Number of the link of the first point."""
     ends: tuple[Spot, Spot]
-    """Both points, the left first if on different levers."""
+    """Both points; if they are on different levers, the left point comes first."""
     is_spring: bool = False
 
 
 class LeverGear(NamedTuple):
-    """Gear on the levers of a case."""
+    """State of a gear on the levers of a case."""
 
     state: PictureState
     torques: Sequence[Sequence[float]]
@@ -41,7 +41,7 @@ class LeverGear(NamedTuple):
     roles: Sequence[set[Role]]
     """Roles of the components of each lever; a shaft is idle or has no role."""
     grounds: dict[Spot, str]
-    """Names of brakes by points at rest through brakes or the housing."""
+    """Names of the brakes that hold a point, by the point; empty for a point on the housing."""
     ties: Sequence[LeverTie]
     carried: dict[str, float]
     """Torque of each engaged element by name, without losses. [-]"""
@@ -58,7 +58,7 @@ class LeverGear(NamedTuple):
         return self.roles[lever] != {IDLE}
 
     def is_slack(self, names: str) -> bool:
-        """Return whether all shift elements at a place are engaged without torque."""
+        """Return whether all shift elements in a list of names are engaged without torque."""
         torques = [self.carried.get(name, math.nan) for name in names.split(", ")]
         return all(abs(torque) < NO_LEVER_TORQUE for torque in torques)
 
@@ -67,7 +67,7 @@ class LeverGear(NamedTuple):
         return ONE_PIECE in self.roles[lever] and "" not in self.roles[lever]
 
     def stands(self, link: int) -> bool:
-        """Return whether a link is at rest, by connections or by a locked-up set."""
+        """Return whether a link is at rest, connected to the housing or with a speed of 0."""
         return self.state.joined[link] == HOUSING or abs(self.state.speeds[link]) < NO_LEVER_TORQUE
 
     def shown(self, lever: int, nodes: Lever) -> object:

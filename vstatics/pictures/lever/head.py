@@ -16,7 +16,7 @@ from vstatics.pictures.lever.gear import LeverGear
 RATIO_SIZE = 15.0
 """Size of the letters of a ratio. [pt]"""
 BETWEEN = 12.0
-"""Distance between name, ratio and elements. [pt]"""
+"""Distance between the name of a gear, the ratio and the engaged elements. [pt]"""
 
 
 class GearHead(NamedTuple):
@@ -26,9 +26,9 @@ class GearHead(NamedTuple):
     ratio: str
     """Ratio, or the reason why no ratio exists."""
     elements: str
-    """Engaged elements and given speeds, in lines."""
+    """Engaged elements and given speeds, wrapped into lines."""
     start: float
-    """Distance of the elements from the left. [pt]"""
+    """Distance of the text of the elements from the left end. [pt]"""
 
     @property
     def high(self) -> float:

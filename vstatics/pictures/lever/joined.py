@@ -15,7 +15,7 @@ from vstatics.pictures.lever.routes import LeverStep, steps
 LEAD_IN = 9.0
 """Length of a line that continues from the previous row."""
 BandPoint = tuple[int, Point]
-"""Row of levers, and a point relative to the foot of the row."""
+"""Index of a row of levers, and a point relative to the foot of the row."""
 
 
 class LeverRoute(NamedTuple):

@@ -59,7 +59,7 @@ class LeverKey(NamedTuple):
         return KEY_ROW_HEIGHT - min(y for _, y in self._places())
 
     def put(self, sheet: LeverSheet) -> None:
-        """Draw the key at the foot of the figure."""
+        """Draw the key at the lower edge of the figure."""
         top = WIDE_MARGIN + self.height - KEY_ROW_HEIGHT / 2
         for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
             self._sample(sheet, kind, (x, top + down))
@@ -91,7 +91,7 @@ class LeverKey(NamedTuple):
 def key_of(
     page: LeverPage, gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
 ) -> LeverKey:
-    """Return the key of gears, with an arrow for a round torque as the scale."""
+    """Return the key of gears; an arrow for a round torque shows the scale of torques."""
     length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {

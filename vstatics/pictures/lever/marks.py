@@ -27,9 +27,9 @@ MARKS: dict[str, Sequence[Point]] = {
     "port": [(-3.2, -2.4), (0, 3.2), (3.2, -2.4)],
     "": [(-1.7, 0), (0, 1.7), (1.7, 0), (0, -1.7)],
 }
-"""Corners of the mark of each kind of point."""
+"""Corners of the mark of each kind of point, relative to the point."""
 MARK_SIZE = 6.0
-"""Distance of points below which marks overlap."""
+"""Distance of two points below which their marks overlap."""
 
 
 class LeverSheet(NamedTuple):
@@ -42,9 +42,9 @@ class LeverSheet(NamedTuple):
     per_torque: float
     """Length of an arrow per torque."""
     lines: dict[tuple[str, float, Any], list[Sequence[Point]]]
-    """Lines by colour, width and dash."""
+    """Lines that are drawn together, by colour, width and dashes."""
     areas: dict[str, list[Path]]
-    """Polygons by colour."""
+    """Polygons that are drawn together, by colour."""
 
     def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
         """Add a line through points, without intermediate points of horizontal parts."""
@@ -147,7 +147,7 @@ def cut(sheet: LeverSheet, place: Point, colour: str) -> None:
 
 
 def _turned(place: Point, off: Point, *, upright: bool) -> Point:
-    """Return a point relative to a place, along and across a line."""
+    """Return the point at a distance `off` along and across a line from a place."""
     (x, y), (along, across) = place, off
     return (x + across, y - along) if upright else (x + along, y + across)
 

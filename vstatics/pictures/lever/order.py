@@ -13,9 +13,9 @@ from vstatics.pictures.lever.points import Lever
 LEVER_SEARCH_ROUNDS = 20
 """Largest number of rounds of a search; more rounds change little."""
 MOVES = 60
-"""Number that limits the distance of moves; larger numbers permit longer moves."""
+"""Limit of the distance of moves: this number divided by the number of levers, plus 2."""
 CROSSING_COST = 2.0
-"""Cost of two lines that cross in all gears, relative to the height of a lever."""
+"""Cost of two lines that cross in all gears, in heights of a lever."""
 Order = tuple[int, ...]
 """Permutation of the levers, or orientation of each lever."""
 Move = Callable[[Order], Order]
@@ -23,7 +23,7 @@ Move = Callable[[Order], Order]
 
 
 def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
-    """Return levers from left to right, connected levers close, input left, output right.
+    """Return levers from left to right: input left, output right, connected levers close together.
 
     Levers keep the order of the case where a change has no advantage.
     """
@@ -48,7 +48,7 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
         return spans + 0.6 * near + 0.3 * (at[first] > at[last]) + 0.1 * (at[first] - at[last])
 
     start = tuple(range(len(drawn)))
-    reach = MOVES // len(start) + 2  # among many levers only near ones are exchanged
+    reach = MOVES // len(start) + 2  # many levers: short moves only
     pairs = [(low, high) for low, high in combinations(start, 2) if high - low <= reach]
     moves = [move for pair in pairs for move in _moves(*pair)]
     return [drawn[place] for place in _best(start, moves, cost)]
@@ -82,7 +82,7 @@ def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
 
 
 def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
-    """Return the height of each node of each lever, from 0 to 1, with levers turned if useful.
+    """Return the height of each node of each lever, from 0 to 1; some levers are turned over.
 
     Turning is useful if it removes crossings, then if it shortens lines. Shafts are at the mean
     height of their connections.
@@ -144,7 +144,7 @@ def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -
 
 
 def _cross(first: tuple[float, float, bool], second: tuple[float, float, bool]) -> bool:
-    """Return whether two lines of a gap cross, each between two heights."""
+    """Return whether two lines in a gap cross; a line has a height at either end of the gap."""
     (start, end, is_back), (start2, end2, is_back2) = first, second
     if is_back and is_back2:
         (low, high), (low2, high2) = sorted((start, end)), sorted((start2, end2))
@@ -162,7 +162,7 @@ def _turn(place: int) -> Move:
 
 def _heights(lever: Lever) -> list[float]:
     low, high = lever.ends
-    if lever.ratio is not None:  # a symbol without true distances
+    if lever.ratio is not None:  # drawn as a symbol without true distances
         turning = [node for node in lever.nodes if node.link != HOUSING]
         return [0.25 if node is turning[0] else 0.75 for node in lever.nodes]
     if low == high:

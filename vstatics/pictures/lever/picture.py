@@ -43,14 +43,14 @@ class LeverBlock(NamedTuple):
     gear: LeverGear
     routes: Sequence[LeverRoute]
     band: int
-    """Number of the row of levers."""
+    """Index of the row of levers."""
     low: float
     high: float
-    """Extent of the row below and above the foot of the levers."""
+    """Extents of the row below (`low`) and above (`high`) the foot of the levers."""
     same: dict[int, str]
-    """Name of an earlier gear with an equal lever."""
+    """Name of an earlier gear in which a lever looks equal, by the index of the lever."""
     names: dict[int, str]
-    """Text above each lever, in lines."""
+    """Text above each lever, wrapped into lines, by the index of the lever."""
 
     @property
     def over(self) -> float:

@@ -19,9 +19,9 @@ from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of, middle_of
 ARROW = 26.0
 """Length of the arrow of the largest torque."""
 SPEEDS = 32.0
-"""Width of the speed lines of a lever."""
+"""Width of the area of speeds of a lever."""
 NUMBER_WIDTH = 30.0
-"""Width of a number."""
+"""Room for a number."""
 BESIDE_LEVER = 6.0
 """Distance between a lever and the rows of points."""
 LEAST, MOST = 62.0, 84.0
@@ -39,20 +39,20 @@ class LeverCell(NamedTuple):
 
     lever: Lever
     rows: dict[int, LeverRow]
-    """Rows by node, without the housing of a pair."""
+    """Lines of the points by the index of the node, without the housing of a gear pair."""
     left: float
     at: float
-    """Position of the lever."""
+    """Horizontal position of the lever."""
     right: float
     """Right end of the cell."""
     gap: float
     """Width of the connections on the right."""
     band: int = 0
-    """Number of the row of levers."""
+    """Index of the row of levers."""
 
     @property
     def speeds(self) -> Span:
-        """Ends of the speed lines, equal for a shaft."""
+        """Left and right end of the area of speeds; equal for a shaft, which has no such area."""
         end = self.right - NUMBER_WIDTH - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
 
@@ -63,7 +63,7 @@ class LeverCell(NamedTuple):
 
 
 class LeverPage(NamedTuple):
-    """Levers of a case in all pictures."""
+    """Positions of the levers of a case, which are equal in the pictures of all gears."""
 
     case: Transmission
     cells: Sequence[LeverCell]
@@ -75,7 +75,7 @@ class LeverPage(NamedTuple):
 
     @property
     def bands(self) -> list[list[int]]:
-        """Levers of each row."""
+        """Indices of the levers in each row."""
         places = range(len(self.cells))
         last = self.cells[-1].band
         return [[n for n in places if self.cells[n].band == band] for band in range(last + 1)]
@@ -128,7 +128,7 @@ def _placed(cells: Sequence[LeverCell], cuts: Sequence[int], room: float) -> Ite
 
 
 def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: float) -> list[range]:
-    """Break lengths with gaps into the smallest number of rows.
+    """Divide levers with given lengths and gaps into the smallest number of rows.
 
     Among such divisions, the fewest lines are cut (`cuts` pass each gap), and the longest row is as
     short as possible.
@@ -194,7 +194,7 @@ def _rows(
 
 
 def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> str:
-    """Return the link of a node, with the member unless the link name contains the member."""
+    """Return the name of the link of a node, and also the member unless the name contains it."""
     node = lever.nodes[number]
     name = link_name(case, node.link, style)
     is_told = node.member.replace("_", " ").lower() in name.lower()

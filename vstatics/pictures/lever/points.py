@@ -21,7 +21,7 @@ from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.pictures.drawing.labels import Span
 
 Source = tuple[int, str, float]
-"""Index of a component, member, and factor of the torque."""
+"""Term of the torque on a point: index of the component, its member, and the factor."""
 
 
 class LeverNode(NamedTuple):
@@ -38,20 +38,20 @@ class LeverNode(NamedTuple):
 
 
 class Lever(NamedTuple):
-    """Mechanism, or meshing planets with central gears, or a single shaft."""
+    """Lever of a mechanism, of meshing planets with their central gears, or of a single shaft."""
 
     name: str
     nodes: tuple[LeverNode, ...]
     """Points in the order of positions."""
     devices: tuple[int, ...] = ()
-    """Indices of the shown components, empty for a shaft."""
+    """Indices of the components that the lever shows; empty for a shaft."""
     ratio: float | None = None
     """Ratio of a gear pair in the housing, which is drawn as a box. [-]
 
     NaN for a variator or converter.
     """
     shaft: tuple[int, ...] = ()
-    """Links connected to a shaft by springs."""
+    """Links that springs connect to a shaft."""
 
     @property
     def ends(self) -> Span:
@@ -171,7 +171,7 @@ def _joined(first: Lever, second: Lever, common: Sequence[int]) -> Lever | None:
 
 
 def shafts(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
-    """Return links outside levers that are loaded, or between components.
+    """Return shafts for links that are on no lever, but are loaded or connect components.
 
     Links connected by springs form a shaft, named after the first loaded link.
     """

@@ -1,4 +1,4 @@
-"""Routes of the connections between levers, upright at separate places; lengths in points."""
+"""Routes of the connections between levers, with separate upright parts; lengths in points."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ SHORT_STEP = 20.0
 BESIDE_SIGN = 8.0
 """Distance from the middle of an upright symbol to the name."""
 MOST_ORDERED = 6
-"""Number of upright lines in a gap up to which all orders are tried."""
+"""Largest number of upright lines in a gap for which all orders are tried."""
 OVERLAP_COST = 10
-"""Cost of lines of two links that overlap or cover a clutch, in crossings."""
+"""Cost of lines that overlap with lines of another link or cover a clutch, in crossings."""
 
 
 class LeverRow(NamedTuple):
-    """Line of a point, with texts."""
+    """Horizontal line of a point, with its texts."""
 
     name: str
-    """Name of the link, in lines."""
+    """Name of the link, wrapped into lines."""
     at: float
     """Height of the point on the lever."""
     y: float
@@ -47,7 +47,7 @@ class LeverRow(NamedTuple):
 
 
 PointRows = Mapping[int, LeverRow]
-"""Rows of a lever by node, without the housing of a pair."""
+"""Lines of a lever by the index of the node, without the housing of a gear pair."""
 
 
 def middle_of(rows: PointRows) -> float:
@@ -61,7 +61,7 @@ class LeverStep(NamedTuple):
 
     tie: LeverTie
     gap: int
-    """Lever before the gap."""
+    """Index of the lever to the left of the gap."""
     start: float
     """Height at the left end."""
     end: float
@@ -69,13 +69,13 @@ class LeverStep(NamedTuple):
     is_signed: bool
     """True for a clutch or spring in the gap."""
     is_back: bool
-    """True if the connection returns to the lever."""
+    """True if the connection returns to the same lever."""
     x: float = 0.0
     """Position of the upright part, from the start of the gap."""
     sign: float = 0.0
     """Height of the symbol."""
     slant: float = 0.0
-    """Horizontal length of the rise, where two lines change places."""
+    """Horizontal length of a slanted rise, where two lines exchange their heights."""
     is_late: bool = False
     """True for a horizontal symbol after the rise, if lines branch off before."""
 

@@ -1,4 +1,4 @@
-"""Lever in a gear, at a place in a figure."""
+"""Drawing of a lever in a gear, at a place in a figure."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ class LeverView(NamedTuple):
     sheet: LeverSheet
     gear: LeverGear
     place: int
-    """Number of the lever from the left."""
+    """Index of the lever, from the left."""
     bottom: float
     """Height of the foot."""
     same: str | None
-    """Earlier gear with an equal lever, whose numbers are not repeated."""
+    """Earlier gear in which the lever looks equal, so that numbers are not repeated; else None."""
 
     @property
     def cell(self) -> LeverCell:

@@ -16,7 +16,7 @@ from vstatics.pictures.paged.inline import inline
 from vstatics.pictures.runs import PicturedRun
 
 PRINTED_WIDTH = 182.0
-"""Width between the margins of A4, equal to the style sheet. [mm]"""
+"""Width between the margins of A4, as in the style sheet of the page. [mm]"""
 COLUMN_GAP = 4.0
 """Gap between two pictures side by side. [mm]"""
 PAGE = Style(titled=False, width=PRINTED_WIDTH * POINTS_PER_MILLIMETRE, height=PAGE_HEIGHT)
@@ -42,7 +42,7 @@ class Draw(Protocol):
 
 
 def bare_stick(draw: Draw, motion: PicturedRun) -> Drawn:
-    """Return the stick diagram of a run without a gear, or else the structure."""
+    """Return the stick diagram of a run without a gear, or the structure if none can be drawn."""
     stick = draw("stick", motion=motion)
     return stick if stick.sheets else draw("structure", motion=motion)
 
@@ -56,7 +56,7 @@ def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PA
     """Draw a picture of each gear, or give the reason why a picture is missing."""
     try:
         svgs_of_gears = of_each_gear(results, kind, in_spoken(style), gears)
-    except CaseError:  # perhaps only in a single gear
+    except CaseError:  # other gears may succeed
         return [picture_of(results, kind, [number], style=style) for number in gears]
     end = tr(", small") * (style is HALF)
     labels = (f"{_label(results, kind, [number])}{end}" for number in gears)

@@ -18,7 +18,7 @@ _PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES
     f"colour{number}": pair
     for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))
 }
-"""Names of variables -> colours of pictures on paper and on a dark screen."""
+"""Colours of pictures on paper and on a dark screen, by the name of the CSS variable."""
 _COLOUR_NAMES = {light: name for name, (light, _) in _PAIRS.items()}
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _COLOUR = re.compile("#[0-9a-f]{6}")
@@ -26,7 +26,7 @@ _COLOURED = ("style", "fill", "stroke")
 
 
 def palette(*, dark: bool) -> str:
-    """Return the colour variables for a style sheet."""
+    """Return the declarations of the colour variables for a style sheet."""
     return " ".join(f"--{name}: {pair[dark]};" for name, pair in _PAIRS.items())
 
 
@@ -43,7 +43,7 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
     '<g id="plan-a" fill="var(--ink)" /></svg>'
     """
     root = ET.fromstring(svg)  # noqa: S314 - written by this program
-    if len(root) and root[0].tag.endswith("}title"):  # the page has a caption
+    if len(root) and root[0].tag.endswith("}title"):  # the caption of the page replaces the title
         del root[0]
     for element in root.iter():
         element.tag = _local(element.tag)
@@ -131,7 +131,7 @@ def shared(page: Markup) -> tuple[Markup, Markup]:
 
 
 def is_look(key: str) -> bool:
-    """Check whether an attribute of an element determines the appearance.
+    """Check whether an attribute of an element determines its appearance.
 
     >>> is_look("stroke-width"), is_look("d")
     (True, False)

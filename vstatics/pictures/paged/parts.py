@@ -1,4 +1,4 @@
-"""Parts of a page: sections, figures, the part of a gear, and sections of annexes."""
+"""Parts of a page: sections, figures, parts about a gear, and sections of annexes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Part(NamedTuple):
 
 
 class PartRequest(NamedTuple):
-    """Data of a case and appearance for a section that an annex provides."""
+    """Request for a section that an annex provides: results, drawing function, and extent."""
 
     results: Results
     draw: Draw
@@ -57,7 +57,7 @@ class PagePart(Protocol):
         """Kinds of pictures of the whole case that other sections omit."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the contents, with numbers rounded to a number of digits after the point."""
+        """Yield the contents; numbers have `digits` digits after the point, unless it is None."""
 
 
 def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool = True) -> Markup:

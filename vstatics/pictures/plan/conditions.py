@@ -1,4 +1,4 @@
-"""Constraints on speeds in a gear, and the parts of them that leave the output free."""
+"""Constraints on speeds in a gear, and their subsets that leave the output speed free."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MOST_STATES = 300
 
 
 class Condition(NamedTuple):
-    """Constraint on the speed of a link: equal to a second link, or given."""
+    """Constraint on the speed of a link: equal to the speed of a second link, or given."""
 
     link: int
     other: int
@@ -30,7 +30,7 @@ Conditions = frozenset[Condition]
 
 
 def conditions(case: Transmission, gear: Gear) -> Conditions:
-    """Return the constraints of a gear; equivalent shift elements give a single constraint."""
+    """Return the constraints of a gear, with one constraint for several equivalent elements."""
     engaged = (case.shift_elements[number - 1] for number in gear.engaged)
     given = (Condition(link, HOUSING, speed) for link, speed in gear.speeds.items())
     return frozenset([*map(_condition, engaged), *given])

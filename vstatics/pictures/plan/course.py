@@ -1,4 +1,4 @@
-"""The run of a case in a kinematic plan: position on the abscissa over time."""
+"""Run of a case in a kinematic plan, and its position on the abscissa over time."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ class PlanCourse(NamedTuple):
     time: Floats
     """Instants. [s]"""
     output: Floats
-    """Abscissa: output speed per input speed; NaN with the input at rest. [-]"""
+    """Output speed divided by input speed, the abscissa; NaN if the input is at rest. [-]"""
     paths: Floats
-    """Link speed of each ray per input speed, shape (instants, rays). [-]"""
+    """Speed of the links of each ray divided by input speed, shape (instants, rays). [-]"""
     on_plan: NDArray[np.bool_]
     """Whether all constraints of the plan hold, at each instant."""
 
@@ -51,7 +51,7 @@ class PlanCourse(NamedTuple):
         return bool(both.any())
 
     def masked(self, values: Floats, *, on_plan: bool) -> Floats:
-        """Return values on or off the plan, NaN elsewhere; both parts meet at transitions."""
+        """Return the values on or off the plan, NaN elsewhere; both parts meet at transitions."""
         mask = self.on_plan if on_plan else ~self.on_plan
         if not on_plan:
             mask = mask | np.r_[mask[1:], False] | np.r_[False, mask[:-1]]
@@ -150,6 +150,6 @@ def _name(event: PicturedEvent, style: Style) -> str:
 def visited(
     case: Transmission, plans: Sequence[KinematicPlan], motion: PicturedRun
 ) -> list[tuple[KinematicPlan, PlanCourse]]:
-    """Return the plans that the run visits, each with the course."""
+    """Return the plans that the run visits, each with the course of the run."""
     every = [(plan, course(case, plan, motion)) for plan in plans]
     return [(plan, run) for plan, run in every if run.visits]

@@ -1,4 +1,4 @@
-"""Signs of a kinematic plan and the legend."""
+"""Styles of the signs of a kinematic plan, and the legend that explains them."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def unit_look(style: Style) -> Look:
 def plan_note(
     case: Transmission, shown: Sequence[KinematicPlan], left_out: Sequence[str], style: Style
 ) -> str:
-    """Return the note about input, output and gears that are not on a plan."""
+    """Return the note on the input, the output, and the gears that are on none of the plans."""
     off = f"{style.text('not on a plan')}: {', '.join(left_out)}"
     notes = [off] * bool(left_out)
     for english, links in (

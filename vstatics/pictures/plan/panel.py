@@ -30,11 +30,11 @@ from vstatics.pictures.plan.rays import KinematicPlan, Mark
 TO_TEXTS = 0.65 * LEADER
 """Distance between the axes and the texts around. [pt]"""
 LEAST_PLAN_HEIGHT = 108.0
-"""Least height of the axes. [pt]"""
+"""Smallest height of the axes. [pt]"""
 UPRIGHT_NAME = 78.0
 """Width to which vertical labels of gears are wrapped. [pt]"""
 NARROW_ABSCISSA = 0.4
-"""Least share of the gears in the range from 0, for an abscissa that includes 0."""
+"""Smallest share of the range of gears in an abscissa that is extended to 0."""
 
 
 class DrawnPlan(NamedTuple):
@@ -48,7 +48,7 @@ class DrawnPlan(NamedTuple):
     """Wrapped names of the links of each ray."""
     head: str
     note: str
-    """Line below the head."""
+    """Line of text below the head."""
     top: GearRow
     foot: GearRow
 
@@ -88,7 +88,7 @@ class DrawnPlan(NamedTuple):
 
 
 class GearRow(NamedTuple):
-    """Labels above or below a plan, each near the vertical of a gear."""
+    """Row of labels above or below a plan, each near the vertical line of a gear."""
 
     labels: list[Label]
     upright: bool
@@ -128,7 +128,7 @@ def mark_name(case: Transmission, mark: Mark) -> str:
 
 
 def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, str]:
-    """Return the common elements and speeds of all gears, and the links at rest."""
+    """Return texts above a plan: elements and speeds common to all gears, and links at rest."""
     parts = []
     if plan.engaged:
         parts.append(f"{style.text('engaged')}: {', '.join(plan.engaged)}")
@@ -141,7 +141,7 @@ def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, 
 def _rows(
     case: Transmission, plan: KinematicPlan, x: AxisScale, wide: float, style: Style
 ) -> tuple[GearRow, GearRow]:
-    """Return the row of gears with shift elements above a plan, and of 1/i below."""
+    """Return the row above a plan, gears with shift elements, and the row below, values of 1/i."""
     at = [x.part(mark.output) * wide for mark in plan.marks]
     texts = [
         (
@@ -165,7 +165,7 @@ def _rows(
 
 
 def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
-    """Return horizontal labels if each has room near the vertical, else vertical labels."""
+    """Return horizontal labels if each has room near its vertical line, else vertical labels."""
     sizes = [across_size(label.text) for label in across]
     wanted = [label.at for label in across]
     places = spread(wanted, sizes, 0.0, wide)
@@ -228,7 +228,7 @@ def _draw_gears(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
 def _stops(
     case: Transmission, plan: KinematicPlan, mark: Mark, style: Style
 ) -> Iterator[tuple[str, float]]:
-    """Yield each shift element of a gear, and the speed at the dot."""
+    """Yield each shift element of a gear, and the speed at which its dot is drawn."""
     speeds = {link: ray.at(mark.output) for ray in plan.rays for link in ray.links}
     for element in (case.shift_elements[place - 1] for place in mark.elements):
         names = [case.link_name(link) for link in element.links if link != HOUSING]

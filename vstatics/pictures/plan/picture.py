@@ -49,7 +49,7 @@ class PlanSheet(NamedTuple):
     case: Transmission
     motion: PicturedRun | None
     left_out: Sequence[str]
-    """Names of the gears that are not on a plan."""
+    """Names of the gears that are on none of the plans."""
     style: Style
     columns: int
     left: float
@@ -59,7 +59,7 @@ class PlanSheet(NamedTuple):
     scale: float
     """Width of the numbers of the ordinate."""
     right: float
-    """Width of the numbers of the ordinate, or of the names of events."""
+    """Width right of the axes: numbers of the ordinate, or names of events."""
 
     @property
     def size(self) -> float:

@@ -1,8 +1,8 @@
 """The generalised kinematic plan: speeds of all links over the output speed.
 
-With the input speed 1 and all but one degree of freedom taken by engaged elements,
-every link speed is a linear function of the output speed: a ray. A gear is a point on
-the abscissa, at ``1/i``; the element that makes it stops its link there, or joins its two.
+The input speed is 1, and engaged elements fix all degrees of freedom except one. Every link speed
+is then a linear function of the output speed: a ray. A gear is a point on the abscissa, at ``1/i``,
+where its shift element brings a link to rest or connects two links.
 
 Source: Voloshko, Galimyanov, Salakhov, Mavleev, Kinematic and force analysis of the
 universal multi-flow differential mechanism (in Russian), figure 5.
@@ -31,7 +31,7 @@ from vstatics.pictures.plan.conditions import (
 
 
 class Ray(NamedTuple):
-    """Links with the speed ``start + slope*x`` at the output speed x [-]."""
+    """Links whose speed is ``start + slope*x`` at the output speed x [-]."""
 
     links: tuple[int, ...]
     start: float
@@ -43,14 +43,14 @@ class Ray(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """Gears at a point of the abscissa, equal apart from elements without torque."""
+    """Gears at a point of the abscissa that differ only in elements without torque."""
 
     gears: tuple[int, ...]
     """Numbers of the gears, from 1."""
     output: float
     """Output speed 1/i. [-]"""
     elements: tuple[int, ...]
-    """Numbers of the shift elements that carry torque, without those of the plan."""
+    """Numbers of the shift elements with torque, without the elements common to the plan."""
 
 
 class KinematicPlan(NamedTuple):
@@ -61,7 +61,7 @@ class KinematicPlan(NamedTuple):
     state: tuple[Condition, ...]
     """Constraints that hold in all gears of the plan."""
     engaged: tuple[str, ...]
-    """Names of the shift elements; equivalent elements are joined by a stroke."""
+    """Names of the shift elements engaged in all gears; equivalent elements share an entry."""
     given: tuple[str, ...]
     """Given speeds as text."""
     rays: tuple[Ray, ...]
@@ -164,7 +164,7 @@ def _marks(
     state: Sequence[Condition],
     free: FreeOutputs,
 ) -> tuple[Mark, ...]:
-    """Return the marks of a state, in whose gears each further loaded element is needed.
+    """Return the marks of gears in a state that need each of their further loaded elements.
 
     The result is empty if all marks have the same ratio.
     """

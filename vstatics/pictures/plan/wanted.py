@@ -23,7 +23,7 @@ def case_of_ratios(ratios: Sequence[float], style: Style | None = None) -> Trans
     ratios : sequence of float
         Ratios of the gears, input speed per output speed. [-]
     style : Style, optional
-        Style whose language the names have.
+        Style that determines the language of the names.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Stick diagrams of planetary gear sets without tooth numbers, as of found gearboxes."""
+"""Stick diagrams of planetary gear sets without tooth numbers, as in gearboxes of a synthesis."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vstatics.pictures.schemes.titles import Titles
 
 
 class BareStick(NamedTuple):
-    """Stick diagram with placed parts, not yet drawn."""
+    """Stick diagram whose parts have positions but are not drawn yet."""
 
     layout: CoaxialLayout
     style: Style

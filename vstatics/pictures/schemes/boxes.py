@@ -50,7 +50,7 @@ class BoxText(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Name without kind or ratio."""
+        """Name, in one or more lines, without kind or ratio."""
         return self.lines.rpartition("\n")[0]
 
     @property
@@ -135,7 +135,7 @@ class BoxSection(HalfSection):
         return self.width / 2 + self.letters * self._slot * place
 
     def radius(self, rim: str) -> float:  # noqa: ARG002 - the edges are level
-        """Return the part of half the height without the distance of wheels that mesh [pt]."""
+        """Return half the height of the box, less the distance of meshing gears [pt]."""
         return self.half - MESH
 
 

@@ -1,4 +1,4 @@
-"""Captions of a picture of a scheme: the state in a gear, the title, and texts of parts."""
+"""Captions of a picture of a scheme: its title, texts of its parts, and the state in a gear."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ MESH = 3.0
 
 
 DEVICE_NAME_LETTERS = 14
-"""Length of names after which the names of components are broken at blanks. [letters]"""
+"""Number of letters after which the name of a component is broken at a blank."""
 HATCH_STEP, HATCH_WIDTH = 5.0, 0.5
 """Distance and width of hatching lines. [pt]"""
 
@@ -52,7 +52,7 @@ def hatching(low: Point, high: Point) -> Iterator[Segment]:
 
 ABOVE, BELOW = 1, -1
 Reach = Literal["row", "none"]
-"""Extent of a tap: to a line of the link, or nowhere for a fixed member."""
+"""Extent of a tap: ``row`` to a line of the link, or ``none`` for a fixed member."""
 
 
 class Tap(NamedTuple):
@@ -61,12 +61,12 @@ class Tap(NamedTuple):
     wire: int
     """Number of the link."""
     side: int
-    """Direction, `ABOVE` or `BELOW`."""
+    """Direction in which the link leaves, `ABOVE` or `BELOW`."""
     x: float
     """Distance from the left end of the gear set. [pt]"""
     reach: Reach = "row"
     label: str = ""
-    """Member of the gear set."""
+    """Name of the member of the gear set."""
     depth: float = 0.0
     """Distance from the middle of the row to the start of the line. [pt]"""
 
@@ -99,7 +99,7 @@ class Glyph(NamedTuple):
 
     @property
     def half(self) -> float:
-        """Largest distance above or below the middle."""
+        """Largest distance of any part above or below the middle [pt]."""
         heights = [abs(y) for stroke in self.strokes for _, y in stroke.points]
         return max(heights, default=0.0)
 

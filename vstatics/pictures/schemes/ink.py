@@ -26,7 +26,7 @@ ENTERS = 4.0
 
 @dataclass(frozen=True)
 class SchemeInk:
-    """Scheme on paper, in a state."""
+    """Scheme in a state, with the pen that draws it."""
 
     pen: Pen
     scheme: Scheme
@@ -62,7 +62,7 @@ class SchemeInk:
         return style.ink if is_used else style.faint
 
     def said(self, index: int) -> str:
-        """Return the text for a component under the pointer."""
+        """Return the text that appears under the pointer at a component."""
         return self.titles.devices.get(index, "")
 
     def of_link(self, name: str, axis: int = 0) -> Pen:

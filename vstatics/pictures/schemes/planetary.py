@@ -18,7 +18,7 @@ from vstatics.pictures.schemes.titles import teeth_of
 
 
 def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, HalfSection]:
-    """Return the half-sections of planetary sets by place, including suitable mechanisms."""
+    """Return the half-sections of planetary sets and of suitable mechanisms, by index."""
     sections = {}
     for index, device in enumerate(scheme.devices):
         element = device.element

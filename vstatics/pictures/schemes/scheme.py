@@ -19,11 +19,11 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_DEVICES = 200
-"""Largest number of components, whose arrangement is found in about ten seconds."""
+"""Largest number of components; an arrangement of this many takes about ten seconds."""
 
 
 class Device(NamedTuple):
-    """Component of a scheme, with links: mechanism, gear set, spring or shift element."""
+    """Component of a scheme: a mechanism, gear set, spring or shift element, with its links."""
 
     name: str
     kind: str
@@ -31,13 +31,13 @@ class Device(NamedTuple):
     members: dict[str, int]
     """Link of each member; 0 is the housing."""
     numbers: tuple[int, ...]
-    """Indices of the mechanisms, or of the shift element or spring."""
+    """Indices of the mechanisms of the component, or index of the shift element or spring."""
     element: Element | None = None
     """Gear set with teeth, if given."""
     ratio: float = math.nan
     """Basic ratio of a mechanism. [-]"""
     labels: Mapping[str, str] = MappingProxyType({})
-    """Texts of members that differ from the names."""
+    """Texts of the members whose text differs from the name."""
     has_gap: bool = False
     """True for an elastic component with play: such a spring, or an elastic dog clutch."""
 
@@ -54,7 +54,7 @@ class Device(NamedTuple):
 
     @property
     def sign(self) -> str:
-        """Kind that determines the symbol, or ``play``."""
+        """Kind that determines the symbol; ``play`` for a component with play."""
         return "play" if self.has_gap else self.kind
 
     @property
@@ -92,16 +92,16 @@ class SchemePort(NamedTuple):
 
 @dataclass(frozen=True)
 class SchemeState:
-    """Marked and pale parts in a picture of a gear; empty without a gear."""
+    """Parts that are marked or pale in the picture of a gear; empty without a gear."""
 
     engaged: AbstractSet[int] = frozenset()
-    """Engaged components, by place in `Scheme.devices`."""
+    """Indices of the engaged components in `Scheme.devices`."""
     idle: AbstractSet[int] = frozenset()
-    """Components that are released or carry no torque."""
+    """Indices of the components that are released or carry no torque."""
     pieces: AbstractSet[int] = frozenset()
-    """Components that carry torque but rotate as a block."""
+    """Indices of the components that carry torque but rotate as a block."""
     loaded: Sequence[AbstractSet[int]] | None = None
-    """Links with torque from each component; not given without a gear."""
+    """For each component, the links on which it exerts a torque; None without a gear."""
     idle_links: AbstractSet[int] = frozenset()
     idle_ports: AbstractSet[SchemePort] = frozenset()
     leaving: Mapping[SchemePort, bool] = field(default_factory=dict)
@@ -131,7 +131,7 @@ class Scheme:
 
     @property
     def ends(self) -> tuple[list[int], list[int]]:
-        """Links from the left end of a picture, and links to the right end.
+        """Links that begin at the left end of a picture, and links that end at the right end.
 
         A link with fewer than two components also goes to an end, where its name has room.
         """

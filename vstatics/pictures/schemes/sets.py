@@ -51,7 +51,7 @@ class WheelColumn:
     ring: CentralWheel | None = None
 
     def bars(self, level: int) -> bool:
-        """Return whether the plane blocks an axle on a level."""
+        """Return whether gears of the plane block an axle on a level."""
         if level < min(self.rims):
             return self.sun is not None
         return level <= max(self.rims) or self.ring is not None
@@ -59,7 +59,7 @@ class WheelColumn:
 
 @dataclass(frozen=True)
 class HalfSection:
-    """Group of planets in the half above the axis."""
+    """Half-section above the axis of a group of planets, with their suns and rings."""
 
     group: PlanetGroup
     levels: Mapping[str, int]
@@ -161,7 +161,7 @@ def _disorder(section: HalfSection) -> float:
 
 
 def _levels(group: PlanetGroup) -> dict[str, int]:
-    """Return the number of meshes between each planet and the planet at the sun."""
+    """Return the level of each planet: its number of meshes from the planet at the sun."""
     wheels = {planet: {True: 0, False: 0} for planet in group.planets}
     for wheel in group.wheels:
         wheels[group.planet_of[wheel.rim]][wheel.internal] += 1
@@ -281,7 +281,10 @@ def _glyphs(section: HalfSection) -> Iterator[Glyph]:
 
 
 def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
-    """Return the sides to which the axle of each planet leaves, equal if nothing is blocked."""
+    """Return alternatives, each with the side to which the axle of each planet leaves.
+
+    All axles leave to the same side, unless gears block axles on both sides.
+    """
     planets = list(section.group.planets)
     clear = [
         (side,) * len(planets)

@@ -23,11 +23,11 @@ HALF_BOX_SIGN = 8.0
 PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
 """Positions of the plates of both sides across the line. [pt]"""
 GAP_IN_LINE = 5.0
-"""Distance from a spring with play to the end of the symbol. [pt]"""
+"""Gap between a spring with play and the end of its symbol. [pt]"""
 PLATE_CLEARANCE = 2.5
 """Distance from a plate to the opposite drum. [pt]"""
 Place = Callable[[float, float], Point]
-"""Function from positions along and across a line to positions in the picture."""
+"""Function that returns the point of the picture for positions along and across a line."""
 
 
 class Coupled(NamedTuple):
@@ -35,14 +35,14 @@ class Coupled(NamedTuple):
 
     kind: str
     start: Point
-    """End at the first link."""
+    """End of the line at the first link."""
     end: Point
     color: str
     is_closed: bool = False
     rod: str = ""
-    """Colour of the line to the symbol, if different."""
+    """Colour of the line to the symbol; empty if it is the colour of the symbol."""
     housing: int = 0
-    """Side of the housing at the end; 0 without a housing."""
+    """Side on which the housing is drawn at the end; 0 without a housing."""
     title: str = ""
     is_backward: bool = False
     """True for a freewheel with the housing as the first link."""

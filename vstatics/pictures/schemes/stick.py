@@ -1,4 +1,4 @@
-"""Stick diagram: the half of the transmission above its axis, with gears as lines of teeth.
+"""Stick diagram: the half of a transmission above its axis, in which gears are lines of teeth.
 
 Components on one axis form a half-section; several axes are rows. If only mechanisms are given,
 they are drawn as planetary sets.

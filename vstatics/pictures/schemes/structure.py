@@ -1,4 +1,4 @@
-"""Structure of a transmission: components as boxes, with shift elements between the links.
+"""Structure of a transmission: components are boxes, and shift elements connect their links.
 
 This is the form of figure 5b of the source. It serves every case, also without a stick diagram.
 """
@@ -34,5 +34,5 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     sections, texts = boxes_of(scheme, style)
     sheet = coaxial_sheet(scheme, sections, style, texts)
     if sheet is None:
-        raise TypeError(results.case)  # boxes serve every component
+        raise TypeError(results.case)  # cannot occur: any component can be a box
     yield from figures(results, scheme, sheet, style, shown, style.text("structure"))

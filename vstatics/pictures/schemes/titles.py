@@ -1,4 +1,4 @@
-"""Texts of components and links of a scheme under the pointer."""
+"""Texts that appear under the pointer at components and links of a scheme."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def _once(_context: click.Context, option: click.Parameter, given: tuple[str, ..
 
 
 class Effort(NamedTuple):
-    """Options of execution: estimate only, time limit of a run, failure without rows."""
+    """Options of the execution: estimate only, time limit of a run, failure without rows."""
 
     fail_empty: bool
     dry_run: bool

@@ -19,9 +19,9 @@ from vstatics.sweep.results.best import BEST
 from vstatics.sweep.tasks import data_of
 
 TRIED = 1.0
-"""Time limit of a trial run, for an estimate [s]."""
+"""Time limit of the trial run from which the time of a run is estimated. [s]"""
 SPOTS, ROWS = 16, 16
-"""Number of positions in a sweep, and of rows at each, from which the row size is measured."""
+"""Number of places in a sweep, and of rows at each place, that give the mean size of a row."""
 LONGEST_NUMBER = 32
 """Largest size of a number with separators [bytes]."""
 
@@ -35,7 +35,7 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
     Raises
     ------
     ReadError
-        With both sizes.
+        If the space is insufficient; the message gives the needed and the free space.
     """
     if plan.where is not None or plan.objectives:
         return
@@ -68,7 +68,7 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
 
 
 def _packed_bytes(plan: SweepPlan, rows: Chunk) -> int:
-    """Return the length of a block in Parquet, whose compression resembles the whole."""
+    """Return the length of some rows in Parquet, whose compression resembles the whole file."""
     file = io.BytesIO()
     write_parquet(file, plan.output_headings, [rows], by_gear=plan.by_gear)
     return file.tell()
@@ -83,7 +83,7 @@ def most_rows(plan: SweepPlan) -> int:
 
 
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
-    """Return an estimate of number, size and time, from a block of the sweep."""
+    """Return an estimate of the number of variants, size and time, from a measured block."""
     variants, headings = plan.variants.count, plan.output_headings
     needed, subject = 0.0, plan.subject
     if not isinstance(subject, Transmission) and (needed := subject.seconds(TRIED)):

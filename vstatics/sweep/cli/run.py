@@ -29,7 +29,7 @@ from vstatics.sweep.variants.numbered import VariantTable
 UNSOLVED = [
     chunk.STATUS[code] for code in (chunk.TIED_UP, chunk.CONFLICT, chunk.INVALID, chunk.STOPPED)
 ]
-"""Statuses of a variant without any solution."""
+"""Statuses of a variant that has no solution."""
 
 
 class SweepRun(NamedTuple):
@@ -103,7 +103,7 @@ def to_file(run: SweepRun, output: str) -> Ended:
 
 
 def to_stream(run: SweepRun) -> Ended:
-    """Write rows to stdout or a further stream during the calculation."""
+    """Write rows to stdout or another stream during the calculation."""
     from vstatics.core.cli.shared.progress import progress
 
     plan, sharing = run.plan, run.sharing
@@ -188,7 +188,7 @@ def _counted(plan: SweepPlan) -> str:
 
 
 def _tell_removed(where: WhereCondition, report: SweepReport) -> None:
-    """Print the number of variants that each part of the condition removed."""
+    """Print how many variants each part of the condition removed."""
     remaining = report.variants
     for part, removed in zip(where.parts, report.removed, strict=True):
         files.say(f"`{part.text}` removed {removed} of {remaining}")

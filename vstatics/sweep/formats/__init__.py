@@ -12,6 +12,6 @@ Format = Literal["csv", "jsonl", "npz", "parquet", "markdown", "latex", "xlsx"]
 
 FORMATS: tuple[Format, ...] = get_args(Format)
 TEXTS: tuple[Format, ...] = ("csv", "jsonl")
-"""Formats with pieces of text; pieces of the other formats are columns of numbers."""
+"""Formats whose pieces are stored as text; pieces of other formats are columns of numbers."""
 MOST_ROWS: dict[Format, int] = {"markdown": 10_000, "latex": 10_000, "xlsx": 100_000}
 """Greatest number of rows in formats for readers, which are written in memory."""

@@ -42,7 +42,7 @@ class ColumnType(NamedTuple):
 
 
 class ArchiveLayout(NamedTuple):
-    """Layout of a file: texts with their places, and stretches of pieces to be copied."""
+    """Layout of an archive: headers with their offsets, and parts of pieces to be copied."""
 
     texts: list[tuple[int, bytes]]
     copies: list[Copy]
@@ -70,7 +70,7 @@ def layout(
     copies: list[Copy] = []
     central: list[bytes] = []
     place = 0
-    starts = [0] * len(accounts)  # where a column begins in the data of each piece
+    starts = [0] * len(accounts)  # offset of the column in each piece
     members = [
         (column.name, _array_head(column.dtype, rows), [a.segments[index] for a in accounts])
         for index, column in enumerate(columns)
@@ -105,7 +105,7 @@ def _array_head(dtype: np.dtype[Any], rows: int) -> bytes:
 
 
 def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:
-    """Return both headers of a member: before the data and in the central directory."""
+    """Return both headers of a member: before its data, and in the central directory."""
     text = name.encode()
     sizes = _LOCAL_SIZES.pack(1, 16, size, size)
     common = _ZIP_VERSION, _UTF_8, 0, *_DAY_ONE, crc, _ZIP64, _ZIP64, len(text)

@@ -23,7 +23,7 @@ from vstatics.sweep.formats import Format
 def write_parquet(
     file: IO[bytes], headings: Sequence[str], chunks: Iterable[Chunk], *, by_gear: bool
 ) -> None:
-    """Write chunks to a Parquet file by row groups.
+    """Write chunks to a Parquet file, in groups of rows.
 
     Raises
     ------
@@ -58,7 +58,7 @@ def _batch(chunk: Chunk, schema: Any) -> Any:
 
 
 CELL_DIGITS = 12
-"""Significant digits of a cell, as in CSV."""
+"""Number of significant digits of a cell, as in CSV."""
 
 
 def text(form: Format, headings: Sequence[str], chunks: Iterable[Chunk], *, by_gear: bool) -> bytes:

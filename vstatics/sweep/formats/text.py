@@ -18,7 +18,7 @@ from vstatics.sweep.formats import Format
 from vstatics.sweep.results.columns import output_headings
 
 ROWS_AT_ONCE = 512
-"""Number of rows that are formatted together, small so that many columns are constant."""
+"""Number of rows that are formatted together; in few rows, more columns are constant."""
 NUMBER = "%.12g"
 
 
@@ -68,7 +68,7 @@ WordCodes = tuple[int, int]
 
 
 def _formatted(row: _Row, numbers: Floats, words: list[WordCodes]) -> str:
-    """Format rows; a constant column is formatted only once."""
+    """Return rows as text; the number of a constant column is formatted only once."""
     alike = (numbers == numbers[0]).all(axis=0)
     row.begin(numbers[0], alike.tolist())
     varied = numbers[:, ~alike]
@@ -130,7 +130,7 @@ class _Row:
         self.patterns.clear()
 
     def pattern(self, words: WordCodes, exists: bytes = b"") -> str:
-        """Return the format of a row by status, gear and the existing varied numbers."""
+        """Return the %-format of a row; `exists` marks the varied numbers that the row has."""
         status, gear = words
         pattern = self.patterns.get((words, exists))
         if pattern is None:

@@ -33,7 +33,7 @@ COLUMNS: Mapping[str, Sequence[str]] = {
     "curves": ("x", "y", "by"),
     "histogram": ("y", "by"),
 }
-"""Columns that can be named for each kind of picture."""
+"""Options by which the user can name columns, for each kind of picture."""
 
 
 def render_sweep(
@@ -49,7 +49,7 @@ def render_sweep(
         Format of the files.
     style : Style
     selected : DrawnColumns
-        Names of columns, as far as the user gives them.
+        Names of columns that the user gives; other columns are chosen.
 
     Raises
     ------

@@ -14,7 +14,7 @@ from vstatics.core.tables.written_results import GEAR, WrittenSweep
 
 
 class DrawnColumns(NamedTuple):
-    """Columns named by the user; empty: selected by the varied numbers of the sweep."""
+    """Columns that the user names; for an empty name, the sweep determines the column."""
 
     x: str = ""
     y: Sequence[str] = ()
@@ -23,10 +23,10 @@ class DrawnColumns(NamedTuple):
 
 
 class DrawnRows(NamedTuple):
-    """Rows of a panel or a line."""
+    """Rows of the sweep that a panel or a line shows."""
 
     name: str
-    """Gear, or value of the column `by`; empty for all rows."""
+    """Name of the gear, or value of the column `by`; empty if the part has all rows."""
     rows: Sequence[int]
 
 

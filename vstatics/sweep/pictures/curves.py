@@ -41,7 +41,7 @@ CURVES_ROOM = 0.05
 MOST_CURVES = 12
 """Greatest number of curves in a panel; more are reduced to an even selection."""
 MOST_PANELS = 6
-"""Number of drawn columns, unless columns are named."""
+"""Largest number of drawn columns, unless the user names columns."""
 
 
 class Curve(NamedTuple):
@@ -55,7 +55,7 @@ class Curve(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Names of the curve; of four or more the first and the last.
+        """Names of the curve as text; of four or more names, the first and the last.
 
         >>> Curve(tuple("abcd"), np.zeros(1), np.zeros(1), {}).name
         'a … d'
@@ -109,7 +109,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
 
 
 def _pages(highs: Sequence[float], room: float) -> list[list[int]]:
-    """Distribute panels to pages by height.
+    """Distribute panels with some heights to pages with the height `room`.
 
     >>> _pages([2.0, 2.0, 2.0], 5.0)
     [[0, 1], [2]]
@@ -123,7 +123,7 @@ def _pages(highs: Sequence[float], room: float) -> list[list[int]]:
 
 
 def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:
-    """Return the default column whose values have a curve each: the other varied number."""
+    """Return the default column whose values each have a curve: the other varied number."""
     if sweep.gears:
         return ""
     left = running(sweep, [selected.x])

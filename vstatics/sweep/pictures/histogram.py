@@ -31,7 +31,7 @@ HISTOGRAM_GAP = 10.0
 MOST_HISTOGRAM_BARS = 30
 """Greatest number of bars in a panel."""
 MOST_HISTOGRAMS = 24
-"""Number of drawn columns, unless columns are named."""
+"""Largest number of drawn columns, unless the user names columns."""
 
 
 class Histogram(NamedTuple):

@@ -43,13 +43,13 @@ MAP_HEAD_HEIGHT = 22.0
 MAP_LEVELS = 9
 """Approximate number of contours."""
 MOST_LEVELS = 16
-"""Number of contours at equal steps, if fewer leave a crowded band."""
+"""Number of contours at equal steps, if `MAP_LEVELS` contours leave a crowded band."""
 CROWDED_BAND = 0.35
-"""Fraction of all values in a band of equal steps above which the levels follow quantiles."""
+"""Fraction of all values in one band above which levels follow quantiles, not equal steps."""
 LEAST_BAND = 0.02
-"""Least width of a band, as a fraction of the range of values."""
+"""Smallest width of a band, as a fraction of the range of values."""
 LEAST_FILLED = 0.5
-"""Least fraction of filled places for points to form a rectangular grid."""
+"""Smallest fraction of filled places at which points count as a rectangular grid."""
 GRID_OF_POINTS = 121
 """Number of interpolated values in each direction, for points that do not form a grid."""
 
@@ -63,7 +63,7 @@ class Surface(NamedTuple):
     z: Floats
     """Values of shape (y, x)."""
     instead: str = ""
-    """Text for a surface without any number."""
+    """Text that replaces a surface without any number."""
 
 
 def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figure]:

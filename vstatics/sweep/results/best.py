@@ -20,7 +20,7 @@ BEST = 20
 
 
 def within(plan: SweepPlan, chunk: Chunk) -> Chunk:
-    """Return the rows of a chunk that can be among the best of all."""
+    """Return the rows of a chunk that can be among the best rows of the sweep."""
     if len(plan.objectives) == 1:
         return chunk.rows(selection.best(chunk.objectives[:, 0], plan.best or BEST))
     return chunk.rows(fronts.non_dominated(chunk.objectives))

@@ -47,11 +47,11 @@ _BLANK = re.compile(r"\s")
 
 
 class ColumnGroup(NamedTuple):
-    """Expression, and the cells of the value that become columns."""
+    """Expression, and the elements of its value that become columns."""
 
     expression: Expression
     cells: tuple[tuple[int, int], ...]
-    """Index of gear and of row, 0 for a missing axis."""
+    """Indices of the gear and the row of each element; 0 for a missing axis."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class OutputColumns:
     headings: tuple[str, ...]
     parts: tuple[ColumnGroup, ...]
     named: Mapping[str, ResolvedPart] = field(default_factory=dict)
-    """Name of a column -> expression."""
+    """Expressions of named columns, by the name."""
 
     def __call__(self, tables: Tables, values: Floats) -> Floats:
         """Calculate all columns.
@@ -103,23 +103,23 @@ _NAMED = re.compile(rf"\s*({NAME.pattern})\s*=(?!=)")
 def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -> OutputColumns:
     """Read a list of expressions, separated by commas outside brackets.
 
-    Each gives a column, or one for each gear and row that it has: all gears of the first
-    row, then of the second. What is asked for twice is written once, and varied numbers not
-    at all, since they have their own columns. ``NAME=EXPR`` names a column, which later ones
-    may speak of.
+    Each expression gives a column for each gear and row of its value: all gears of the first row,
+    then all gears of the second row. A repeated column is written once. Varied numbers are left
+    out, since they have their own columns. ``NAME=EXPR`` names a column; later expressions can use
+    the name.
 
     Parameters
     ----------
     text : str
     subject : Transmission or VariedScenario
-        Whose names the text uses.
+        Case or scenario whose names the text uses.
     targets : sequence of Varied, or Terms
-        What is varied.
+        Varied numbers.
 
     Raises
     ------
     ReadError
-        With everything that is wrong, and its places.
+        If the text is invalid, with all errors and their places.
 
     Examples
     --------

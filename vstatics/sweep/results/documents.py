@@ -1,4 +1,4 @@
-"""Documents that are swept: names in expressions, and outcomes of variants."""
+"""Interface of documents other than cases that can be swept, such as scenarios."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class RunOutcome(NamedTuple):
 
 
 class SweptDocument(VariedDocument):
-    """A document whose variants are runs."""
+    """A document whose variants are runs, such as a scenario."""
 
     public_name: ClassVar[str] = "VariedScenario"
     """Name of the class in messages about arguments."""
@@ -73,7 +73,7 @@ class SweptDocument(VariedDocument):
 
     @abstractmethod
     def seconds(self, tried: float) -> float:
-        """Return the time of a run after a trial of limited time; 0 if completed."""
+        """Return the estimated time of a run after a trial of limited time; 0 if it completed."""
 
 
 Subject: TypeAlias = Transmission | SweptDocument

@@ -114,7 +114,7 @@ class Terms(NamedTuple):
     named: Mapping[str, ResolvedPart] = MappingProxyType({})
     """Named columns."""
     by_gear: bool = False
-    """True if each row is of a gear, so that tables have no axis of gears."""
+    """True if each output row is of a gear; tables then have no axis of gears."""
 
 
 def read_expression(
@@ -171,7 +171,7 @@ def resolved_expression(
     names = names_of(source, subject, terms)
     tree = parse(source, names.language)
     part = _resolve(tree, names, terms.named)
-    if part.per_gear and not names.gears:  # along time: only the end remains
+    if part.per_gear and not names.gears:  # of values along time, only the end remains
         part = part._replace(node=Applied(LAST, (part.node,), 0, 1), per_gear=False)
     node, per_gear, table = part
     picked = isinstance(tree, TableName) and tree.name not in terms.named
@@ -202,7 +202,7 @@ class ResolvedPart(NamedTuple):
     node: Node
     per_gear: bool = False
     table: str = ""
-    """Table whose rows the values have, if any."""
+    """Name of the table whose rows are the rows of the values; empty without rows."""
 
 
 def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -> ResolvedPart:

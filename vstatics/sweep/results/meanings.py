@@ -1,4 +1,4 @@
-"""Meanings of names in an expression."""
+"""Meanings that names in an expression can have: tables, parts of tables, varied numbers."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ OK = "ok"
 
 
 PART_NUMBERS: dict[str, str] = {quantity: f"{quantity} of parts" for quantity in OF_MECHANISM}
-"""Quantity -> table of the values of all mechanisms in a variant."""
+"""Name of the table with the values of all mechanisms in a variant, by the quantity."""
 OF_A_VARIANT = (SPREAD, *PART_NUMBERS.values())
 """Tables with a single value for all gears."""
 
@@ -62,7 +62,7 @@ class NameFinder(Protocol):
 
     @property
     def gears(self) -> Sequence[str]:
-        """Names along the axis of gears, if any."""
+        """Names of the gears along the axis of gears; empty without this axis."""
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
         """Return the meaning of a number of the subject."""
@@ -84,14 +84,14 @@ class NameFinder(Protocol):
 
 
 class Tables(Protocol):
-    """Object with tables: `Results`, or the results of a block of variants."""
+    """Object that has tables by name: `Results`, or the results of a block of variants."""
 
     def existing(self, name: str) -> Floats:
         """Return a table of shape (..., gears[, rows]), with NaN for undefined values."""
 
 
 class GearRows(NamedTuple):
-    """Tables with a row per gear, beginning with all gears of the first variant."""
+    """Tables with a row for each gear of a variant; all gears of the first variant come first."""
 
     tables: Tables
     gears: int
@@ -107,11 +107,11 @@ class GearRows(NamedTuple):
 
 
 class WithStatus(NamedTuple):
-    """Tables, and the rows of variants with the status ok."""
+    """Tables, and in addition the table `ok`, which marks the rows with the status ok."""
 
     tables: Tables
     good: Booleans
-    """(rows,)"""
+    """Mask of the rows with the status ok, shape (rows,)."""
 
     def existing(self, name: str) -> Floats:
         """Return a table; the table of the status has a single value per row."""

@@ -67,7 +67,7 @@ class SweepNames:
     """
 
     key = staticmethod(written)
-    """Row or gear as written between brackets."""
+    """Function that returns the name of a row or gear as written between brackets."""
 
     def __init__(
         self,
@@ -116,7 +116,7 @@ class SweepNames:
 
     @property
     def _units(self) -> set[str]:
-        """Units of the available tables, by the load of the case or a varied load."""
+        """Units in which tables are available because the case or a varied number gives a load."""
         loads = {varied.quantity for varied in self.varied if isinstance(varied, CasePath)}
         by_load = {"rpm": {"load.speed"}, "Nm": {"load.torque"}}
         known = known_units(self.case) | {unit for unit, of in by_load.items() if of & loads}
@@ -208,7 +208,7 @@ class SweepNames:
         return Selection(OMEGA, gear, mode, len(self._modes))
 
     def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
-        """Return the index of a subscript, by name and then by number, or `None` for all."""
+        """Return the index that a subscript means, by name or else by number; `None` for all."""
         written = subscript.written
         if written == ":":
             return None

@@ -27,7 +27,7 @@ class Objective(NamedTuple):
 
     expression: Expression
     sign: Literal[1, -1]
-    """Factor that turns larger-is-better into smaller-is-better."""
+    """Factor of the quantity: 1 to minimise it, -1 to maximise it."""
 
 
 class WhereCondition(NamedTuple):
@@ -40,14 +40,14 @@ class WhereCondition(NamedTuple):
     def passed(
         self, tables: Tables, values: Floats, unknown: Booleans
     ) -> tuple[Booleans, tuple[int, ...]]:
-        """Return which variants pass, and how many each part removes in turn.
+        """Return a mask of variants that pass, and how many variants each part removes in turn.
 
         Parameters
         ----------
         tables, values
             Arguments of an `Expression`.
         unknown : ndarray, shape (variants,)
-            Variants that never pass.
+            Mask of variants that never pass.
         """
         passing, removed = np.ones(len(values), np.bool_), []
         for part in self.parts:
@@ -88,7 +88,7 @@ _JOINING_WORDS = re.compile(r"""\"[^\"]*\"|'[^']*'|[(\[]|[)\]]|\b(?:and|or)\b"""
 
 
 def _between_ands(text: str) -> list[tuple[int, int]]:
-    """Return the ends of the parts between `and` outside brackets, unless joined by `or`.
+    """Return the ends of the parts between each `and` outside brackets; with `or`, of the whole.
 
     >>> _between_ands("a > 1 and max(b and c) < 2"), _between_ands("a and b or c")
     ([(0, 6), (9, 26)], [(0, 12)])

@@ -12,10 +12,10 @@ from vstatics.core.numerics.tolerances import ROUNDED_DEVIATION
 from vstatics.core.tables.answer import json_keys
 
 PARTS = (0.05, 0.5, 0.95)
-"""Parts of all variants below each quantile."""
+"""Fractions of the variants whose values are below each quantile. [-]"""
 
 _LARGE = 2.0**500
-"""Size from which numbers are scaled by a power of 2, without rounding, before squaring."""
+"""Magnitude above which numbers are scaled by a power of 2, without rounding, before squaring."""
 
 
 @json_keys("variants", "mean", "deviation", "least", quantiles="by_part", largest="largest")

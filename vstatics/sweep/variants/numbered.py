@@ -1,4 +1,4 @@
-"""Numbered variants, of which any block has always equal numbers."""
+"""Numbered variants, which can be calculated in any order and always have equal numbers."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class VariantGrid:
     Parameters
     ----------
     variations : iterable of Variation
-        With lists or steps.
+        Variations with lists or steps as values, not with spans.
 
     Raises
     ------
@@ -83,12 +83,12 @@ class VariantGrid:
 
 
 class Zip:
-    """Variants of parallel values: the first values together, then the second, and so on.
+    """Variants of parallel lists: the first values together, then the second, and so on.
 
     Parameters
     ----------
     variations : iterable of Variation
-        With lists or steps of one length.
+        Variations with lists or steps of the same length.
 
     Raises
     ------
@@ -173,7 +173,7 @@ class VariantTable:
 
 
 class VariantPart:
-    """Part of many variants, with the numbers, for a machine without the table.
+    """Some of the variants of a table with their numbers, for a machine without the table.
 
     >>> from vstatics.sweep.variants.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))

@@ -27,19 +27,19 @@ EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 
 
 _FIXED = ("vehicle", "cylinders", "fatigue", "dump")
-"""Keys of a case whose numbers have no influence on any table of a gear."""
+"""Keys of a case whose numbers do not affect any table of a gear."""
 
 
 class CasePath(NamedTuple):
-    """Number of a case varied by path: of gears and loads, or of a part."""
+    """Varied number of a case that is given by its path: of a gear, a load or a part."""
 
     path: str
     of: tuple[CaseNumber, ...] = ()
     """Numbers that `vstatics.solve` varies."""
     part: PartNumber | None = None
-    """Number of a part, which changes the case."""
+    """Number of a part, whose values each require a new case."""
     unit: str = ""
-    """Unit of the values; empty for bare numbers in SI."""
+    """Unit of the values; empty for numbers without a unit, which are in SI units."""
 
     @property
     def name(self) -> str:
@@ -48,12 +48,12 @@ class CasePath(NamedTuple):
 
     @property
     def quantity(self) -> str:
-        """Quantity as of `CaseNumber`; empty for a number of a part."""
+        """Quantity of the `CaseNumber`; empty for a number of a part."""
         return self.of[0].quantity if self.of else ""
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """All varied numbers; numbers of mechanisms as `Target` has them."""
+        """Keys of the varied numbers; a number of a mechanism has the same key as in `Target`."""
         if self.quantity in OF_MECHANISM:
             return frozenset((number.owner, number.quantity) for number in self.of)
         return frozenset(self.of or [self.part])
@@ -97,7 +97,7 @@ class CasePath(NamedTuple):
         return values * _size(self.unit, self.measure)
 
     def impossible(self, values: Floats) -> Booleans:
-        """Return which values are impossible."""
+        """Return a mask of impossible values."""
         numbers = self.in_si(values)
         return self.part.impossible(numbers) if self.part else wrong_numbers(self.quantity, numbers)
 

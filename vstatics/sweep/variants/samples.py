@@ -1,4 +1,4 @@
-"""Samples of ranges of numbers: Sobol's sequence, Latin hypercubes, pseudo-random numbers."""
+"""Samples from ranges of numbers by Sobol's sequence, Latin hypercubes or pseudo-random numbers."""
 
 from __future__ import annotations
 

@@ -38,9 +38,9 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
     "shift_elements": {Listing: "links"},
     "gears": {Listing: "engaged"},
 }
-"""Key -> kind of node -> key of the mapping that the node abbreviates."""
+"""Keys of the mappings that nodes of some kinds abbreviate, by the key that has the node."""
 _ALL_GIVEN = ("numbers", "set")
-"""Keys whose missing names cannot occur in any formula."""
+"""Keys of mappings that are complete: a name that they lack cannot occur in any formula."""
 
 
 class NumberPath(NamedTuple):
@@ -50,7 +50,7 @@ class NumberPath(NamedTuple):
     of_case: bool
     """True if the number is in the case."""
     unit: str = ""
-    """Unit of the values, as written in brackets; empty for bare numbers."""
+    """Unit of the values, as written in brackets; empty for numbers without a unit."""
 
     @property
     def name(self) -> str:
@@ -59,7 +59,7 @@ class NumberPath(NamedTuple):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """All varied numbers: the place in the document."""
+        """Key of the varied number: the document and its keys."""
         return frozenset([(self.of_case, self.keys)])
 
 
@@ -138,7 +138,7 @@ def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
 
 
 def _leads(root: Node, keys: Keys) -> bool:
-    """Return whether all keys but the last exist, and for inertias also the last."""
+    """Return whether all keys except the last exist; for inertias, the last must exist, too."""
     node: Node | None = root
     for key in keys if keys[0] in BODIES else keys[:-1]:
         node = node and child(node, key)

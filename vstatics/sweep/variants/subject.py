@@ -25,12 +25,12 @@ class Document(NamedTuple):
 
 
 class VariedDocument(ABC):
-    """Document that names a case; numbers of both vary."""
+    """Document that names a case; numbers of the document and of the case can vary."""
 
     @property
     @abstractmethod
     def base_case(self) -> Transmission:
-        """Case as written in the file."""
+        """Case as written in its file."""
 
     @abstractmethod
     def target(self, text: str, place: Place | None = None) -> Varied:
@@ -49,7 +49,7 @@ class VariedDocument(ABC):
         Raises
         ------
         ReadError
-            If the document has another unit.
+            If the unit is not the unit in the document.
         """
 
     @abstractmethod

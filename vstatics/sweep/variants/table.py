@@ -60,7 +60,7 @@ class _Columns(NamedTuple):
     names: list[str]
     targets: list[Varied]
     chosen: list[int]
-    """Column of each target."""
+    """Index of the column of each varied number."""
 
 
 def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantTable:
@@ -231,7 +231,7 @@ def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
 
 
 def _with_unit(varied: CasePath, place: Place) -> CasePath:
-    """Return a path with the unit in the heading, or refuse a missing unit."""
+    """Return a varied number with the unit in its heading; refuse a missing unit."""
     try:
         return varied.in_unit("")
     except ValueError as error:
@@ -260,7 +260,7 @@ def _fast(piece: bytes, columns: _Columns) -> Floats | None:
             return None  # every cell must be examined
         columns.decimals.are_commas |= b"," in piece
         piece = piece.replace(b",", b".")
-    is_own = STATUS in columns.names  # has words after the numbers
+    is_own = STATUS in columns.names  # words follow the numbers
     try:
         rows = np.loadtxt(
             io.BytesIO(piece),

@@ -21,7 +21,7 @@ from vstatics.sweep.variants.table import finite, read_table, targets_of
 from vstatics.sweep.variants.targets import shown
 
 _OTHERS = (b"PK", b"PAR1", b'{"')
-"""Beginnings of files other than CSV: workbooks and NPZ, Parquet, JSON lines."""
+"""First bytes of files other than CSV: workbooks and NPZ, Parquet, JSON lines."""
 _LONGEST = 2**16
 
 

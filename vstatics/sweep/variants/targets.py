@@ -35,7 +35,7 @@ OWNERS: Mapping[Quantity, Owner] = {
 ALIASES: Mapping[str, Quantity] = {
     LISTS["mechanisms", quantity]: quantity for quantity in OF_MECHANISM
 }
-"""Names of the numbers of mechanisms in a deck, IAB and ETAI."""
+"""Quantities of mechanisms by their names in a deck, IAB and ETAI."""
 NAMES: Mapping[str, Quantity] = {**{quantity: quantity for quantity in OWNERS}, **ALIASES}
 
 
@@ -48,21 +48,21 @@ class Varied(Protocol):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """All varied numbers; overlapping sets cannot vary together."""
+        """Keys of the numbers that vary; varied numbers with a common key exclude one another."""
 
 
 class Target(NamedTuple):
     """Varied number of a case."""
 
     name: str
-    """Name with the case's name of the part: `D1.ratio`."""
+    """Name of the number with the name of the part in the case: `D1.ratio`."""
     owner: int
     """Index, from 0, of the mechanism, the link, or the device in `Transmission.devices`."""
     quantity: Quantity
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """All varied numbers; a compliance counts as the stiffness."""
+        """Key of the number; a compliance has the key of the stiffness."""
         quantity = "stiffness" if self.quantity == "compliance" else self.quantity
         return frozenset([(self.owner, quantity)])
 
@@ -123,7 +123,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
 
 
 def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
-    """Return the names of the parts with variable numbers; only elastic devices."""
+    """Return the names of the parts whose numbers can vary; of devices, only elastic ones."""
     names = _names(owner, case)
     pairs = zip(case.devices, devices_of(case), strict=True)
     elastic = [name for name, device in pairs if stiffness_of(device) is not None]
@@ -203,12 +203,12 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
 
 
 def refusal(message: str, place: Place | None, offset: int = 0) -> ReadError:
-    """Return an error at an offset of letters behind a place."""
+    """Return an error at the place that is `offset` letters after a place."""
     return ReadError([Problem("E717", message, place=behind(place, offset))])
 
 
 def behind(place: Place | None, offset: int) -> Place | None:
-    """Return the place at an offset of letters behind a place."""
+    """Return the place that is `offset` letters after a place."""
     return place and place._replace(column=place.column + offset)
 
 
@@ -271,7 +271,7 @@ def own_number(case: Transmission, index: int, quantity: str) -> float:
 def impossible(
     quantity: str, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
 ) -> Booleans:
-    """Return which numbers are impossible in any case, by the checks of a case.
+    """Return a mask of numbers that are impossible in any case, by the checks of a case.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Parser of --vary: a varied number, and the values."""
+"""Parser of --vary: a varied number and its values."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
 _STEP = re.compile(r"\s*step\s*=")
 _COUNT = re.compile(r"[0-9]{1,19}")
 _DOTS = ".."
-"""Sign of a range in other programs, which does not occur in a number."""
+"""Sign of a range in other programs, for a hint; it does not occur in a number."""
 _NO_NUMBER = ("nan", "inf", "infinity")
 
 
@@ -42,10 +42,10 @@ class Span(NamedTuple):
 
 @runtime_checkable
 class DrawnNumbers(Protocol):
-    """Distribution, from which only samples can be drawn."""
+    """Distribution of a number, from which only samples can be drawn."""
 
     def quantiles(self, parts: Floats) -> Floats:
-        """Return the quantiles at given parts of all numbers."""
+        """Return the values below which given fractions of all numbers are."""
 
 
 Values: TypeAlias = Floats | Steps | Span | DrawnNumbers
@@ -53,7 +53,7 @@ Values: TypeAlias = Floats | Steps | Span | DrawnNumbers
 
 
 class Variation(NamedTuple):
-    """Varied number, and the values."""
+    """Varied number and its values."""
 
     target: Varied
     values: Values
@@ -62,7 +62,7 @@ class Variation(NamedTuple):
 
 
 def read_variation(text: str, subject: VariedSubject, place: Place | None = None) -> Variation:
-    """Parse a varied number and the values.
+    """Parse a varied number and its values.
 
     Parameters
     ----------

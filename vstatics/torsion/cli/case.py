@@ -39,7 +39,7 @@ static_torque = click.option(
 
 
 def _ratios(texts: Sequence[str]) -> dict[str, float]:
-    """Read speed ratios by the names of converters."""
+    """Read texts such as ``TC=.6``; return speed ratios by the names of converters."""
     ratios = {}
     for text in texts:
         name, _, ratio = text.rpartition("=")
@@ -86,13 +86,13 @@ def gear_names(case: Transmission, chosen: Sequence[str]) -> list[str]:
 
 
 class WorkingGears(NamedTuple):
-    """Chosen gears, and given speed ratios of converters."""
+    """Gears and speed ratios of converters that the user chose by options."""
 
     gears: tuple[str, ...]
     ratios: Mapping[str, float]
 
     def of(self, case: Transmission) -> list[WorkingGear]:
-        """Return the gears of a case with converters at working points."""
+        """Return the chosen gears of a case, with converters linearised at working points."""
         from vstatics.torsion.system.working_points import working_gear
 
         gears = [case.gears[index] for index in arguments.gear_indices(case, self.gears)]
@@ -101,7 +101,7 @@ class WorkingGears(NamedTuple):
 
 
 def working_options(*between: Option) -> Callable[[Command], Command]:
-    """Add the options of gears, other options, and speed ratios, as the parameter `chosen`."""
+    """Add options that choose gears and speed ratios, gathered in the parameter `chosen`."""
     return gathered("chosen", WorkingGears, arguments.some_gears, *between, _speed_ratios)
 
 

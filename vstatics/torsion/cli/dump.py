@@ -91,7 +91,7 @@ def dump(request: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
 
 
 def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> CaseAnswer:
-    """Answer about the gears of a case; a single chosen gear is shown like a file of numbers."""
+    """Answer about the gears of a case, or in more detail about a single chosen gear."""
     from vstatics.torsion.clutch.gear_dump import GearDumpAnswer, GearsDumpAnswer, gear_dumps
     from vstatics.torsion.clutch.tables import gear_grids, gears_grids
 

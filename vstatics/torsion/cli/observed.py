@@ -28,15 +28,15 @@ class Observed(NamedTuple):
     decrement: float | None = None
     """Logarithmic decrement. [-]"""
     peaks: list[float] | None = None
-    """Successive extremes."""
+    """Successive maxima and minima of a recorded free vibration."""
     period: float | None = None
-    """Period of the extremes. [s]"""
+    """Time between successive extremes of the same kind. [s]"""
     record: str | None = None
-    """Name of the file of a record."""
+    """Name of a file with a recorded vibration."""
     column: str | None = None
 
     def measured(self) -> tuple[float, float | None, Decay | None]:
-        """Return the frequency [rad/s], the decrement and the decay, as far as known.
+        """Return the frequency [rad/s], the decrement, and the decay of a record; None if unknown.
 
         Raises
         ------
@@ -45,7 +45,7 @@ class Observed(NamedTuple):
         ReadError
             If the record has no decaying vibration.
         ValueError
-            If the extremes are not those of a decaying vibration.
+            If the extremes do not belong to a decaying vibration.
         """
         given = tuple(option is not None for option in self)
         match given:

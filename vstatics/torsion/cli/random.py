@@ -100,7 +100,7 @@ def random(
 
 
 def _lifeless(reading: Reading, gears: Sequence[GearRandom]) -> Iterator[Problem]:
-    """Warn of devices with a fatigue strength that are not elastic in any gear."""
+    """Warn of devices that have a fatigue strength but are not elastic in any gear."""
     excited = [gear for gear in gears if not gear.error]
     elastic = {name for gear in excited for name in gear.devices}
     for number, name in enumerate(reading.case.fatigue, 1):

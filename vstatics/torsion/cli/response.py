@@ -62,7 +62,7 @@ def _rpm(text: str) -> Floats:
 
 
 class Exciting(NamedTuple):
-    """Given orders and torques."""
+    """Exciting torques, given by orders, by a table, or by orders chosen from a table."""
 
     orders: Sequence[float] | None = None
     torque: str | None = None

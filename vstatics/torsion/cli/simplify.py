@@ -41,7 +41,7 @@ def _of_steps(
     telling: Telling,
     static_torque: float | None,
 ) -> OneCase:
-    """Return the request of a case, whose answer, the steps, is printed."""
+    """Return the request for one case; the answer, a table of the steps, is printed."""
     return OneCase(
         case,
         OutputOptions(FORMS, form, None, TextStyle()),

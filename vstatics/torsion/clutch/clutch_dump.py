@@ -15,7 +15,7 @@ MASSES = ("J1", "J2", "J3", "J4", "J5")
 NEEDED = ("J1", "J2", "J5")
 """Masses that need at least one link."""
 NUMBERS = ("M_C0", "omega1", "M_phi", "E")
-"""Names of numbers above 0."""
+"""Keys of `dump` whose values must be numbers above 0."""
 
 
 class ClutchDump(NamedTuple):
@@ -63,7 +63,7 @@ class ClutchDump(NamedTuple):
 
     @property
     def masses(self) -> Mapping[str, Sequence[int]]:
-        """Links of each mass."""
+        """Links that form each mass, by the name of the mass."""
         return {name: getattr(self, name) for name in MASSES}
 
     @property
@@ -80,7 +80,7 @@ class ClutchDump(NamedTuple):
 
 
 def dump_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """Return the clutch dump of a case by keys, without infinite values."""
+    """Return the clutch dump of a case as a mapping of its keys, without infinite values."""
     dump = ClutchDump.of(case)
     if dump is None:
         return None

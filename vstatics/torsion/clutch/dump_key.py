@@ -76,7 +76,7 @@ DUMP = ByKey(
 
 
 def of_dump(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield problems of the links, each of which belongs to a single mass, and of the numbers."""
+    """Yield problems of missing, unknown or repeated links, and of numbers out of range."""
     dump = ClutchDump.of(case)
     if dump is None:
         return

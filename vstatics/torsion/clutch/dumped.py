@@ -47,7 +47,7 @@ _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
     (True, ("clutch", "grip")): ("V2", "V2"),
     (True, ("grip", "clutch")): ("V3", "V3"),
 }
-"""Cases for rolling and for clamped wheels, by grabbing of the clutch and by slipping contacts."""
+"""Cases for rolling and for clamped wheels, by (whether the clutch grabs, slipping contacts)."""
 
 DUMP_FORM = "vstatics-dump"
 """Name of the format of answers about clutch dumps."""

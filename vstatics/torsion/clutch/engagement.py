@@ -26,11 +26,11 @@ class Engagement(NamedTuple):
     rate: float
     """Rate K in ``1 - exp(-K t)``. [1/s]"""
     factor: float
-    """Torque of the spring at the first maximum after t = 3/K, relative to the clutch. [-]"""
+    """First maximum of the spring torque after t = 3/K, relative to the final clutch torque. [-]"""
 
 
 def engagement(rate: float, inertia: float, compliance: float) -> Engagement:
-    """Calculate the dynamic factor by (3.70).
+    """Calculate the dynamic factor by (3.70), the solution of (3.69).
 
     Parameters
     ----------
@@ -66,11 +66,11 @@ def rate_problems(rate: float | None) -> Iterator[Problem]:
 
 
 def _factor(k: float) -> float:
-    """Return the first maximum of (3.70) after t = 3/K, for k = K/K_c.
+    """Return the first maximum of (3.70) after t = 3/K, for k = K/K_c with K_c = 1/sqrt(J23 E).
 
-    In terms of the angle x = K_c t, the slope is 0 if ``sin(x - a) = -exp(-k x)/sqrt(1 + k^2)``
-    with a = atan(1/k), and (3.70) is then ``1 - cos x``. For x > 3/k the right-hand side is
-    smaller than 0.05 in magnitude, so each turn has one maximum, slightly after ``x - a = pi``.
+    In terms of the angle x = K_c t, its slope is 0 if ``sin(x - a) = -exp(-k x)/sqrt(1 + k^2)``
+    with a = atan(1/k), and (3.70) is then ``1 - cos x``. For x > 3/k the right-hand side is smaller
+    than 0.05 in magnitude, so each turn has one maximum, slightly after ``x - a = pi``.
     """
     k = min(max(k, LEAST_RATE), 1e99)  # the factor is constant outside these limits
     a, size = math.atan2(1, k), math.hypot(1, k)

@@ -1,4 +1,7 @@
-"""Given numbers of a clutch dump, and the torque and speed limits that follow from them."""
+"""Given numbers of a clutch dump, and the torque and speed limits that follow from them.
+
+Numbers of equations refer to I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3.
+"""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ HAPPENS: Mapping[DumpCase, str] = {
     "V2": "the clutch grabs and breaks away, then the wheels",
     "V3": "the clutch grabs, the wheels break away, then the clutch",
 }
-"""Courses of the cases of a dump, as in titles."""
+"""Course of events in each case of a dump, in words for titles."""
 
 
 def grids(result: DumpTorque) -> Iterator[Grid]:

@@ -13,11 +13,11 @@ from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.tolerances import SAME_ORDER
 
 MOST_REVOLUTIONS = 720
-"""Longest cycle, in revolutions; without a common cycle, orders meet in every phase."""
+"""Longest common cycle, in revolutions; if it is longer, amplitudes of orders are added."""
 POINTS_PER_PERIOD = 32
 """Starting points of Newton's method for the largest value, per period of the highest order."""
 MOST_POINTS = 1_000_000
-"""Largest number of starting points; orders that need more are assumed to meet in every phase."""
+"""Largest number of starting points; if more are needed, amplitudes of orders are added."""
 
 
 class Sum(NamedTuple):
@@ -63,7 +63,7 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
 
 
 def _cycle(orders: Sequence[float]) -> float | None:
-    """Return the revolutions of the common cycle of all orders, unless the cycle is too long."""
+    """Return the revolutions of the common cycle of all orders; None if the cycle is too long."""
     parts = [Fraction(order).limit_denominator(MOST_REVOLUTIONS) for order in orders]
     if any(
         abs(float(part) - order) > SAME_ORDER * order
@@ -77,7 +77,7 @@ def _cycle(orders: Sequence[float]) -> float | None:
 
 
 def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
-    """Return the largest absolute value over a cycle, for each column of amplitudes."""
+    """Return the largest absolute value of the sum over a cycle, for each column of amplitudes."""
     waves = np.exp(turning[:, None] * angles)
     highest = np.empty(amplitudes.shape[1])
     angle = np.empty((amplitudes.shape[1], 4))

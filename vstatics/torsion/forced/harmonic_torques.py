@@ -226,7 +226,7 @@ def _gear_response(
 
 
 def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
-    """Return the reason why the link with an index cannot be excited, or an empty text."""
+    """Return the reason why the link with the index `at` cannot be excited, or an empty text."""
     excitable = ~split.undetermined & split.free.any(axis=1)
     if excitable[at]:
         return ""
@@ -237,7 +237,7 @@ def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
 
 
 def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
-    """Return a mask of the modes that no damping takes energy from."""
+    """Return a mask of the modes in which devices, dampers and converters dissipate no energy."""
     resisted = np.zeros(natural.omegas.shape)
     stored = np.zeros(natural.omegas.shape)
     for device in system.elastic:
@@ -252,7 +252,7 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
 
 
 def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
-    """Insert each peak between two given speeds, whose order is preserved."""
+    """Insert each peak between successive speeds that enclose it; keep the order of the speeds."""
     places: list[int] = []
     inserted: list[float] = []
     for speed in set(peaks):

@@ -33,7 +33,7 @@ _WORDS: Mapping[DumpCase, str] = {
     "V2": "the clutch breaks away, then the tyres",
     "V3": "the tyres break away, then the clutch",
 }
-"""Courses of the cases of a dump."""
+"""Course of events in each case of a dump, in words for its row."""
 DUMP_ROW, BAR_HEIGHT, THIN_BAR_HEIGHT = 35.0, 9.0, 4.0
 """Heights of the row of a gear, and of its two bars. [pt]"""
 TORQUE_SCALE_HEIGHT = 42.0
@@ -41,13 +41,13 @@ TORQUE_SCALE_HEIGHT = 42.0
 WORDS_WIDTH = 140.0
 """Width of the text about the course of a dump. [pt]"""
 FARTHEST_LIMIT = 1.6
-"""Largest torque of a limit that is shown, relative to the largest torque."""
+"""Largest limit of sticking that is drawn, relative to the largest torque of a bar."""
 LIMIT_OVER = 3.0
 """Length of the mark of a limit beyond the bar, on both sides. [pt]"""
 
 
 class _Limits(NamedTuple):
-    """Looks of the marks of limits."""
+    """Styles of the marks of limits, and of the torque by the simplified formula."""
 
     slips: Look
     clutch: Look
@@ -56,7 +56,7 @@ class _Limits(NamedTuple):
 
     @staticmethod
     def of(style: Style) -> _Limits:
-        """Return the looks in the colours of a style."""
+        """Return the marks in the colours of a style."""
         return _Limits(
             {"color": style.ink, "width": 1.2, "linestyle": (0, (2, 1.5))},
             {"color": style.engaged, "width": 1.8},
@@ -149,7 +149,7 @@ def _bars(style: Style) -> tuple[Look, Look]:
 
 
 def _draw_gear(pen: Pen, middle: float, result: DumpTorque) -> None:
-    """Draw the bars and limits of a gear about an ordinate [pt]."""
+    """Draw the bars and limits of a gear, centred at the ordinate `middle` [pt]."""
     style, looks = pen.style, _Limits.of(pen.style)
     (most, least), unit = _bars(style), style.text("N·m")
     low = middle - BAR_HEIGHT / 2 + 2.0

@@ -79,7 +79,10 @@ class GearRandom(NamedTuple):
     devices: Mapping[str, RandomDevice] = MappingProxyType({})
     links: Mapping[str, RandomLink] = MappingProxyType({})
     half_widths: Sequence[float] = ()
-    """Half widths at half height of the peaks of ``|H|^2`` of modes, equal to ``-Re s``. [1/s]"""
+    """Half widths of the peaks of the squared frequency response, at half height, by mode. [1/s]
+
+    The half width is ``-Re s`` of the eigenvalue s of the mode.
+    """
     spectrum: Sometimes[RandomSpectrum] = None
     error: Failure = ""
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
@@ -213,7 +216,7 @@ def _spectrum(excited: ExcitedGear, spectrum: Spectrum, omegas: Floats) -> Rando
 
 
 def _squares(excited: ExcitedGear, omega: float) -> Floats:
-    """Return ``|H|^2`` of each twist at a frequency; NaN at the frequency of an undamped mode."""
+    """Return the squared frequency response of each twist; NaN in resonance without damping."""
     twists = excited.free.twists
     try:
         squares = np.abs(excited.answers(twists, omega)) ** 2

@@ -34,7 +34,7 @@ class Signal(NamedTuple):
     row: Floats
     """Coefficients of the states in the sum that gives the quantity."""
     at_once: float = 0.0
-    """Coefficient of the input."""
+    """Coefficient of the input in this sum."""
 
 
 class Driven(NamedTuple):
@@ -126,9 +126,10 @@ class FormVariances(NamedTuple):
     accelerations: Floats
     """Variances of the second derivatives. [rad^2/s^4]"""
     between: Floats | None = None
-    """Integrals ``2 int |omega| S`` of the angles, calculated with loss factors. [rad^2/s]
+    """Integrals ``2 int |omega| S`` of the spectra S of the angles, over omega above 0. [rad^2/s]
 
-    The torque of a loss factor is in phase with the rate and proportional to the angle.
+    They are calculated if loss factors exist: the torque of a loss factor is in phase with the rate
+    and proportional to the angle.
     """
 
 

@@ -1,7 +1,8 @@
 """Chains of masses, and their partial systems.
 
 A chain is a path of masses with a shaft between neighbours. The housing can hold one or both ends;
-it is a mass of infinite inertia, so that the formulas need no special case.
+it is a mass of infinite inertia, so that the formulas need no special case. Numbers of equations
+refer to Tsitovich, Algin, Vehicle dynamics, 1981, appendix 1.
 """
 
 from __future__ import annotations
@@ -122,7 +123,7 @@ def scheme_of(chain: Chain) -> TorsionScheme:
     springs = []
     for left, (name, compliance, damping) in enumerate(chain.springs):
         joined = [number[mass] for mass in (left, left + 1) if mass in number]
-        twist = dict(zip(joined, (1.0, -1.0), strict=False))  # the first alone at the housing
+        twist = dict(zip(joined, (1.0, -1.0), strict=False))  # one angle at the housing
         springs.append(SchemeSpring(name, twist, compliance, damping))
     return TorsionScheme(
         tuple(chain.names[mass] for mass in masses),

@@ -2,9 +2,10 @@
 
 The torques on a mass without inertia are in balance. Two springs that meet at such a mass are
 replaced by a single spring (Tsitovich, Algin, Vehicle dynamics, 1981, figure П1.6), so that n
-springs become n - 1, one after another. The stiffness matrix K = sum of a a^T/E is equal to that
-of static condensation. All terms are positive, so that no digits cancel if one spring is far
-stiffer than another.
+springs become n - 1, one after another. The stiffness matrix is the sum of ``a a^T/E`` over all
+springs, where a holds the coefficients of the twist and E is the compliance; it is equal to the
+matrix of static condensation. No matrices are subtracted, so that no digits cancel if one spring is
+far stiffer than another.
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ def _without(springs: Iterable[SchemeSpring], mass: int) -> list[SchemeSpring]:
 
 
 def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
-    """Connect two springs in series at a mass: figure П1.6, damping by (П1.14).
+    """Return two springs in series at a mass as one spring: figure П1.6, damping by (П1.14).
 
     With the twists a1 x + b1 and a2 x + b2, where x is the angle of the mass, the twist
     a2 b1 - a1 b2 does not depend on x.
@@ -92,8 +93,9 @@ def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSp
 def _side_by_side(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
     """Return the spring that completes the series connection of two springs at a mass.
 
-    The twist is x plus the mean of b1/a1 and b2/a2, weighted by stiffness. The energy of this
-    spring and of the series connection is then equal to the energy of both springs.
+    With the symbols of `_in_series`, the twist is x plus the mean of b1/a1 and b2/a2, weighted by
+    the stiffnesses a1^2/E1 and a2^2/E2. The energy of this spring and of the series connection is
+    then equal to the energy of both springs.
     """
     a1, a2 = spring.twist[mass], other.twist[mass]
     stiffness = a1**2 / spring.compliance + a2**2 / other.compliance

@@ -24,7 +24,7 @@ STIFFNESS_OF_RIGID_SETS = 1e9
 
 @refusing()
 def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
-    """Return the scheme of a gear reduced to its input, or a text why the gear has no scheme.
+    """Return the scheme of a gear reduced to its input, or the reason why none exists.
 
     Rigidly joined links form a mass with the name of the first link. A rigid gear set whose links
     all have inertia and can move is replaced by a spring far stiffer than all others. Its partial
@@ -167,7 +167,7 @@ def _spring(
     of_masses: Floats,
     to_input: Scales,
 ) -> SchemeSpring | None:
-    """Reduce an elastic device to the input, unless no mass twists the device."""
+    """Reduce an elastic device to the input; return None if no mass twists the device."""
     by_mass, *_ = linalg.lstsq(free[firsts].T, form_values(device.twist, free))
     by_mass = by_mass / of_masses
     largest = np.abs(by_mass).max(initial=0.0)

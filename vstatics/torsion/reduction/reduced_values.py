@@ -1,9 +1,10 @@
 """Inertias and compliances reduced to one link (Tsitovich, Algin, 1981, tables 2.1 and 2.2).
 
 The reduction changes the coordinates and conserves the energy: with ``i = w_to/w_link`` in the
-rigid motion of the gear, ``J = J*/i^2`` and ``E = E* i^2``, (1.22) to (1.25). A link that is at
-rest in the rigid motion, such as a casing on its mounting, takes the reaction. It is scaled so that
-its coefficient is -1 if that of the link before it is 1; for a casing ``J = J*/(1 - i)^2`` and
+rigid motion of the gear, an inertia J* and a compliance E* become ``J = J*/i^2`` and
+``E = E* i^2``, (1.22) to (1.25). A link that is at rest in the rigid motion, such as a casing on
+its mounting, takes the reaction. It is scaled so that its coefficient in the twist of a device is
+-1 if the coefficient of the preceding link is 1; for a casing ``J = J*/(1 - i)^2`` and
 ``E = E* (1 - i)^2``.
 """
 
@@ -25,7 +26,7 @@ from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
 
 NO_REACTION = "no reaction"
-"""Note about a link at rest, such as a casing, if the ratio is 1."""
+"""Note about a link at rest, such as a casing, that takes no reaction because the ratio is 1."""
 Amounts = Mapping[str, float | None]
 """Reduced values by the name of a link or device; None if undefined."""
 
@@ -203,7 +204,7 @@ def scales(system: TorsionalSystem, to: int) -> Scales | str:
 
 
 def _multiple(row: Floats, reference: Floats) -> float | None:
-    """Return the factor between two motions, unless the motions are not proportional."""
+    """Return the factor between two motions, or None if the motions are not proportional."""
     factor = float(row @ reference / (reference @ reference))
     if np.abs(row - factor * reference).max() > TIE * np.abs(row).max(initial=0.0):
         return None

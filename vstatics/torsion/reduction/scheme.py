@@ -1,8 +1,8 @@
 """Scheme of a torsional system on a reference shaft: masses and springs without rigid constraints.
 
 The twist of a spring is a linear form of angles, with the coefficients +1, -1 for a shaft between
-two masses, 1 for a support on the housing, and 1, -i, i-1 for three links with a compliance
-(Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1).
+two masses, 1 for a support on the housing, and 1, -i, i-1 for an elastic device of ratio i between
+three links (Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1).
 """
 
 from __future__ import annotations

@@ -41,7 +41,10 @@ SimplificationRule = Literal["partial", "r", "b", "u"]
 """Method of partial frequencies for chains, or static condensation with a `BranchRule`."""
 SIMPLIFICATION_RULES: tuple[SimplificationRule, ...] = get_args(SimplificationRule)
 ACCURATE = 0.5
-"""Fraction of a partial frequency below which natural frequencies mostly keep to 5 %, (П1.8)."""
+"""Part of a removed partial frequency below which errors of frequencies are mostly under 5 %.
+
+Source: (П1.8).
+"""
 
 
 class SimplificationStep(NamedTuple):
@@ -337,7 +340,7 @@ _SHARES: dict[BranchRule, Callable[[float], float]] = {
     "b": lambda part: part**2,  # rule of Banakh, equation (П1.6)
     "u": lambda _: 0.0,
 }
-"""Share of a mass in the removed inertia, as a function of the stiffness ratio |Kij|/Kjj."""
+"""Part of the inertia of a removed mass j that mass i gets, as a function of |Kij|/Kjj."""
 
 
 def one_mass_systems(scheme: TorsionScheme) -> list[PartialSystem]:

@@ -124,7 +124,7 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def damper_rows(self) -> Floats:
-        """Twists of separate dampers times roots of dampings, shape (dampers, links)."""
+        """Twists of separate dampers times square roots of dampings, shape (dampers, links)."""
         sizes = np.sqrt([damper.damping.viscous for damper in self.dampers])
         return sizes[:, None] * self.rows([damper.twist for damper in self.dampers])
 

@@ -29,7 +29,7 @@ class SeparateMotions(NamedTuple):
     split: Coordinates
     devices: frozenset[int]
     bodies: frozenset[int]
-    """Places of varied devices and bodies that take part in the motions."""
+    """Indices of varied bodies that take part in the motions; `devices` holds those of devices."""
 
 
 def separate_motions(

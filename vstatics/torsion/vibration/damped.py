@@ -31,14 +31,14 @@ class DampedModes(NamedTuple):
 
     @property
     def ratios(self) -> Floats:
-        """Damping ratios of the natural modes, ``-(s_1 + s_2)/(2 sqrt(s_1 s_2))`` [-]."""
+        """Damping ratios of natural modes, ``-(s1 + s2)/2/sqrt(s1 s2)`` of both eigenvalues [-]."""
         sizes = np.sqrt(np.abs(self.of_modes)).prod(axis=1)
         sums = -self.of_modes.real.sum(axis=1) / 2
         return np.asarray(np.divide(sums, sizes, out=np.ones(len(sizes)), where=sizes > 0) + 0.0)
 
     @property
     def frequencies(self) -> Floats:
-        """Damped circular frequencies of the natural modes, 0 of an overdamped mode [rad/s]."""
+        """Damped angular frequencies of the natural modes; 0 for an overdamped mode [rad/s]."""
         return np.asarray(self.of_modes[:, 0].imag)
 
 

@@ -151,7 +151,7 @@ class EigenPairs(NamedTuple):
             return first, first
         parts[first] = -np.inf
         second = _largest(np.where(swings, -np.inf, parts), swings)
-        if parts[second] < 0 or swings[second]:  # the only real one: of a massless motion
+        if parts[second] < 0 or swings[second]:  # a massless motion has the only real one
             swinging = _largest(parts, swings)
             return swinging, swinging
         return min(first, second), max(first, second)
@@ -169,7 +169,7 @@ class EigenPairs(NamedTuple):
 
 
 def _largest(parts: Floats, swings: Booleans) -> int:
-    """Return the place of the largest part; in a tie a complex eigenvalue precedes."""
+    """Return the index of the largest part; in a tie a complex eigenvalue has priority."""
     ties = np.flatnonzero(parts >= parts.max() * (1 - SAME_MODULUS))
     return int(ties[np.argmax(swings[ties])])
 

@@ -19,9 +19,9 @@ from vstatics.torsion.vibration.eigen_pairs import EigenPairs, Pencil, eigen_pai
 from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined, refined
 
 LIGHTLY_DAMPED = 0.3
-"""Largest damping ratio at which the squares of parts in a mode still nearly add up to 1. [-]"""
+"""Largest damping ratio at which squares of parts of shapes in a mode add up to about 1. [-]"""
 REST = 0.5
-"""Largest remainder of the sum, relative to the largest square, without a larger square. [-]"""
+"""Largest remainder of this sum, relative to the largest square, if no candidate is missing. [-]"""
 SAME_SHAPE = 0.9999
 """Smallest part in a heavily damped mode that identifies the shape with the mode. [-]"""
 MOST_CANDIDATES = 5
@@ -97,7 +97,7 @@ def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
 
 
 def _are_all(values: Complex, parts: Floats) -> bool:
-    """Return whether the candidates are different complex eigenvalues, and complete."""
+    """Return whether all candidates are complex and different, and none is missing."""
     if not (values.imag > 0).all():
         return False
     apart = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))

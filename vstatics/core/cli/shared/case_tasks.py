@@ -1,4 +1,4 @@
-"""Cases of a run with the file for each result, and the conflicts between those files."""
+"""Assignment of a result file to each case of a run, and conflicts between these files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.core.tables.suffixes import known
 
 STDIN_STEM = "stdin"
 MOST_TOLD = 5
-"""Number of conflicts that a message lists at most."""
+"""Largest number of conflicts that a message lists."""
 TABULAR = known(("listing", "text", "json", "csv"))
 
 
@@ -89,7 +89,7 @@ def _stem(file: str) -> str:
 
 
 def _real_path(real_folder: Callable[[str], str], file: str) -> str:
-    """Return the path of a file without links, or `-` for standard input."""
+    """Return the path of a file with all links resolved, or `-` for standard input."""
     if file == files.STDIN:
         return file
     folder, name = os.path.split(file)

@@ -18,7 +18,7 @@ from vstatics.core.jobs.page_files import set_pages_aside
 
 
 class Done(NamedTuple):
-    """Outcome of a case without the results."""
+    """Outcome of a case, as reported to the process that counts and prints."""
 
     file: str
     problems: list[Problem]
@@ -26,13 +26,13 @@ class Done(NamedTuple):
     has_result: bool = False
     """True if there is output to write, perhaps of some gears only."""
     part: texts.Part = b""
-    """Part of the case in a stream."""
+    """Output of the case, as a part of the stream of all cases."""
     stop: bool = False
     """True if the remaining cases cannot be written either."""
     left: str = ""
-    """Present file of an earlier result, if the case failed."""
+    """New name of the file with an earlier result, if the case failed."""
     mark: CaseMark | None = None
-    """Mark of the case, if the part is to be stored."""
+    """Hashes that identify the case, if the part is stored for resuming."""
 
 
 def calculate_and_write(job: Job, task: CaseTask) -> Done:
@@ -91,7 +91,7 @@ def _given_up(task: CaseTask) -> Done:
 
 
 def _is_only_here(task: CaseTask) -> bool:
-    """Return whether a case is a stream that other processes cannot read."""
+    """Return True for a case on a stream, which other processes cannot read."""
     return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
 
 

@@ -39,7 +39,7 @@ argument, optional_argument = (
     )
     for required in (True, False)
 )
-"""Required and optional argument of cases, in which patterns are expanded."""
+"""Arguments for one or more cases, and for any number of cases; patterns are expanded."""
 files_from = click.option(
     "--files-from",
     type=click.Path(),
@@ -86,7 +86,7 @@ limit = click.option(
     metavar="SECONDS",
     help="So long a run may take by the clock; then it stops, with what it has.",
 )
-"""Limit of the time of commands that simulate scenarios."""
+"""Option that limits the computing time of a simulation."""
 some_gears = click.option(
     "--gear",
     "gears",
@@ -104,7 +104,7 @@ class RequiredUnless(click.Option):
         self.unless = unless
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        """Return click's help, with the option that replaces this one."""
+        """Return the help record of click, with the name of the alternative option."""
         record = super().get_help_record(ctx)
         other = self._other(ctx)
         if record is None or other is None:
@@ -112,7 +112,7 @@ class RequiredUnless(click.Option):
         return record[0], record[1].replace("[required]", f"[required without {other.opts[-1]}]")
 
     def process_value(self, ctx: click.Context, value: Any) -> Any:
-        """Process as click does, and name the alternative of a missing option."""
+        """Process the value; the error for a missing option also names the alternative option."""
         try:
             return super().process_value(ctx, value)
         except click.MissingParameter:
@@ -129,7 +129,7 @@ class RequiredUnless(click.Option):
         return next((option for option in options if option.name == self.unless), None)
 
     def value_is_missing(self, value: Any) -> bool:
-        """Return whether the option is missing and required."""
+        """Return whether the option is missing although the alternative option is not given."""
         context = click.get_current_context()
         is_given = context.get_parameter_source(self.unless) not in (None, ParameterSource.DEFAULT)
         other = is_given and context.params.get(self.unless)
@@ -151,7 +151,7 @@ def required_output(says: str, unless: str = "") -> Callable[[Command], Command]
 
 
 def language(of: str, *more: str) -> Callable[[Command], Command]:
-    """Return the option of the language of something, with further languages `more`."""
+    """Return the option --lang for the language of `of`, with further choices `more`."""
     return click.option(
         "--lang",
         type=click.Choice([*get_args(Language), *more]),
@@ -168,7 +168,7 @@ class CalculatedCase(NamedTuple):
     results: Results | None
     problems: list[Problem]
     data: bytes = b""
-    """Content of the file."""
+    """Content of the file of the case."""
     telling: Telling = Telling()
     scenario: DocumentOfCase | None = None
     """Scenario that names the case, if the command takes scenarios."""
@@ -178,7 +178,7 @@ class CalculatedCase(NamedTuple):
     """Function that adds the place in the file to a problem of the model."""
 
     def located(self, error: CaseError) -> ReadError:
-        """Return an error about the model with places in the file of the case."""
+        """Return an error whose problems have their places in the file of the case."""
         problems = error.problems if self.locate is None else map(self.locate, error.problems)
         return ReadError(each if each.place else each.in_file(self.file) for each in problems)
 
@@ -195,7 +195,7 @@ class CalculatedCase(NamedTuple):
 
 
 class CaseOptions(NamedTuple):
-    """Options of reading and calculating cases; by default as the case says."""
+    """Options of reading and calculating cases; None stands for the value of the case."""
 
     input_format: readers.Format | None = None
     coast: bool | None = None
@@ -204,7 +204,7 @@ class CaseOptions(NamedTuple):
     scenarios: bool = False
     """True if a scenario can be given instead of a case."""
     of_runs: bool = False
-    """True if the run of a scenario is shown, which faults of gears do not prevent."""
+    """True if the run of a scenario is shown; faults of gears then are not failures."""
     of_vibration: bool = False
     """True if vibration is shown, for which a converter without ratio is open."""
 
@@ -215,13 +215,13 @@ class CaseOptions(NamedTuple):
 
 
 telling = gathered("telling", Telling, quiet, strict, allow)
-"""Options of the printed and the fatal messages."""
+"""Options that choose which messages are printed, and which make the command fail."""
 settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
 """Options of reading, calculating and reporting cases."""
 
 
 def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
-    """Return the number of a gear, from 1, by name or else by number.
+    """Return the number of a gear, from 1, that is given by name or by a number such as ``#3``.
 
     Raises
     ------
@@ -254,7 +254,7 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
 
 
 def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[Problem]:
-    """Return notes on laws evaluated outside their points, unless suppressed."""
+    """Return a note on laws evaluated outside their points, unless the case suppresses it."""
     from vstatics.core.statics.diagnosis import outside_message
 
     messages = not_allowed([outside_message(names)] if names else [], case.untold)
@@ -262,13 +262,13 @@ def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[P
 
 
 def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
-    """Print problems of a file on stderr, and a failure by unprinted warnings."""
+    """Print problems of a file on stderr; state a failure that is due to warnings not printed."""
     files.show(telling.printed(problems))
     files.show(telling.quiet_failure(problems, name))
 
 
 def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
-    """Return all cases, of the arguments and of the list of --files-from.
+    """Return all cases: the arguments, and the files in the list of --files-from.
 
     Raises
     ------
@@ -348,7 +348,7 @@ def calculate_one(
 
 
 def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
-    """Solve a case; `opens` opens converters without a speed ratio.
+    """Solve a case; with `opens`, converters without a speed ratio transmit nothing.
 
     Raises
     ------
@@ -356,7 +356,7 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
         If a law of the case gives an impossible torque, with its place.
     """
     from vstatics.core.model.open_converters import with_needed_ratios
-    from vstatics.core.statics.solution import solution  # needless for help
+    from vstatics.core.statics.solution import solution  # not needed for the help text
 
     try:
         case = with_needed_ratios(reading.case) if opens else reading.case
@@ -384,7 +384,7 @@ def read_data(
 
 
 def unexpected(name: str, error: Exception) -> Problem:
-    """Return the problem of a fault in the program, with the line of the fault.
+    """Return the problem that reports a fault in the program, with the line of the code.
 
     A package that cannot be imported is reported as such.
     """

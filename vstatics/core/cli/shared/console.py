@@ -1,4 +1,4 @@
-"""Terminal output by rich, with texts of users escaped and rich's own colours kept.
+"""Terminal output by rich: texts of users are escaped, and the colours of rich remain.
 
 Import this module where it is used, because rich costs start-up time.
 """

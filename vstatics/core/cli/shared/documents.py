@@ -1,4 +1,4 @@
-"""Documents other than cases, which annexes declare: recognition of each kind."""
+"""Recognition of documents that annexes declare in addition to cases, such as scenarios."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class DocumentOfCase(Protocol):
 
     @property
     def description(self) -> str:
-        """Description of the events."""
+        """Description given in the document."""
 
     @property
     def reading(self) -> Reading:
@@ -54,9 +54,9 @@ def is_a(kind: str, data: bytes, name: str) -> bool:
 
 
 def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
-    """Return the problem of a document that a command cannot use as a case, if any.
+    """Return the problems of a document that a command cannot use as a case; empty if it can.
 
-    Documents of a kind with the function `taken` can be used.
+    Documents of a kind can be used if the annex declares the function `taken` for the kind.
     """
     problems = []
     for kind, (annex, _) in DOCUMENTS.items():

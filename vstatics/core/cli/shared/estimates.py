@@ -28,17 +28,17 @@ class CommandEstimate(NamedTuple):
     """
 
     said: Mapping[str, str]
-    """Label -> text of an estimated quantity."""
+    """Texts of the estimated quantities, by label."""
     answer: Answer
     """Record written as JSON, which contains the seconds."""
     seconds: float
     jobs: int = 1
     at_least: bool = False
-    """True if the command can take much longer."""
+    """True if the estimate is a lower limit, and the command can take much longer."""
 
     @property
     def rows(self) -> dict[str, str]:
-        """Label -> text of all estimates, including the time."""
+        """Texts of all estimates, including the time, by label."""
         processes = f" with {self.jobs} jobs" if self.jobs > 1 else ""
         more = " or more" if self.at_least else ""
         return {**self.said, "time": f"about {duration_text(self.seconds)}{more}{processes}"}
@@ -83,7 +83,7 @@ def duration_text(seconds: float) -> str:
 
 
 def about(number: float) -> str:
-    """Return an approximate number as text.
+    """Return a number as text, rounded to three digits.
 
     >>> about(785_512.3), about(2.03e22)
     ('about 786000', 'about 2.03e+22')

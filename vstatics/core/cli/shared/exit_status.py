@@ -6,7 +6,7 @@ DONE = 0
 FAILED = 1
 """Status if a case has an error, a gear is impossible, or an output is incomplete."""
 WRONG_USE = 2
-"""Status of wrong use of the command line, which click exits with."""
+"""Status of wrong use of the command line; click uses the same status."""
 EMPTY = 3
 """Status of a sweep without rows, with --fail-empty."""
 

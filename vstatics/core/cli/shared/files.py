@@ -31,11 +31,11 @@ if TYPE_CHECKING:
 
 STDIN = "-"
 MOST_SHOWN_PROBLEMS = 100
-"""Number of problems of a case that are printed at most."""
+"""Largest number of problems of a case that are printed."""
 MOST_SEARCHED = 1000
-"""Number of files of a folder among which a similar name is searched at most."""
+"""Largest number of files of a folder among which a similar name is searched."""
 ALIKE, SHORT = 0.75, 0.66
-"""Similarity, from 0 to 1, of names that are suggested; lower for names of three letters."""
+"""Smallest similarity, from 0 to 1, of suggested names; lower for names of three letters."""
 CLOSED = "it is closed"
 
 
@@ -160,7 +160,7 @@ def say(line: str) -> None:
 
 
 _speakers: list[Callable[[str], None]] = [partial(click.echo, err=True)]
-"""Functions that print lines, of which the last is used."""
+"""Stack of functions that print a line; the last of them is used."""
 
 
 @contextlib.contextmanager

@@ -35,9 +35,9 @@ class TextStyle(NamedTuple):
     digits: int | None = None
     """Number of decimals; by default a number of digits that suits each value."""
     raw: bool = False
-    """True if texts in CSV are written without a guarding apostrophe."""
+    """True if CSV texts have no apostrophe in front that prevents their use as a formula."""
     own_tables: bool = False
-    """True if the program's own tables follow the published listing."""
+    """True if tables that are not part of the published listing follow the listing."""
 
 
 class Destination(NamedTuple):
@@ -50,7 +50,7 @@ class Destination(NamedTuple):
 
     @property
     def suffix(self) -> str:
-        """Suffix of a file in a directory."""
+        """Suffix of the files of the format in a directory."""
         return SUFFIXES[self.form][0]
 
     @property
@@ -146,7 +146,7 @@ class OutputOptions(NamedTuple):
 def each_by_itself(
     output: str, cases: Sequence[str], formats: Sequence[str], what: str, *, most: int = 1
 ) -> Destination:
-    """Return the output of a text or picture of each case: a directory for several.
+    """Return the destination of a text or picture of each case; several cases need a directory.
 
     Parameters
     ----------

@@ -13,7 +13,7 @@ from vstatics.core.errors import quoted
 from vstatics.core.suggestions import nearest
 
 Modules = Mapping[str, tuple[str, str]]
-"""Command -> module, which has a function of that name, and summary."""
+"""Module and summary of each command; the module has a function with the name of the command."""
 
 
 class LazyGroup(click.Group):
@@ -44,7 +44,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Resolve as click does, with the nearest command for an unknown name."""
+        """Resolve a command; the error for an unknown name suggests the nearest command."""
         name = args[0]
         if name.startswith("-") or self.module(name):
             return super().resolve_command(ctx, args)

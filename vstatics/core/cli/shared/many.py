@@ -26,11 +26,11 @@ from vstatics.core.jobs.workers import workers
 
 
 class _HaltedError(Exception):
-    """No further case can be written."""
+    """Signal that no further case can be written."""
 
 
 class _Count:
-    """Progress of a run."""
+    """Counts of finished, calculated and failed cases of a run."""
 
     def __init__(self, total: int, finished_before: int = 0) -> None:
         self.total, self.finished_before = total, finished_before
@@ -123,7 +123,7 @@ def to_directory(
 
 
 def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
-    """List results of other cases, such as deleted files."""
+    """Report results in the directory that belong to no case of this run."""
     expected = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
     present = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
     if others := sorted(present - expected):
@@ -167,7 +167,7 @@ def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> 
 
 @contextmanager
 def _other_options_as_wrong_use() -> Iterator[None]:
-    """Report an earlier run with other options as wrong use of --resume."""
+    """Report the error about an earlier run with other options as wrong use of --resume."""
     try:
         yield
     except ReadError as error:
@@ -259,7 +259,7 @@ def _follow(
     beside_stdout: bool = False,
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
-    """Report and count the outcome of each case, and yield and store the part."""
+    """Report and count the outcome of each case; store its part, and yield the part."""
     quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.finished_before)
@@ -281,7 +281,7 @@ def _follow(
 
 @contextmanager
 def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[None]:
-    """Let a full disk end a command with a message on the output and the stored work.
+    """End the command if the output cannot be written, with a message that names the stored work.
 
     Raises
     ------
@@ -303,7 +303,7 @@ def _until_stopped(count: _Count, remains: str, *, resumable: bool = False) -> I
     Parameters
     ----------
     resumable : bool
-        True if the run can be resumed if the output cannot be written.
+        True if the run can be resumed after the output could not be written.
     """
     try:
         with stoppable() as stop:
@@ -331,10 +331,10 @@ def _depends(job: Job) -> dict[str, object]:
         "--from": job.options.input_format,
         "--coast": job.options.coast,
         "--idle": job.options.idle,
-        "--strict": job.options.telling.strict,  # a result without errors counts as done or not
+        "--strict": job.options.telling.strict,  # decides whether a result with warnings is done
         "--allow": sorted(set(job.options.telling.allow)) or None,
         "--lang": style.lang if job.to.is_text else None,
-        "-f source": job.to.form == "source" or None,  # its files have the suffix of listings
+        "-f source": job.to.form == "source" or None,  # same suffix as listings
         "--digits": style.digits,
         "--raw": style.raw or None,
         "--own-tables": style.own_tables or None,

@@ -1,4 +1,4 @@
-"""Commands that take one case: reading it, placing its problems, writing one output."""
+"""Parts of commands that take one case: its reading, the places of problems, and the output."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def problems_of(reading: Reading) -> Iterator[None]:
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
-    """Return a problem with a place, which is the whole file for a problem of an option."""
+    """Return a problem with its place; a problem of an option concerns the whole file."""
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located
@@ -56,7 +56,7 @@ class CaseAnswer(NamedTuple):
     """Record written as JSON."""
     problems: Sequence[Problem] = ()
     failed: bool = False
-    """True if the command fails for a further reason."""
+    """True if the command fails even without errors among the problems."""
     write: Callable[[], bool] | None = None
     """Function that writes a further file and returns whether the file is complete."""
 
@@ -138,7 +138,7 @@ class OneCase(NamedTuple):
 
 
 def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> Iterator[Grid]:
-    from vstatics.core.tables.straight import in_both_units  # other cases do without
+    from vstatics.core.tables.straight import in_both_units  # few cases need this
 
     return in_both_units(case, grids())
 
@@ -146,7 +146,7 @@ def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> I
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
 """Options of a command with a single case, except the direction of power."""
 one_case = gathered("request", OneCase, click.argument("case", type=click.Path()), *of_case)
-"""Case and options of a command with a single case; the command gets `one`."""
+"""Case and options of a command with a single case, passed to the command as `request`."""
 
 
 def show(file: str, to: Destination, title: str, answer: CaseAnswer) -> None:
@@ -167,7 +167,7 @@ def warnings_of(identity: str, messages: Iterable[str], file: str) -> list[Probl
 
 
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
-    """Return the output; refuse a directory, which is for several cases."""
+    """Return the destination of a command for one case; refuse a directory as output."""
     to = wanted.destination(inputs)
     if to.is_folder:
         raise click.UsageError(f"one case gives one text: expected -o FILE, not {to.output}")

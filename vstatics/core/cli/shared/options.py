@@ -1,4 +1,4 @@
-"""Options that belong together, which a command receives as one record."""
+"""Options that belong together and that a command receives as one argument."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ Option = Callable[[Any], Any]
 
 
 def needs(extra: str, purpose: str) -> None:
-    """Refuse a purpose whose package is not installed."""
+    """Raise an error if the package `extra`, which a purpose needs, is not installed."""
     if message := missing(extra, purpose):
         raise ReadError([Problem("E014", message)])
 
 
 def provided(name: str) -> Callable[[Command], Command]:
-    """Return the decorator of options of an annex, or a neutral decorator without the annex."""
+    """Return the decorator that adds options of an annex; without the annex, it adds none."""
     return higher(name) if module_of_method(name) else lambda command: command
 
 
@@ -44,7 +44,7 @@ def gathered(
     build : callable
         Function that returns the argument; its parameters have the names of the options.
     *options : callable
-        Options in the order of the help. The command gets those that `build` does not take.
+        Options in the order of the help. The command receives options that `build` does not take.
 
     Examples
     --------
@@ -80,7 +80,7 @@ def gathered(
 def completing(
     names: Callable[[], Iterable[str]],
 ) -> Callable[[Any, Any, str], list[CompletionItem]]:
-    """Return the completion of an option by names, which are listed only for a shell.
+    """Return a completion of option values by names; names are listed only if a shell asks.
 
     Of comma-separated names the last is completed.
 

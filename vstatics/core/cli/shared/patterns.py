@@ -10,7 +10,10 @@ import click
 from vstatics.core.errors import quoted
 
 WILDCARDS, SIGNS = "*?", "*?["
-"""Signs of a pattern; brackets alone can belong to the name of a missing file."""
+"""Characters that make a name a pattern, and all special characters of patterns.
+
+A bracket alone can belong to a file name.
+"""
 
 
 def expanded(names: Iterable[str]) -> list[str]:
@@ -66,7 +69,7 @@ def _matching(pattern: str) -> Iterator[str]:
 
 
 def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
-    """Yield the paths that match below some folders, except by links to parent folders."""
+    """Yield the paths below some folders that match, without links back to a parent folder."""
     from glob import escape, glob, has_magic  # costs start-up time
 
     for top in tops:

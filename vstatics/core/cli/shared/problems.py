@@ -1,4 +1,4 @@
-"""Selection of the problems that a command prints and that make it fail: -q and --strict."""
+"""Selection of problems by -q and --strict: which are printed, and which make a command fail."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class Telling(NamedTuple):
     """Treatment of warnings and notes; errors are always printed and make the command fail."""
 
     allow: Sequence[str] = ()
-    """Ids of suppressed messages, in addition to the list of the case."""
+    """Ids of suppressed messages, in addition to the key `allow` of the case."""
     quiet: bool = False
     """True if only errors are printed, without progress."""
     strict: bool = False
@@ -40,7 +40,7 @@ class Telling(NamedTuple):
         return [problem for problem in reported if not self.on_page or problem.severity != "note"]
 
     def quiet_failure(self, problems: Iterable[Problem], file: str) -> Iterator[Problem]:
-        """Yield a problem if a case fails by warnings that are not printed."""
+        """Yield a problem if a case fails because of warnings that are not printed."""
         all_problems = list(problems)
         if self.quiet and self.fails(all_problems) and not self.printed(all_problems):
             ids = [problem.id for problem in all_problems if problem.severity == "warning"]

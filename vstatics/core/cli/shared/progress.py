@@ -54,7 +54,7 @@ def telling(said: Callable[[], str]) -> Iterator[None]:
 
 
 def done_text(part: float, seconds: float) -> str:
-    """Describe the progress of work whose time is proportional to the finished part.
+    """Describe progress by the finished part and the remaining time, which is extrapolated.
 
     >>> done_text(0.25, 30)
     '25 % after 30 s, about 1.5 minutes left'
@@ -83,7 +83,7 @@ def progress(
     beside_stdout : bool
         True if results go to stdout meanwhile, which allows no bar on the same terminal.
     quiet : bool
-        True if to show nothing.
+        True if nothing is to be shown.
 
     Examples
     --------
@@ -145,7 +145,7 @@ def _bar(unit: str) -> Progress:
     from vstatics.core.cli.shared.console import SafeConsole
 
     class Rate(parts.ProgressColumn):
-        """Units per second; the name of the unit is in the column before."""
+        """Column of the bar with units per second; the preceding column names the unit."""
 
         def render(self, task: parts.Task) -> Text:
             speed = task.finished_speed or task.speed

@@ -60,12 +60,12 @@ class Sharing(NamedTuple):
         *,
         quiet: bool,
     ) -> None:
-        """Begin without pieces, or resume with the stored pieces if possible.
+        """Open the store of pieces: begin anew, or resume with the stored pieces if possible.
 
         Parameters
         ----------
         done : str
-            Sentence about a part of the work, after "every": "piece is searched".
+            Rest of a message after the word "every", such as "piece is searched".
 
         Raises
         ------
@@ -84,7 +84,7 @@ class Sharing(NamedTuple):
 def going_on_later(
     output: str, store: FinishedPieces, remains: Callable[[], str]
 ) -> Iterator[None]:
-    """Print the stored amount of work if the command is stopped or cannot write.
+    """If the command is stopped or cannot write, print how much work is stored, and exit.
 
     Raises
     ------
@@ -101,7 +101,7 @@ def going_on_later(
         status = FAILED
     except CaseError as error:
         files.show(error.problems)
-        if store.is_open and store.finished():  # pieces of other work are refused
+        if store.is_open and store.finished():  # the store is not open if it was refused
             files.say(remains())
         status = FAILED
     else:
@@ -120,7 +120,7 @@ def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -
     """
     if not finished:
         return "nothing was finished"
-    from vstatics.core.jobs.finished_pieces import SUFFIX  # needless for help
+    from vstatics.core.jobs.finished_pieces import SUFFIX  # not needed for the help text
 
     is_named = os.path.basename(output) not in (".", "..")  # noqa: PTH119
     name = f"{output}{SUFFIX}" if is_named else store.directory
@@ -134,7 +134,7 @@ def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Com
     Parameters
     ----------
     resumed : str
-        Subject that --resume continues, for the help.
+        Name of the work that --resume continues, for the help.
     *between : callable
         Options listed before --resume.
     jobs : callable

@@ -29,7 +29,7 @@ class CaseOutput(NamedTuple):
     titles: Sequence[str]
     """Titles above the tables."""
     by_format: Mapping[str, Callable[[str | None], str | bytes | Sequence[bytes]]]
-    """Format -> function that returns output other than `grids`, such as a text.
+    """Functions that return output other than `grids`, such as a text, by format.
 
     The function receives the name of the file if the case is one of several in a stream. A picture
     has pages, each of which is written to its own file.
@@ -52,17 +52,17 @@ class CaseTables(NamedTuple):
 
 
 Part = bytes | CaseTables
-"""Part of a stream: a case as text, or tables that are written with the tables of all cases."""
+"""Part of a stream: the text of a case, or tables that are combined with those of other cases."""
 
 
 class Frame(NamedTuple):
-    """Texts around and between the parts of a stream."""
+    """Texts before, between and after the parts of a stream."""
 
     first: str
     between: str
     last: str
     empty: str = ""
-    """Text of a stream without parts."""
+    """Whole text of a stream without parts."""
 
 
 FRAMES = {
@@ -197,10 +197,10 @@ class Job(NamedTuple):
     show: Callable[[CalculatedCase, Results], CaseOutput]
     """Function that returns the output of the command for a case with results."""
     own_frame: Frame | None = None
-    """Frame of several cases in a format with a special frame."""
+    """Texts around several cases, for a format of the command that has its own frame."""
     finished: FinishedCases | None = None
     """Register of the output directory, if results go to a directory."""
     marked: bool = False
-    """True if a part of a stream carries a mark of the case."""
+    """True if each part of a stream is stored with the hashes of its case."""
     folders: bool = False
     """True if JSON gives files with folders, because some names are equal."""

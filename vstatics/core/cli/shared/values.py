@@ -49,7 +49,7 @@ def wrong_value(option: str | None = None) -> Iterator[None]:
 def value(
     read: Callable[[Given], Value], option: str | None = None
 ) -> Callable[[click.Context, click.Parameter, Given], Value | Given]:
-    """Return the callback of an option that a function parses; `None` passes unchanged."""
+    """Return a callback that parses an option by a function; `None` remains `None`."""
 
     def callback(_context: click.Context, _option: click.Parameter, given: Given) -> Value | Given:
         with wrong_value(option):
@@ -123,7 +123,7 @@ def numbers(expected: str, least: float = 0.0) -> Callable[[str], list[float]]:
 
 
 def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
-    """Return a parser whose errors quote the refused text.
+    """Return a parser that adds the refused text to the errors of `read`.
 
     >>> told(float)("x")
     Traceback (most recent call last):
@@ -140,7 +140,7 @@ def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
 
 
 def each(read: Callable[[str], Value]) -> Callable[[Iterable[str]], tuple[Value, ...]]:
-    """Return a parser of an option that is repeated or contains commas.
+    """Return a parser of all values of an option that can be repeated or contain commas.
 
     >>> each(int)(["5, 7", "6"])
     (5, 7, 6)
@@ -265,15 +265,15 @@ def wrong_use(options: Sequence[str]) -> Iterator[None]:
 
 
 _ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
-"""Name with a value; a name in double quotes can contain commas."""
+"""Pattern of a name, the sign ``=`` and a value; a name in double quotes can contain commas."""
 
 
 _ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'
-"""Value without a name; a value in double quotes can contain commas."""
+"""Pattern of a value without a name; a value in double quotes can contain commas."""
 
 
 def separated(texts: Iterable[str]) -> list[str]:
-    """Split the values of an option that is repeated or contains commas.
+    """Split all values of an option that can be repeated or contain commas.
 
     >>> separated(["5, 7", "6"]), separated(['F1, "a, b" ,"c"d,'])
     (['5', '7', '6'], ['F1', 'a, b', '"c"d', ''])

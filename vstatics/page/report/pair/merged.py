@@ -18,11 +18,11 @@ from vstatics.core.texts import heading, tr
 from vstatics.pictures.paged.marks import digits_of
 
 DIFFERS, CHANGE = "differs", "change"
-"""CSS class of cells that differ, and label of the rows of changes."""
+"""CSS class of cells that differ between the cases, and label of the rows of changes."""
 UNEQUAL = Cell("\N{NOT EQUAL TO}", says=DIFFERS)
 """Cell for a change that is not a percentage: a text, or a change from zero."""
 MOST_WORDS = 3
-"""Largest number of columns that identify a row."""
+"""Largest number of leading columns of texts that identify a row together."""
 _Keys = Mapping[Hashable, list[Cell]]
 
 
@@ -70,7 +70,7 @@ def merged(both: Sequence[Grid], labels: str) -> Grid:
 
 
 def _columns(grid: Grid) -> dict[Hashable, tuple[int, Column]]:
-    """Return columns and column numbers by heading; repeated headings are numbered."""
+    """Return each column with its index, by heading; repeated headings are numbered."""
     keys = _numbered([column.heading for column in grid.columns])
     return {key: (place, grid.columns[place]) for place, key in enumerate(keys)}
 
@@ -86,7 +86,7 @@ def _numbered(keys: Sequence[Hashable]) -> list[Hashable]:
 
 
 def _words(both: Sequence[Grid]) -> int:
-    """Return the number of first columns that identify the rows of both tables."""
+    """Return the number of leading columns whose texts identify the rows of both tables."""
     for count in range(1, MOST_WORDS + 1):
         if any(column.is_number for grid in both for column in grid.columns[1:count]):
             break
@@ -106,7 +106,7 @@ def _spread(
     columns: Mapping[Hashable, tuple[int, Column]],
     places: Mapping[Hashable, object],
 ) -> list[Cell | None] | None:
-    """Extend a row to the columns of both tables."""
+    """Return a row with a place for each column of either table, None for a missing column."""
     if row is None:
         return None
     return [row[columns[key][0]] if key in columns else None for key in places]
@@ -145,7 +145,7 @@ def _line(row: Sequence[Cell | None], label: str, same: Sequence[bool]) -> list[
 
 
 def _of_case(cell: Cell, label: str) -> Cell:
-    """Mark a cell with the label of the case, and a number with all digits."""
+    """Mark a cell with the label of its case, and a number also with all its digits."""
     if cell.value is None:
         return cell._replace(marks={**cell.marks, "case": label}) if cell.marks else cell
     return cell._replace(marks={"number": digits_of(cell.value), **cell.marks, "case": label})
@@ -160,7 +160,7 @@ def _are_same(old: Cell | None, new: Cell | None) -> bool:
 
 
 def _change(first: Cell | None, second: Cell | None) -> Cell:
-    """Return the relative change of a number, or the sign of inequality."""
+    """Return a cell with the relative change of a number, or with a sign of inequality."""
     old, new = (
         cell.value
         if cell is not None and cell.value is not None and cell.kind is float
@@ -174,7 +174,7 @@ def _change(first: Cell | None, second: Cell | None) -> Cell:
 def _head(
     key: Hashable, columns: Sequence[Mapping[Hashable, tuple[int, Column]]], labels: str
 ) -> Column:
-    """Return the column of a heading, with a note above if a case lacks the column."""
+    """Return the merged column of a heading, with a note above if a case lacks the column."""
     owners = [
         label
         for label, columns_of_case in zip(labels, columns, strict=True)

@@ -38,7 +38,7 @@ ON_ONE_SCALE = ("steps", "efficiency")
 OF_SHIFTS = ("transitions", "margins", "margins by gear", "needed capacity")
 LARGEST = ("planets", "shift elements", "planets with load", "shift elements with load")
 SIGN = "Changes are by the size of A: below 0 where a number falls, so where a negative one grows."
-"""Meaning of the sign of a change, as in `compare`."""
+"""Text that explains the sign of a change, which is as in `compare`."""
 
 
 def pair_page(both: Sequence[PagedCase], stamp: Mapping[str, str] | None = None) -> str:
@@ -177,7 +177,7 @@ def _figures(material: Material) -> Grid:
 
 
 def _changes(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
-    """Yield the changes of the input by the paths that a sweep uses."""
+    """Yield the changes of the input data, with paths as in a sweep."""
     if not verdict.case:
         yield tag("p", tr("The cases are the same, but perhaps for names and descriptions."))
         return
@@ -188,7 +188,7 @@ def _changes(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup
 
 
 def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Yield notes about gears that are missing from the second case."""
+    """Yield notes about gears that only one of the cases has."""
     names = [[gear.name for gear in case.material.results.case.gears] for case in both]
     for case, gears, others in zip(both, names, reversed(names), strict=True):
         alone = [name for name in gears if name not in others]

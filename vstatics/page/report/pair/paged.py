@@ -1,4 +1,4 @@
-"""One case of a page of two cases, and merged tables of both."""
+"""Contents of each case of a page of two cases, and merged tables of both cases."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class PagedCase(NamedTuple):
 
     @property
     def title(self) -> str:
-        """Title of the case, equal to the title of a page of the case alone."""
+        """Title of the case, as on a page of this case alone."""
         name = self.material.results.case.name
         return self.material.naming.title(name, runs=self.motion is not None)
 

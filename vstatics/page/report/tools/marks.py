@@ -1,4 +1,4 @@
-"""Marks on tables of a page for its tools: links of a row, unit of a number.
+"""Marks on tables for the tools of a page: the links of each row, the unit of each number.
 
 ``data-links`` in the first cell of a row has the indices of its links. ``data-unit`` of a number is
 its present unit, ``data-scaled`` its unit at an operating point. Results have ``data-result``
@@ -27,14 +27,14 @@ POWERS = {
     "loss, kW": "power_loss_kW",
     "share, %": LOSS_SHARE,
 }
-"""Columns of the table of powers of a gear -> keys of quantities."""
+"""Keys of quantities by the heading of their column in the table of powers of a gear."""
 PartLinks = Callable[[str], Sequence[int]]
 """Function from the name of a part to the indices of connected links."""
 _RELATIVE = {"speed": "rpm", "slip": "rpm", "torque": "Nm", "with losses": "Nm"}
 _RELATIVE |= {"power": "kW", "capacity": "Nm"}
-"""Headings of columns of relative numbers -> their unit at an operating point."""
+"""Units of relative numbers at an operating point, by the heading of the column."""
 _IN_UNITS = ("planets", "shift elements", "margins", "needed capacity", "slip power", "ports")
-"""Keys of the tables with relative columns and with columns in units."""
+"""Keys of the tables that have both columns of relative numbers and columns in units."""
 
 
 def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
@@ -90,7 +90,7 @@ def _of_links(cell: Cell, links: Sequence[int]) -> Cell:
 
 
 def _named(case: Transmission) -> dict[str, PartLinks]:
-    """Return functions from names to links, by the heading of the column of names."""
+    """Return functions that find the links of a name, by the heading of the column of names."""
     elements = {part.name: _indices(part.links) for part in case.shift_elements}
     devices, members, planets = (dict[str, list[int]]() for _ in range(3))
     for part in case.mechanisms:

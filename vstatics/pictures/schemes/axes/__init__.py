@@ -1,4 +1,4 @@
-"""Stick diagrams of boxes with several parallel axes: axes as rows, gear pairs as columns.
+"""Stick diagrams of gearboxes with several parallel axes: axes are rows, gear pairs are columns.
 
 `recognition` assigns the links to axes, `row_sections` draws gear sets of a row as a half-section,
 `stations` lists what is on the axes, `rows` places the axes, and `board` combines the input of the

@@ -1,4 +1,4 @@
-"""Input of the search for an arrangement along the axes, and the choices of the search."""
+"""Data and choices of the search for an arrangement of stations along the axes."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ BESIDE_SET = 6.0
 
 
 class StationOrder(NamedTuple):
-    """Order of the stations, with the further choices of the search."""
+    """Order of the stations, and the other choices of the search."""
 
     groups: tuple[tuple[int, ...], ...]
     """Groups of stations that stay together, from left to right."""
     ways: tuple[int, ...]
-    """Variant of each station: of a gear set, of the order of packs in a drum."""
+    """Variant of each station: how a gear set is drawn, or the order of packs in a drum."""
     drums: frozenset[int] = frozenset()
-    """Links that are drawn as drums, outside of gear sets and symbols."""
+    """Links that are drawn as drums around gear sets and symbols."""
     rightward: frozenset[int] = frozenset()
-    """Links with ports at the right end of a row."""
+    """Links whose ports are at the right end of a row."""
 
     @property
     def order(self) -> list[int]:
-        """Stations from left to right."""
+        """Indices of the stations from left to right."""
         return [index for group in self.groups for index in group]
 
 
@@ -59,7 +59,7 @@ class AxesBoard:
 
     @cached_property
     def radii(self) -> Mapping[int, tuple[float, float, float]]:
-        """Radii of the gears of each gear pair, by station [pt]."""
+        """Radii of the gears of each gear pair, by the index of the station [pt]."""
         return {
             index: self.rows.radii(station.joint, (station.axes[0], station.axes[1]))
             for index, station in enumerate(self.stations)
@@ -99,7 +99,7 @@ class AxesBoard:
 
     @cached_property
     def idle(self) -> Mapping[int, int]:
-        """Links that rotate freely on a shaft until a clutch engages, with the shaft."""
+        """Shaft of each link that rotates freely on the shaft until a clutch engages."""
         ends = {port.link for port in self.ports}
         shafts: dict[int, int] = {}
         for link in sorted(self.wheels - ends):
@@ -134,7 +134,7 @@ class AxesBoard:
 
     @cached_property
     def wheels(self) -> frozenset[int]:
-        """Links with gears of gear pairs."""
+        """Links that have a gear of a gear pair."""
         pairs = (station for station in self.stations if station.kind == "pair")
         return frozenset(link for pair in pairs for link in pair.links)
 
@@ -163,7 +163,7 @@ class AxesBoard:
 
     @cached_property
     def bands(self) -> Mapping[int, float]:
-        """Height between shafts and drums for each axis [pt]."""
+        """Height of the space between shafts and drums, for each axis [pt]."""
         return {axis: _band(self, axis) for axis in range(len(self.axes.axes))}
 
     def _occupied(self, index: int, station: Station) -> list[int]:
@@ -201,7 +201,7 @@ class AxesBoard:
 
     @cached_property
     def road_wheels(self) -> Mapping[int, int]:
-        """Links with road wheels at the end, with the station of the differential.
+        """Index of the station of the differential for each link with a road wheel at its end.
 
         A side of a differential is followed along springs to a link with an output, or to a link
         that a spring, such as a tyre, connects to the output.

@@ -1,4 +1,4 @@
-"""Contacts: points where links meet stations on the axes."""
+"""Contacts: the points where lines of links meet stations on the axes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.pictures.schemes.glyphs import ABOVE, Glyph, Tap
 STUB = 12.0
 """Distance from the last station of a row to the port of a link. [pt]"""
 ROAD_RADIUS, ROAD_WHEEL = 21.0, 13.0
-"""Radius of a road wheel, and distance from the middle to a neighbouring gear. [pt]"""
+"""Radius of a road wheel, and distance from its middle to a neighbouring gear. [pt]"""
 EDGE = 3.0
 """Distance from a gear set to a passing line. [pt]"""
 
@@ -24,10 +24,10 @@ class AxisContact(NamedTuple):
     link: int
     x: float
     device: int
-    """Place of the component in `Scheme.devices`, -1 for a port."""
+    """Index of the component in `Scheme.devices`, -1 for a port."""
     kind: str
-    """``wheel``, ``sign``, ``set``, ``bar`` directly on the link, ``port``, or ``road`` at a road
-    wheel."""
+    """``wheel``, ``sign``, ``set``, ``port``, ``bar`` on the line of the link, or ``road`` at a
+    road wheel."""
     end: float = 0.0
     """Radius of a gear, or distance from the middle of a gear set. [pt]"""
     way_round: float = 0.0
@@ -80,7 +80,7 @@ def _sides(
 def _fixed(
     board: AxesBoard, chosen: StationOrder, index: int, station: Station, x: float
 ) -> Iterator[AxisContact]:
-    """Yield contacts at positions that do not depend on the sides of the links."""
+    """Yield contacts of a station whose positions do not depend on the sides of its links."""
     device = station.devices[0]
     if station.joint is not None:
         yield from _of_pair(station, board.radii[index], x, board.bell(index, chosen.ways[index]))
@@ -138,7 +138,7 @@ def _of_drum(station: Station, way: int, x: float) -> Iterator[AxisContact]:
 def port_contacts(
     board: AxesBoard, chosen: StationOrder, contacts: Sequence[AxisContact]
 ) -> Iterator[AxisContact]:
-    """Yield the ends of links that leave a row."""
+    """Yield contacts at the ends of rows, for ports and road wheels."""
     ends = {port.link: port.link in chosen.rightward for port in board.ports}
     for link, differential in board.road_wheels.items():
         cage = board.stations[differential].devices[0]

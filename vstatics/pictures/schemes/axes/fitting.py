@@ -1,4 +1,4 @@
-"""Layout of several axes within a width, with fixed letters and reduced lines."""
+"""Layout of several axes within a width; lengths are reduced, but letters keep their size."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.sets import HalfSection
 
 GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
-"""Distances between stations, of which the largest that fits the width is used. [pt]"""
+"""Distances between stations to try; the largest distance that fits the width is used. [pt]"""
 PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5, 0.45, 0.4, 0.36, 0.32)
-"""Scales of all parts except letters, of which the largest that fits is used."""
+"""Scales of lengths, but not of letters, to try; the largest scale that fits is used. [-]"""
 HEAD_ROOM = 60.0
 """Height of the head of a page. [pt]"""
 LETTERS = 12
-"""Length above which names are broken at blanks. [letters]"""
+"""Number of letters above which a name is broken at blanks."""
 
 
 def placed(
@@ -60,7 +60,7 @@ def placed(
 
 
 def _chosen(scheme: Scheme, axes: ParallelAxes, inner: Sequence[RowSection]) -> StationOrder | None:
-    """Return the order of the stations, None if a link would pass through a half-section."""
+    """Return the best order of the stations, None if a link would pass through a half-section."""
     stations = stations_of(
         scheme, axes, Style(), sections=[section.laid_out() for section in inner]
     )

@@ -1,4 +1,4 @@
-"""Stick diagram of a box with several axes, without a gear or in gears."""
+"""Stick diagram of a gearbox with several axes, without a gear or in gears."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Positions of stations, contacts and links in an order of the stations."""
+"""Positions of stations, contacts and links that follow from an order of the stations."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vstatics.pictures.schemes.axes.board import BESIDE_SET, AxesBoard, StationO
 from vstatics.pictures.schemes.axes.contacts import AxisContact, contacts, port_contacts
 
 LEVEL = 4.5
-"""Distance from a shaft to the hollow shaft around. [pt]"""
+"""Distance from a shaft to the hollow shaft around it. [pt]"""
 SIGN_HEIGHT = 13.0
 """Distance from the hollow shafts to the middle of a symbol. [pt]"""
 DRUM = 7.0
@@ -20,9 +20,9 @@ DRUM = 7.0
 PORT_PITCH = 14.0
 """Distance between the ports of nested hollow shafts. [pt]"""
 HUB = 2.0
-"""Distance from a gear that rotates on a shaft to the end of the shaft. [pt]"""
+"""Length by which a shaft extends beyond a gear that rotates freely on it. [pt]"""
 SPAN_OVERLAP = 0.1
-"""Overlap below which two spans count as separate. [pt]"""
+"""Overlap up to which two spans count as separate. [pt]"""
 
 
 class LinkSpan(NamedTuple):
@@ -81,7 +81,7 @@ class AxesPlaces(NamedTuple):
 
 
 def places(board: AxesBoard, chosen: StationOrder) -> AxesPlaces:
-    """Return the positions of everything in an order."""
+    """Return the positions of all parts for an order of the stations."""
     xs = _xs(board, chosen.order)
     meetings = list(contacts(board, chosen, xs))
     meetings += port_contacts(board, chosen, meetings)
@@ -143,7 +143,7 @@ def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:
     edges: dict[int, float] = {}
     shared: set[int] = set()
     xs, halves, gap = [0.0] * len(order), board.halves, board.gap
-    first: list[int] = []  # what is alone in its row, before all that other rows have part in
+    first: list[int] = []  # stations of one row, before those that several rows share
     for index in order:
         rows, half = board.occupied[index], halves[index]
         start = 0.0

@@ -18,14 +18,14 @@ CROSSED = frozenset({"bevel_pair", "worm"})
 """Kinds that connect crossing axes, drawn as parallel axes with slanted teeth."""
 
 FREE_IDLER = 0.6
-"""Ratio of the size of an idler without known size to the first gear."""
+"""Size of an idler of unknown size, relative to the size of the first gear. [-]"""
 
 
 class AxisJoint(NamedTuple):
-    """Joint between two axes: a gear pair, a chain, a bevel pinion."""
+    """Joint between two axes: a gear pair, a chain or a bevel pinion."""
 
     device: int
-    """Place of the component in `Scheme.devices`."""
+    """Index of the component in `Scheme.devices`."""
     kind: str
     first: int
     """Link of the first gear."""
@@ -45,7 +45,7 @@ class AxisJoint(NamedTuple):
 
 
 class ParallelAxes(NamedTuple):
-    """Axes of a box, with the axis of the input first, and the joints between axes."""
+    """Axes of a gearbox, the axis of the input first, and the joints between the axes."""
 
     axes: Sequence[AbstractSet[int]]
     """Links of each axis."""

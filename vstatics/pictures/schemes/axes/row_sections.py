@@ -1,4 +1,4 @@
-"""Gear sets on an axis out of several, drawn as a separate half-section."""
+"""Gear sets on one of several axes, drawn as a separate half-section."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class RowSection(NamedTuple):
     frame: SectionFrame
     is_ordered: bool
     named_beside: frozenset[int]
-    """Links with arrows in the row."""
+    """Links that are named next to arrows in the row."""
 
     def laid_out(
         self, letters: float = 1.0, line_letters: int = 12, *, is_small: bool = False
@@ -58,7 +58,7 @@ def row_sections(
     *,
     is_ordered: bool = False,
 ) -> Iterator[RowSection]:
-    """Yield the part of each axis between two links with gear sets of which links can cross.
+    """Yield the part of each axis that has several gear sets between two links.
 
     Parameters
     ----------

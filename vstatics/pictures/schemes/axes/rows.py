@@ -119,6 +119,6 @@ def _orders(rows: Sequence[int]) -> list[tuple[int, ...]]:
 
 
 def _cost(order: Sequence[int], ends: Sequence[Sequence[int]]) -> tuple[int, list[int]]:
-    """Return the number of rows that pairs skip, then the distance from breadth-first order."""
+    """Return the number of rows that pairs skip, and the order itself, which decides ties."""
     place = {axis: number for number, axis in enumerate(order)}
     return sum(abs(place[first] - place[second]) - 1 for first, second in ends), list(order)

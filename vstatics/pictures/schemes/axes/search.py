@@ -16,17 +16,17 @@ from vstatics.pictures.schemes.axes.stations import Station
 from vstatics.pictures.schemes.axes.wires import EPSILON, crossings, link_lines, overlaps
 
 CROSSING, HOLLOW, DRUM = 150.0, 1.5, 1.3
-"""Costs of a crossing, and of hollow shafts and drums per length. [-, 1/pt, 1/pt]"""
+"""Cost of a crossing [-], and costs per length of hollow shafts and of drums [1/pt]."""
 NEIGHBOURS = 90.0
-"""Gain of two clutches on a common hub."""
+"""Reduction of the cost for two neighbouring clutches on a common hub."""
 LAST = 0.4
-"""Cost of the distance from a final drive to the right end. [1/pt]"""
+"""Cost per distance of a final drive from the right end. [1/pt]"""
 LEFT_OF_INPUT = 80.0
 """Cost of a station to the left of the input clutch."""
 THROUGH = 300.0
-"""Cost of a shaft through a differential without connection."""
+"""Cost of a shaft that passes through a differential without being connected to it."""
 MOST_IMPROVEMENTS = 30
-"""Largest number of passes over all steps."""
+"""Largest number of passes over all kinds of steps."""
 Step = Callable[[StationOrder], Iterator[StationOrder]]
 
 
@@ -45,7 +45,7 @@ def arranged(board: AxesBoard) -> AxesPlaces:
 
 
 def _improved(board: AxesBoard, start: StationOrder) -> tuple[float, AxesPlaces]:
-    """Return cost and positions at the end of a descent."""
+    """Return the cost and the positions at the end of a descent from a start."""
     placing = places(board, start)
     cost = cost_of(placing)
     for _ in range(MOST_IMPROVEMENTS):
@@ -76,7 +76,10 @@ def _steps(board: AxesBoard) -> Iterator[Step]:
 def _moved(
     board: AxesBoard, chosen: StationOrder, *, index: int, length: int
 ) -> Iterator[StationOrder]:
-    """Yield orders with some groups at all places that differ in a row, in both directions."""
+    """Yield orders with `length` neighbouring groups, also reversed, at each possible place.
+
+    Places that do not change the order within a row are skipped.
+    """
     at = next(n for n, group in enumerate(chosen.groups) if index in group)
     if index != chosen.groups[at][0] or at + length > len(chosen.groups):
         return
@@ -116,7 +119,7 @@ def _rerouted(board: AxesBoard, chosen: StationOrder) -> Iterator[StationOrder]:
 
 
 def cost_of(placing: AxesPlaces, limit: float = float("inf")) -> float:
-    """Return the cost of positions, or a lower bound above a limit."""
+    """Return the cost of positions; a cost above the limit can be a lower bound."""
     board = placing.board
     value = 2 * max(placing.xs)
     wheeled = board.wheels

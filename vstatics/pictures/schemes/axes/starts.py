@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 
 IN_CHAINS = frozenset({"coupling", "pair"})
-"""Kinds of stations in chains."""
+"""Kinds of stations that form chains."""
 
 
 def starts(board: AxesBoard) -> Iterator[StationOrder]:
@@ -75,7 +75,7 @@ def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ..
 
 
 def _by_hubs(board: AxesBoard, order: Sequence[int]) -> list[int]:
-    """Return an order with the gears of a shaft together, and clutches between idle gears."""
+    """Return an order with the gears of each shaft together, and clutches between idle gears."""
     clutch: dict[int, int] = {}
     for index, station in enumerate(board.stations):
         for link in station.links if station.kind == "coupling" else ():

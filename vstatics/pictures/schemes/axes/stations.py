@@ -22,7 +22,7 @@ from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.titles import teeth_of
 
 SIGN = 16.0
-"""Length of a sleeve or a pack of plates with connections. [pt]"""
+"""Length of the symbol of a sleeve or a pack of plates, with its connecting lines. [pt]"""
 SPRING = 24.0
 """Length of the symbol of a spring, with its connecting lines. [pt]"""
 PACK_PITCH = 24.0
@@ -30,7 +30,7 @@ PACK_PITCH = 24.0
 WHEEL = 5.0
 """Half the width of a gear. [pt]"""
 PIN = 7.0
-"""Half the width of a box per link. [pt]"""
+"""Half the width of a box, for each of its links. [pt]"""
 CAGE = 15.0
 """Half the width of a differential. [pt]"""
 BEARING = 9.0
@@ -44,25 +44,25 @@ class Station(NamedTuple):
     """``pair``, ``coupling``, ``brake``, ``drum``, ``set``, ``differential``, ``box``, or
     ``section`` of several sets."""
     devices: Sequence[int]
-    """Places of the components in `Scheme.devices`, for a drum of the clutches."""
+    """Indices of the components in `Scheme.devices`; a drum has several clutches."""
     axes: Sequence[int]
     """Axes of the station, two for a gear pair."""
     links: Sequence[int]
-    """Connected links: of a pair by gears, of a drum with the drum first, of a half-section to the
-    left and to the right."""
+    """Connected links: of a pair, in the order of its gears; of a drum, the drum first; of a
+    half-section, its left and right link."""
     half: float
     """Half the width. [pt]"""
     names: Sequence[str] = ()
-    """Names of the components, in lines of text."""
+    """Names of the components, wrapped into lines."""
     joint: AxisJoint | None = None
     glyphs: Sequence[Glyph] = ()
-    """Variants of a gear set."""
+    """Variants of the drawing of a gear set."""
     is_shifted: bool = False
     """True if a clutch connects the links, False for a spring."""
     teeth: Sequence[str] = ()
     """Tooth numbers of a gear pair, empty if not shown."""
     layout: CoaxialLayout | None = None
-    """Layout of a half-section."""
+    """Layout of the half-section; None for a station of another kind."""
 
     @property
     def reach(self) -> tuple[float, float]:
@@ -182,7 +182,7 @@ def set_ways(device: Device, style: Style) -> list[Glyph]:
 
 
 def drum_of(scheme: Scheme) -> list[int]:
-    """Return the clutches with packs in a common drum on the input side, as of a dual clutch.
+    """Return clutches whose packs share a drum on the input side, as in a dual clutch.
 
     >>> from vstatics.pictures.schemes.scheme import SchemePort
     >>> clutches = [Device("K", "clutch", {"first": 1, "second": n}, (n,)) for n in (2, 3)]

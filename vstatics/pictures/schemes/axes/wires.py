@@ -14,9 +14,9 @@ from vstatics.pictures.schemes.axes.stations import Station
 STACK = 27.0
 """Distance between symbols that connect equal links. [pt]"""
 TOO_NEAR = 2.5
-"""Distance below which upright lines look like a single line. [pt]"""
+"""Distance below which two upright lines look like a single line. [pt]"""
 EPSILON = 0.01
-"""Distance below which lines touch. [pt]"""
+"""Distance below which lines count as touching. [pt]"""
 
 
 class LinkLines(NamedTuple):
@@ -52,7 +52,7 @@ def link_lines(placing: AxesPlaces) -> dict[int, LinkLines]:
 
 
 def path_of(placing: AxesPlaces, contact: AxisContact) -> list[Point]:
-    """Return the path from the line along an axis to a component, empty on the line."""
+    """Return the path from the line along an axis to a component; empty if it is on the line."""
     axis, span = placing.axis_of(contact.link), placing.spans[contact.link]
     height, x = span.height, contact.x
     if contact.kind == "wheel":
@@ -118,7 +118,7 @@ def sign_height(placing: AxesPlaces, device: int) -> float:
 
 
 def _brake_height(placing: AxesPlaces, station: Station, device: int) -> float:
-    """Return the height of the lower end of a brake [pt], for a drum outside of all drums."""
+    """Return the height of the lower end of a brake [pt]; for a drum, it is above all drums."""
     (axis,), (link,) = station.axes, station.links
     if placing.spans[link].level >= 0:
         return placing.sign_height(axis)

@@ -1,4 +1,4 @@
-"""Half-sections of components on a common axis, with links that cross only where necessary.
+"""Half-sections of components on a common axis, in which links cross only if necessary.
 
 `train` is the graph of components, created from a scheme by `section`. `search` finds the order
 from left to right and the nesting of links. `layout` converts the result to bars and uprights, and

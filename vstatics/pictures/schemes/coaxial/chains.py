@@ -11,7 +11,7 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 
 
 class CoaxialChain(NamedTuple):
-    """Couplings with two links each, from left to right."""
+    """Chain of couplings with two links each, from left to right."""
 
     links: Sequence[int]
     """Links of the chain, including both ends."""
@@ -47,7 +47,7 @@ class ChainedScheme(NamedTuple):
 
     @property
     def left_out(self) -> set[int]:
-        """Components of chains."""
+        """Indices of the components in chains."""
         return {index for chain in self.chains for index in chain.devices}
 
 
@@ -118,7 +118,7 @@ def _walk(
 
 
 def chained_state(state: SchemeState, chains: Sequence[CoaxialChain]) -> SchemeState:
-    """Return a state with the torque between rows."""
+    """Return a state whose ports between rows are idle if the next component has no torque."""
     idle = set(state.idle_ports)
     for chain in chains:
         for port, nearest in zip(chain.ports, (chain.devices[0], chain.devices[-1]), strict=True):

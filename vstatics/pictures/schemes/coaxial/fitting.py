@@ -16,27 +16,30 @@ from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS
 LEAST_HALF = 24.0
 """Smallest half height of the row of planets. [pt]"""
 FEW_LETTERS = 5
-"""Length above which names are broken at blanks in a narrow picture. [letters]"""
+"""Number of letters above which a name is broken at blanks in a narrow picture."""
 NAMED = (
     (DEVICE_NAME_LETTERS, False, False),
     (FEW_LETTERS, False, False),
     (FEW_LETTERS, True, False),
     (FEW_LETTERS, True, True),
 )
-"""Variants to try from wide to narrow: letters of a line, links without names, gears with tooth
-numbers alone."""
+"""Variants of a layout to try, from wide to narrow.
+
+A variant has the number of letters in a line, whether only the links at the ends have names, and
+whether gears have tooth numbers alone.
+"""
 MOST_SHRUNK_NAMED = 2.5
 """Largest reduction of lengths for which links and gears are named; below, symbols vanish. [-]"""
 MOST_SHRUNK = 4.0
 """Largest reduction of lengths; wider pictures exceed the width of the page. [-]"""
 FITS, SLOW_FITS = 16, 5
-"""Largest number of reductions, and number after which the steps grow."""
+"""Largest number of reductions, and number of reductions after which the steps grow."""
 LEAST_STEP = 1.01
 """Smallest factor of a reduction. [-]"""
 CLOSEST = 1.6
 """Largest reduction of lengths if components can move to further rows. [-]"""
 ROUNDED = 0.1
-"""Tolerance of widths. [pt]"""
+"""Excess up to which a width counts as fitting. [pt]"""
 
 
 def laid_out(

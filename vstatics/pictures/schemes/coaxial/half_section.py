@@ -29,7 +29,7 @@ class CoaxialLayout(NamedTuple):
     letters: float = 1.0
     """Ratio of the size of letters to lengths, above 1 in a reduced drawing."""
     line_letters: int = DEVICE_NAME_LETTERS
-    """Length above which names are broken at blanks. [letters]"""
+    """Number of letters above which a name is broken at blanks."""
     has_teeth_alone: bool = False
     """True for gears labelled by tooth numbers without names."""
     named_beside: frozenset[int] = frozenset()
@@ -54,7 +54,7 @@ class CoaxialLayout(NamedTuple):
 
     @property
     def uprights(self) -> list[Upright]:
-        """Uprights from left to right."""
+        """Uprights of components, and of the ends of the axis, from left to right."""
         return self.places.frame.uprights
 
     def section(self, up: Upright) -> HalfSection:

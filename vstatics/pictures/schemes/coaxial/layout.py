@@ -1,4 +1,4 @@
-"""Bars of links and uprights of components from the steps of a search, without positions."""
+"""Conversion of the steps of a search to bars of links and uprights of components."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ class Upright:
     """Component at a place along the axis."""
 
     kind: str
-    """Kind: ``top``, ``pair``, ``wall``, ``set``, or ``start`` and ``end`` at the axis."""
+    """Kind: ``top``, ``pair``, ``wall``, ``set``, or ``start`` and ``end`` of the axis."""
     index: int
     bars: Sequence[Bar]
-    """Lower and upper bar; a single bar for tops and ends."""
+    """Lower and upper bar that it connects; a single bar for tops and ends, empty for sets."""
     gap: Sequence[Bar] = ()
     """Neighbouring bars on both sides of the symbol of a pair."""
     is_turned: bool = False
@@ -133,7 +133,7 @@ class _FrameMaker:
         if not self.is_started:  # a train without components
             self._start(SweepStep("wall", self.train.start, [((8 * self.train.start,), ())]))
         ends = [bar for bar in self.below + self.above if bar.link == self.train.end]
-        if not ends:  # the bar ended with the last step, when only the axis remained
+        if not ends:  # the last step has ended the bar
             ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
         if self.train.end and not ends:  # an unconnected output
             ends = [Bar(self.train.end, is_above=False)]

@@ -1,4 +1,4 @@
-"""Picture of a half-section: head, rows, and remarks on crossings in the title."""
+"""Picture of a half-section with head and rows; the title has remarks on crossings."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class CoaxialSheet(NamedTuple):
     chains: Sequence[CoaxialChain] = ()
 
     def remarks(self, style: Style) -> list[str]:
-        """Return the remarks in the title: crossings, an output not along the axis."""
+        """Return remarks for the title: crossings, an output not along the axis, another order."""
         remarks = crossings_told(crossings_of(self.layout), style)
         if not self.layout.coaxial.train.end:
             remarks.append(style.text("output through the housing"))

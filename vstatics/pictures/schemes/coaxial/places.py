@@ -10,7 +10,7 @@ from typing import NamedTuple
 from vstatics.pictures.schemes.coaxial.layout import Bar, SectionFrame, Upright
 
 PITCH, SIGN_PITCH = 13.0, 27.0
-"""Distances of bars, without and with a symbol in between. [pt]"""
+"""Distances of neighbouring bars without a symbol, and with a symbol in between. [pt]"""
 NAMED_PITCH = 9.5
 """Smallest distance of bars with names. [pt of letters]"""
 ROW_CLEARANCE = 9.0
@@ -40,7 +40,7 @@ class Needs(NamedTuple):
     half: float
     """Half the height of the row of planets."""
     signs: Sequence[float]
-    """Distances of the bars of pairs for the symbols. [pt]"""
+    """Distance of the bars of each pair that its symbol needs. [pt]"""
     names: Mapping[int, float]
     """Widths of the names of links on bars. [pt]"""
     letters: float = 1.0
@@ -55,13 +55,13 @@ class Needs(NamedTuple):
 
     @property
     def pitch(self) -> float:
-        """Distance of bars [pt]."""
+        """Distance of neighbouring bars without a symbol in between [pt]."""
         return max(PITCH, NAMED_PITCH * self.letters)
 
 
 @dataclass
 class SectionPlaces:
-    """Positions of a half-section."""
+    """Positions of all bars and uprights of a half-section."""
 
     frame: SectionFrame
     half: float
@@ -71,7 +71,7 @@ class SectionPlaces:
     at: list[float] = field(default_factory=list)
     """Positions of uprights along the axis. [pt]"""
     names: dict[int, tuple[float, float]] = field(default_factory=dict)
-    """Middle of each link name on a bar. [pt]"""
+    """Middle of the name of each link on a bar, by the link. [pt]"""
 
     def span(self, bar: Bar, offsets: Mapping[int, Mapping[Bar, Sequence[float]]]) -> list[float]:
         """Return the points at which uprights meet a bar, from left to right."""

@@ -13,7 +13,7 @@ from math import prod
 from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, CoaxialTrain, Planes
 
 MOST_GRAPHS = 512
-"""Number of ways to split carriers up to which all are tried; otherwise carriers stay whole."""
+"""Largest number of ways to split carriers for which all are tried; else carriers stay whole."""
 _Vertex = int | tuple[int, int]
 _Joined = tuple[_Vertex, _Vertex]
 _NumberedSet = tuple[int, Planes]
@@ -105,7 +105,7 @@ def _ends(numbered: _NumberedSet) -> list[_Vertex]:
 
 
 def _rim(number: int, gear_planes: Planes) -> list[_Joined]:
-    """Return the cycle of suns, carrier end, rings and second carrier end, with a hub."""
+    """Return the cycle of suns, carrier end, rings and second carrier end, joined to a hub."""
     planes = range(len(gear_planes.wheels))
     if len(planes) == 1:
         return []

@@ -168,7 +168,7 @@ def ends_of(layout: CoaxialLayout) -> tuple[float, float]:
 
 
 def _placed_rooms(layout: CoaxialLayout) -> list[SignRoom]:
-    """Return the room of everything, from the origin of the picture."""
+    """Return the rectangles that all parts need, relative to the origin of the picture."""
     return [
         room._replace(left=at + room.left, right=at + room.right)
         for up, at in zip(layout.uprights, layout.places.at, strict=True)

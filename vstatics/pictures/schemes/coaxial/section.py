@@ -18,16 +18,16 @@ NO_TEXTS: Mapping[int, BoxText] = MappingProxyType({})
 
 
 class TopMeaning(NamedTuple):
-    """Connection to the housing, or through the housing."""
+    """Meaning of a connection of a link to the housing, or through the housing to a port."""
 
     device: int = -1
-    """Place of the component in the scheme, or -1."""
+    """Index of the component in the scheme, or -1."""
     port: SchemePort | None = None
 
 
 @dataclass(frozen=True)
 class CoaxialScheme:
-    """Scheme and train, in which links beyond the scheme are fixed members of sets."""
+    """Scheme and train; links of the train that the scheme lacks are fixed members of sets."""
 
     scheme: Scheme
     train: CoaxialTrain
@@ -133,7 +133,7 @@ def planes_of(section: HalfSection, numbered: Callable[[int], int] = int) -> Pla
 
 
 class _HeldMembers:
-    """Numbers for fixed members: each is a separate tube with a support."""
+    """Link numbers for fixed members, each of which is drawn as a separate tube with a support."""
 
     def __init__(self, links: int) -> None:
         self.last = links

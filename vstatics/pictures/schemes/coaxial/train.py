@@ -8,18 +8,18 @@ from functools import cached_property
 from typing import NamedTuple
 
 AXIS, HOUSING_VERTEX = -1, 0
-"""Vertices of the axis and the housing, in addition to the links, which are numbered from 1."""
+"""Vertices of the axis and of the housing; the vertices of links are their numbers from 1."""
 
 
 class Planes(NamedTuple):
-    """Gear set: carrier, and sun and ring of each plane, 0 where missing."""
+    """Links of a gear set: the carrier, and the sun and ring of each plane, 0 if missing."""
 
     carrier: int
     wheels: Sequence[tuple[int, int]]
 
 
 class TrainEdge(NamedTuple):
-    """Edge between two vertices, with a bit for drawn edges."""
+    """Edge between two vertices; the bit identifies the edge among the drawn edges."""
 
     bit: int
     first: int

@@ -39,7 +39,7 @@ TALLEST_PANEL = 340.0
 FREQUENCY_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 52.0, 46.0
 """Width and height of the scales. [pt]"""
 ORDERS_PART = 0.6
-"""Largest part of the right edge for names of orders, if names of modes need room too."""
+"""Largest fraction of the right edge for names of orders, if names of modes need room too."""
 ABOVE_PANEL = 16.0
 """Height of the title of the strip of gears. [pt]"""
 BEFORE_STRIP = 6.0
@@ -59,7 +59,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
 
 
 def _mode_look(style: Style, *, is_common: bool) -> Look:
-    """Return the line of a natural frequency, in ink, as only links have colours."""
+    """Return the line style of a natural frequency, in ink, as only links have colours."""
     return {"color": style.ink, "width": 1.3 if is_common else 0.5}
 
 

@@ -130,7 +130,7 @@ def campbell_sheet(results: Results, style: Style, gears: Sequence[int]) -> Camp
 
 
 def order_look(order: Order, style: Style) -> Look:
-    """Return the line of an order, with a colour for firing orders."""
+    """Return the line style of an order, with a colour for firing orders."""
     if order.fires:
         return {"color": style.engaged, "width": 1.6}
     return {"color": style.soft, "width": 0.7}

@@ -21,7 +21,7 @@ These are the half order, the order of the shaft, and the firing of 4, 6, 8 and 
 FASTEST_INPUT = 6000.0
 """Largest speed of a diagram if no speed of the input is known. [rpm]"""
 ABOVE_ONE, ABOVE_RANGE = 1.25, 1.05
-"""Ratios of the speed of a diagram to a single known speed, and to the highest of several."""
+"""Highest speed of a diagram, relative to a single known speed, or to the highest of several."""
 PER_MINUTE = 60.0
 """Number of seconds per minute."""
 
@@ -104,11 +104,11 @@ class HasEngine(Protocol):
 
     @property
     def engine(self) -> Sequence[tuple[float, float]]:
-        """Speed [rad/s] and torque [N*m] at full load."""
+        """Points of the full-load curve of the engine: speed [rad/s] and torque [N*m]."""
 
     @property
     def overrun(self) -> Sequence[tuple[float, float]]:
-        """Speed [rad/s] and torque [N*m] of the engine as a brake."""
+        """Points of the overrun curve of the engine: speed [rad/s] and torque [N*m]."""
 
 
 def _engine_speeds(case: Transmission) -> Iterator[float]:

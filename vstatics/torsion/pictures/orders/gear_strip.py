@@ -18,7 +18,7 @@ from vstatics.torsion.pictures.orders.resonances import GearMode
 GEAR_PITCH = 12.0
 """Distance between neighbouring gears. [pt]"""
 MOST_STRIP_WIDTH = 150.0
-"""Largest width of all gears. [pt]"""
+"""Largest width of the columns of all gears together. [pt]"""
 HALF_MARK = 0.36
 """Half width of the mark of a frequency, relative to the pitch."""
 
@@ -34,7 +34,7 @@ class GearStrip(NamedTuple):
 
     @property
     def across(self) -> float:
-        """Width of the gears [pt]."""
+        """Width of the columns of all gears together [pt]."""
         return min(GEAR_PITCH * len(self.gears), MOST_STRIP_WIDTH)
 
     @property
@@ -49,7 +49,7 @@ class GearStrip(NamedTuple):
 
     @property
     def _ends(self) -> list[LineEnd]:
-        """Numbers of modes, at the frequency in the last gear."""
+        """Numbers of modes at the right edge, at the frequencies in the last gear."""
         lasts = [(number, modes[-1].frequency) for number, modes in self._by_mode.items()]
         return [LineEnd(last / self.top, (str(number),)) for number, last in lasts]
 

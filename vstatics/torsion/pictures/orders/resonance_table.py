@@ -118,7 +118,7 @@ class TableParts(NamedTuple):
         return sum(highs) or MARGIN
 
     def fitting(self, room: float, least: int = 0) -> tuple[TableParts, TableParts]:
-        """Split into rows that fit into a height [pt], with a least number, and remaining rows."""
+        """Split the rows: as many as fit into `room` [pt], but at least `least`, and the others."""
         for place, (table, rows) in enumerate(self.parts):
             room -= HEADING_HEIGHT + MARGIN
             for count, row in enumerate(rows):
@@ -219,7 +219,7 @@ def _printed_alike(
     *,
     is_damped: bool,
 ) -> dict[tuple[TableCell, ...], list[int]]:
-    """Group the places of gears by the printed cells of a mode."""
+    """Return the indices of gears in which a mode has equal printed cells, by these cells."""
     places: dict[tuple[TableCell, ...], list[int]] = {}
     for mode in modes:
         first = [number(mode.frequency), typeset(f"{mode.participation:.2g}")]

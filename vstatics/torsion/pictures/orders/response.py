@@ -74,7 +74,7 @@ class _ResponseSheet(NamedTuple):
         return next(iter(links)) if len(links) == 1 else ""
 
     def look(self, order: Order) -> Look:
-        """Return the line of an order, which is thick for firing orders."""
+        """Return the line style of an order; lines of firing orders are thick."""
         place, wide = self.orders.index(order), 1.9 if order.fires else 1.0
         return {
             "color": self.style.colour(place),
@@ -138,7 +138,7 @@ def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
 
 
 def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, float]:
-    """Return the exponents of the powers of ten around all amplitudes."""
+    """Return the exponents of the powers of ten that enclose all amplitudes, at most 7 apart."""
     logs = [_logs(line.amplitudes[line.speeds >= SLOW * fastest]) for line in lines]
     every = np.concatenate(logs)
     every = every[np.isfinite(every)]
@@ -160,7 +160,7 @@ def _figure(
     panels: Sequence[ResponsePanel],
     size: tuple[int, float],
 ) -> Figure:
-    """Draw panels in a number of columns, with a height [pt]."""
+    """Draw panels; `size` is the number of columns and the height of a panel [pt]."""
     style, (columns, high) = sheet.style, size
     rows = math.ceil(len(panels) / columns)
     pitch = PANEL_HEAD + high + BETWEEN_PANELS

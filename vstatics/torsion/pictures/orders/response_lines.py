@@ -17,11 +17,11 @@ from vstatics.torsion.pictures.shown_modes import modes_of
 EVEN_SPEEDS = 400
 """Number of evenly spaced speeds of a line; resonances and speeds near resonances are added."""
 ABOUT_PEAK = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
-"""Relative distances from a resonance at which speeds are added, in damping ratios."""
+"""Relative distances of added speeds from a resonance, as multiples of the damping ratio."""
 
 
 class ResponseLine(NamedTuple):
-    """Response to an order."""
+    """Amplitudes of a link over the speed, under the torque of one order."""
 
     order: Order
     speeds: Floats
@@ -38,7 +38,7 @@ class ResponsePanel(NamedTuple):
     """Link on which the torque acts."""
     lines: Sequence[ResponseLine]
     peaks: Sequence[tuple[Order, GearMode]]
-    """Marked resonances."""
+    """Resonances that are marked on the lines, each with its order."""
     why: str = ""
     """Reason why the gear has no response."""
 

@@ -127,7 +127,7 @@ def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]
 def _loaded(
     light: AbstractSet[int], joined: list[tuple[str, list[int]]]
 ) -> list[tuple[str, list[int]]]:
-    """Remove devices with a light link that belongs to no other device, until none is left."""
+    """Repeatedly remove devices with a massless link that belongs to no other device."""
     while True:
         count = Counter(link for _, links in joined for link in links)
         loose = {link for link in light if count[link] == 1}

@@ -1,4 +1,4 @@
-"""Figure with the axes of a box in a state, and the drawing of wires, ports and link names."""
+"""Figure of a gearbox with several axes in a state, and drawing of wires, ports and link names."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ BRIDGE = 3.0
 
 @dataclass(frozen=True)
 class AxesSheet(SchemeInk):
-    """Figure of a scheme in a state, with all positions."""
+    """Figure of a scheme in a state, with the positions of all parts."""
 
     placing: AxesPlaces
     labels: Mapping[int, Sequence[DeviceLabel]]
-    """Names of components and tooth numbers with positions."""
+    """Names of components and tooth numbers with positions, by the index of the component."""
 
     def is_used(self, index: int, link: int) -> bool:
         """Return True if torque passes between a link and a component.
@@ -86,7 +86,7 @@ def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
     for line, is_used in pieces(sheet, link, wires.level):
         color = style.ink if is_used else style.faint
         pen.line(*line, color=color, kind="wire", title=title, **look)
-        if span.level > 0:  # the other side of a hollow shaft
+        if span.level > 0:  # line on the other side of a hollow shaft
             y = placing.y(axis, -span.height)
             pen.line(*((x, y) for x, _ in line), color=color, **look)
     for device, path in wires.upright:
@@ -158,7 +158,7 @@ def draw_ends(sheet: AxesSheet) -> None:
 
 
 def _draw_port(sheet: AxesSheet, port: SchemePort, at: Point, way: int) -> None:
-    """Draw an arrow in the direction of the power, as far as known."""
+    """Draw the arrow of a port in the direction of power, as far as known."""
     pen = sheet.pen.within("port", port="input" if port.role == "input" else "output")
     x, y = draw_arrow(pen, at, (way, 0.0), sheet.ways([port]), sheet.end_color([port]))
     look: Look = {"color": sheet.name_color(port.link), "ha": "left" if way > 0 else "right"}

@@ -1,4 +1,4 @@
-"""Positions of all letters of several axes, and the necessary size of the paper."""
+"""Positions of all texts of several axes, and the size of the paper that they need."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class AxesLetters(NamedTuple):
 
     @classmethod
     def of(cls, placing: AxesPlaces, scheme: Scheme, wide: float = inf) -> AxesLetters:
-        """Return all letters, names of components only if the remaining parts fit a width [pt]."""
+        """Return all texts; components are named only if the other parts fit a width [pt]."""
         solid = list(obstacles(placing))
         names = fixed_names(placing, scheme, solid)
         bare = cls(names, solid, {})

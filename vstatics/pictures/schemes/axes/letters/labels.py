@@ -1,4 +1,4 @@
-"""Positions of component names and tooth numbers, near the named parts and clear of others."""
+"""Search for positions of component names and tooth numbers near the parts that they name."""
 
 from __future__ import annotations
 
@@ -33,23 +33,23 @@ ASIDE = (0, 3, 7, 12, 18, 26, 36)
 AWAY = (0, -1, 2, 4, 7, 10, 14, 18, 23, 30, 40, 52, 66)
 """Candidate upright distances of a text from the named part. [pt]"""
 UNDER, BESIDE = 5.0, 9.0
-"""Costs of a text on the far side of, or next to, the named part. [pt of distance]"""
+"""Costs of a text on the far side of the named part, and of a text next to it. [pt of distance]"""
 BESIDES = 8
 """Number of steps between candidate heights next to the named part."""
 SHORT = 30.0
-"""Height of a part below which a text next to the part is best in the middle. [pt]"""
+"""Height of a part below which a text next to the part should be at its middle. [pt]"""
 ON_TEXT = 1e5
-"""Cost of a text that covers letters."""
+"""Cost of a text that covers letters of another text. [pt of distance]"""
 STRANGE, NEAR = 12.0, 3.0
-"""Cost of a text near a foreign component, and the distance that counts as near. [pt]"""
+"""Cost of a text near another component [pt of distance], and distance that counts as near [pt]."""
 OUTWARD = np.array([-1.0, -1.0, 1.0, 1.0])
-"""Directions in which the sides of a box move outward."""
+"""Signs of the outward directions of the left, lower, right and upper side of a box."""
 Boxes = NDArray[np.float64]
-"""Boxes as rows of left, low, right and high."""
+"""Boxes, each a row with its left, lower, right and upper side. [pt]"""
 
 
 class WantedLabel(NamedTuple):
-    """Text with the best position."""
+    """Text with the position that it should have."""
 
     device: int
     text: str
@@ -69,7 +69,7 @@ class WantedLabel(NamedTuple):
 
 
 class DeviceLabel(NamedTuple):
-    """Text with a position."""
+    """Text with its position."""
 
     text: str
     at: Point
@@ -118,7 +118,7 @@ def _meets(boxes: Boxes, others: Boxes) -> NDArray[np.bool_]:
 
 
 def _candidates(placing: AxesPlaces, wanted: WantedLabel) -> tuple[Boxes, NDArray[np.float64]]:
-    """Return the boxes of a text around the named part, each with the cost of the distance."""
+    """Return possible boxes of a text around the named part, and the cost of each box."""
     (x, y), scale = wanted.above, placing.letters
     half = placing.wide(wanted.text, size=wanted.size, bold=wanted.is_name) / 2 + CLEAR
     tall = LINE * wanted.size * scale * (wanted.text.count("\n") + 1)

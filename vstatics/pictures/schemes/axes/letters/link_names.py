@@ -24,7 +24,7 @@ def ends_of(placing: AxesPlaces, axis: int) -> tuple[float, float]:
 def free_names(
     placing: AxesPlaces, scheme: Scheme, named: set[int], solid: Sequence[Obstacle]
 ) -> Iterator[tuple[int, Point, str]]:
-    """Yield the names of links with room at an end, or on the far side, of the row.
+    """Yield names of links that have room at an end of their row, or on its far side.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def free_names(
 
 
 def _covers(placing: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: float) -> bool:
-    """Return True if a name, by the left end, would cover a foreign gear or a symbol."""
+    """Return True if a name that begins at the point `left` would cover an obstacle."""
     (x, y), half = left, 4.0 * placing.letters
     return any(
         item.box.left < x + wide

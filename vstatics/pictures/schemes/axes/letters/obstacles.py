@@ -39,16 +39,16 @@ class Rectangle(NamedTuple):
 
 
 class Obstacle(NamedTuple):
-    """Area that letters should not cover."""
+    """Area that letters should not cover, with the cost of covering it."""
 
     box: Rectangle
     cost: float = ON_SIGN
     device: int = -1
-    """Place of the component in `Scheme.devices`, -1 for lines."""
+    """Index of the component in `Scheme.devices`, -1 for lines."""
 
 
 def about(first: Point, second: Point, half: float = HALF_LINE) -> Rectangle:
-    """Return the box around a line."""
+    """Return the rectangle around a line between two points, with a margin."""
     (x, y), (x2, y2) = first, second
     return Rectangle(min(x, x2) - half, min(y, y2) - half, max(x, x2) + half, max(y, y2) + half)
 

@@ -15,9 +15,9 @@ from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import wheel_taps
 
 BOX_LINE = 1.8
-"""Width of the outline of a box [pt]."""
+"""Line width of the outline of a box. [pt]"""
 Written = tuple[Point, str]
-"""Text with the point of the middle."""
+"""Middle of a text, and the text."""
 
 
 def draw_box(

@@ -20,9 +20,9 @@ from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled, half_of
 
 Texts = Mapping[int, BoxText]
-"""Texts of boxes by place in a scheme."""
+"""Texts of boxes by the index of the component in the scheme."""
 CHAIN_NAME_LETTERS = 11
-"""Length above which names are broken at blanks. [letters]"""
+"""Number of letters above which a name is broken at blanks."""
 CHAIN_NAME_GAP = 8.0
 """Distance between names. [pt]"""
 ABOVE_SIGN, BELOW_SIGN = 12.0, 11.0

@@ -19,7 +19,7 @@ class Wires(NamedTuple):
 
     lines: Mapping[int, Sequence[Segment]]
     met: Sequence[tuple[int, int, Point]]
-    """Connections: link, component, point."""
+    """Connections, each with its link, component and point."""
 
     def crossings(self) -> list[Point]:
         """Return the points where lines of different links meet."""

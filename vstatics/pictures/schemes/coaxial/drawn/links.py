@@ -52,7 +52,7 @@ def draw_link_names(ink: SchemeInk, layout: CoaxialLayout) -> None:
         name = layout.link_name(link)
         half, high = (width(name) / 2 + 1.5) * scale, (height(name) / 2 - 1.0) * scale
         paper = corners(at[0] - half, at[1] - high, at[0] + half, at[1] + high)
-        pen = ink.of_link(layout.name(link))  # the paper belongs to the group, too
+        pen = ink.of_link(layout.name(link))  # the background of a name is in the group, too
         pen.area(*paper, color=pen.style.paper, zorder=3.6)
         centred(pen, at, name, color=ink.name_color(link))
     for up, x in zip(layout.uprights, layout.places.at, strict=True):

@@ -11,7 +11,7 @@ from vstatics.pictures.drawing.labels import Point, Segment
 def passed(
     lines: Sequence[Segment], met: set[Point]
 ) -> tuple[list[tuple[Segment, bool]], set[Point]]:
-    """Split lines into pieces with and without torque, and return the points with torque.
+    """Return the pieces of lines with torque and without torque, and the points with torque.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def _is_on(at: Point, line: Segment) -> bool:
 
 
 def _between(ends: set[Point], steps: Iterable[Segment]) -> set[Segment]:
-    """Return the steps between ends, by removing dead ends."""
+    """Return the steps that lie between ends, which remain when dead ends are removed."""
     remaining = {step for step in steps if step[0] != step[1]}
     while True:
         points = [at for step in remaining for at in step]
@@ -57,7 +57,7 @@ def _between(ends: set[Point], steps: Iterable[Segment]) -> set[Segment]:
 
 
 def _runs(points: Sequence[Point], loaded: set[Segment]) -> Iterator[tuple[Segment, bool]]:
-    """Yield a line in the fewest pieces with equal torque state."""
+    """Yield the fewest pieces of a line that are entirely with or without torque."""
     start = 0
     marks = [step in loaded for step in pairwise(points)]
     for place, mark in enumerate(marks, 1):

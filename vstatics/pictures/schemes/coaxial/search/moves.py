@@ -1,4 +1,4 @@
-"""Next steps to the right in a half-section: a coupling, a wall of a link, a gear set."""
+"""Next steps to the right in a half-section: a coupling, a wall of a link or a gear set."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Moves(NamedTuple):
 
     train: CoaxialTrain
     crossing: int = 0
-    """Bits of the parts that can cross bars."""
+    """Bits of the parts that may cross bars."""
     is_ordered: bool = False
     """True to keep the given order of gear sets."""
 
@@ -58,7 +58,7 @@ class Moves(NamedTuple):
                 yield Move(SectionState(low, high, done | bit), TOP, cost, step)
 
     def _pairs(self, state: SectionState) -> Iterator[Move]:
-        """Yield couplings with a link that begins, or begins again, next to a present link."""
+        """Yield couplings of a present link to a link that begins, or begins again, next to it."""
         below, above, done = state
         bars = below + above
         alive = links_of(bars)

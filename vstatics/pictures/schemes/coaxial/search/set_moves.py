@@ -23,9 +23,9 @@ from vstatics.pictures.schemes.coaxial.search.state import (
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 NONE, TAKEN, KEPT, NEW = range(4)
-"""Connection of a carrier to the adjacent bar: no bar, or a bar that ends, continues or begins."""
+"""Connection of a carrier to the next bar: no bar, or a bar that ends, continues or begins."""
 _Plane = tuple[tuple[int, int], tuple[int, int]]
-"""Sun and ring of a plane, and the bits of both."""
+"""Links of the sun and the ring of a plane, and the bits of both."""
 
 
 class _Begun(NamedTuple):
@@ -54,7 +54,7 @@ class _LeftArm(NamedTuple):
     carrier: int
     bit: int
     joined: set[int]
-    """Bars connected to the carrier."""
+    """Numbers of the bars that are connected to the carrier."""
     left: tuple[bool, bool]
     """True for a connection below and above."""
 
@@ -78,7 +78,7 @@ class SetMoves(NamedTuple):
 
     train: CoaxialTrain
     crossing: int
-    """Bits of the parts that can cross bars."""
+    """Bits of the parts that may cross bars."""
     is_ordered: bool
     """True to keep the given order of gear sets."""
 

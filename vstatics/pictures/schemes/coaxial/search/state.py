@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 Bars = tuple[int, ...]
-"""Bars from the axis outward."""
+"""Numbers of the bars from the axis outward: eight times the link plus the number of its part."""
 SET, PAIR, TOP, WALL = 3, 2, 1, 1
 """Lengths of components along the axis, for the cost of bars."""
 FOLD, TURN, CROSSING, EXCHANGE = 8, 2, 400, 10
@@ -30,7 +30,7 @@ class SweepStep(NamedTuple):
     """Component at a place along the axis."""
 
     kind: str
-    """``top``, ``pair``, ``wall`` or ``set``."""
+    """Kind of component: ``top``, ``pair``, ``wall`` or ``set``."""
     number: int
     """Number of the top, pair or set; link of a wall."""
     bars: Sequence[tuple[Bars, Bars]]
@@ -57,12 +57,12 @@ class Move(NamedTuple):
 
 
 def links_of(bars: Bars) -> set[int]:
-    """Return the links with bars."""
+    """Return the links that have one or more of the bars."""
     return {bar >> 3 for bar in bars}
 
 
 def in_two_parts(bars: Bars) -> set[int]:
-    """Return the links with bars of two parts.
+    """Return the links of which two separate parts have bars.
 
     >>> in_two_parts((8, 16, 9, 8))
     {1}

@@ -32,7 +32,7 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
 class SweepEffort(NamedTuple):
-    """Tries of a search, each with the weight of the remaining cost and a number of states."""
+    """Tries of a search: weight of the estimated remaining cost, and largest number of states."""
 
     planar: Sequence[tuple[float, int]]
     """Tries without crossings."""
@@ -41,7 +41,7 @@ class SweepEffort(NamedTuple):
     last: Sequence[tuple[float, int]]
     """Tries with crossings of all parts that can cross."""
     is_first: bool = False
-    """True to use the first arrangement with crossings."""
+    """True to take the first arrangement with crossings instead of the best."""
 
 
 CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
@@ -54,17 +54,17 @@ BRIEF = SweepEffort(
 )
 """Effort for a picture of boxes."""
 MOST_SEARCHED_SETS = 20
-"""Number of sets up to which an arrangement is searched for."""
+"""Largest number of gear sets for which an arrangement is searched for."""
 LAST_SETS = 6
 """Number of sets above which fewer states with all crossings are tried, because of the time."""
 MOST_CROSSING = 2
-"""Largest number of crossing couplings in a choice."""
+"""Largest number of couplings that may cross at the same time."""
 MOST_CHOICES = 12
 """Largest number of choices of crossing couplings, in the order of the train."""
 MOST_FURTHER = 2
 """Largest number of additional bars at a place, beyond a single bar of each link."""
 BARS_OF_REST = 2
-"""Number of bars in the estimate of the remaining cost."""
+"""Number of bars that the estimate of the remaining cost assumes along each component."""
 _Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
 
 
@@ -218,7 +218,7 @@ class _SweepSearch(NamedTuple):
             yield SectionState(*_numbered(below, above), state.done), steps, cost
 
     def _next(self, state: SectionState) -> tuple[SectionState, SweepStep, int] | None:
-        """Return a connection of two neighbours, or of the outermost bar to the housing."""
+        """Return a step that connects two neighbours, or the outermost bar to the housing."""
         train, (below, above, done) = self.moves.train, state
         bars, here = below + above, [(below, above)]
         for place, (low_bar, high_bar) in enumerate(pairwise(bars)):
