@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from tests.core.texts.test_pages import SYMBOLS, left, names, words_of
+from tests.installed import needs
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import CaseError
 from vstatics.core.texts import speaking
@@ -18,6 +19,8 @@ from vstatics.synthesis.boxes.listing import wanted_of
 from vstatics.synthesis.boxes.reading import listing_of
 from vstatics.synthesis.report import boxes
 from vstatics.synthesis.report.boxes import box_pages, boxes_page
+
+pytestmark = needs("page")
 
 
 def page(document: dict[str, Any], digits: int | None = None) -> str:
