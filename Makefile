@@ -78,9 +78,6 @@ types: .venv/dev.stamp ## mypy --strict
 golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 	$(BIN)/pytest -q -n 0 tests/test_golden.py --regenerate
 
-messages: .venv/dev.stamp ## rewrite causes and cures in docs/messages.md
-	$(BIN)/python -m tests.message_page docs/messages.md
-
 site: .venv/dev.stamp ## build the site in site/, to be read from the disk or served (two minutes)
 	$(BIN)/python -m website site
 
@@ -128,4 +125,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden messages site schema known bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden site schema known bench boxes dist clean
