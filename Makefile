@@ -78,6 +78,9 @@ types: .venv/dev.stamp ## mypy --strict
 golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 	$(BIN)/pytest -q -n 0 tests/test_golden.py --regenerate
 
+examples: .venv/dev.stamp ## rewrite the outputs shown in documents (PAGES="docs/ci.md README.md")
+	$(BIN)/python -m tests.examples $(PAGES)
+
 site: .venv/dev.stamp ## build the site in site/, to be read from the disk or served (two minutes)
 	$(BIN)/python -m website site
 
@@ -125,4 +128,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden site schema known bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden examples site schema known bench boxes dist clean

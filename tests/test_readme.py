@@ -105,17 +105,22 @@ def run_all(asked: list[str], folder: Path) -> list[str]:
     return done.stdout.decode().split(f"{DONE}\n")[:-1]
 
 
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with the shipped cases, in which `vstatics` is this program."""
+def prepared(folder: Path) -> Path:
+    """Put the shipped cases, the schemas and this program, as `vstatics`, into a folder."""
     for name in ("cases", "schemas"):
-        (tmp_path / name).symlink_to(ROOT / name)
-    program = tmp_path / ".bin" / "vstatics"
+        (folder / name).symlink_to(ROOT / name)
+    program = folder / ".bin" / "vstatics"
     program.parent.mkdir()
     program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m vstatics "$@"\n')
     program.chmod(0o755)
+    return folder
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the shipped cases, in which `vstatics` is this program."""
     monkeypatch.chdir(tmp_path)
-    return tmp_path
+    return prepared(tmp_path)
 
 
 def write_file(block: Block, folder: Path) -> None:
