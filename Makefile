@@ -81,9 +81,6 @@ golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 examples: .venv/dev.stamp ## rewrite the outputs shown in documents (PAGES="docs/ci.md README.md")
 	$(BIN)/python -m tests.examples $(PAGES)
 
-messages: .venv/dev.stamp ## rewrite causes and cures in docs/messages.md
-	$(BIN)/python -m tests.message_page docs/messages.md
-
 site: .venv/dev.stamp ## build the site in site/, to be read from the disk or served (two minutes)
 	$(BIN)/python -m website site
 
@@ -131,4 +128,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden examples messages site schema known bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden examples site schema known bench boxes dist clean

@@ -27,6 +27,7 @@ import pytest
 from tests.commands import ROOT
 from tests.installed import HERE, missing, needs, skip_without, used_in
 from vstatics.core.cli import main
+from vstatics.core.messages.catalogue import known_ids
 
 DOCUMENTS = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("**/*.md"))]
 NAMES = [str(document.relative_to(ROOT)) for document in DOCUMENTS]
@@ -220,10 +221,14 @@ def test_targets_of_make_exist(name: str) -> None:
 
 
 def anchors(document: Path) -> set[str]:
-    """What `#...` of a link to this document may be: its headings as GitHub writes them."""
+    """What `#...` of a link to this document may be: its headings as GitHub writes them.
+
+    The site adds a heading for each id to the page of messages.
+    """
     prose = FENCE.sub("", document.read_text(encoding="utf-8"))
     titles = re.findall(r"^#+ (.*)$", prose, re.MULTILINE)
-    return {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
+    found = {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
+    return found | {identity.lower() for identity in known_ids() if document.name == "messages.md"}
 
 
 def broken_links(document: Path) -> Iterator[str]:
