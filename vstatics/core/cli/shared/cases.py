@@ -24,8 +24,9 @@ from vstatics.core.cli.shared.options import Command, completing, gathered
 from vstatics.core.cli.shared.patterns import expanded
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import above_0, allowable, value, wrong_value
-from vstatics.core.errors import DOUBTS, CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.core.extras import broken
+from vstatics.core.messages.catalogue import causes_of_allowable
 from vstatics.core.model.checks import hints
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.readers.kinds import document_function
@@ -107,7 +108,7 @@ allow = under(
         multiple=True,
         metavar="ID,...",
         callback=value(allowable),
-        shell_complete=completing(lambda: DOUBTS),
+        shell_complete=completing(causes_of_allowable),
         help="Suppress these warnings and notes, such as W201,N318. Repeatable.",
     ),
 )
