@@ -15,7 +15,10 @@ import pytest
 from vstatics.core.annexes import COMMANDS, annexes
 
 TESTS = Path(__file__).parent
-OPTIONS = {"--duty": "vehicle", "--exponent": "vehicle", "--box": "synthesis"}
+OPTIONS = {
+    **dict.fromkeys(("--duty", "--exponent"), "vehicle"),
+    **dict.fromkeys(("--gearbox", "--box"), "synthesis"),
+}
 """The annex of each option that a command of the core has of it."""
 NAMES = {
     **dict.fromkeys(("Picture", "plot"), "pictures"),
