@@ -56,7 +56,10 @@ def test_it_needs_no_case(tmp_path: Path) -> None:
         ("--kind lever --ratios 2", "--ratios: only a plan follows from ratios alone"),
         ("--kind lever", "Missing argument 'CASE...'."),
         ("--kind plan --ratios 2 --coast", "--from, --coast, --unloaded: only a case has them"),
-        ("s.csv --kind curves --unloaded exact", "--from, --coast, --unloaded: only a case has them"),
+        (
+            "s.csv --kind curves --unloaded exact",
+            "--from, --coast, --unloaded: only a case has them",
+        ),
         pytest.param(
             f"{CASES / 'umdm.yaml'} --kind sawtooth --drive",
             "--coast: a vehicle is drawn at full",

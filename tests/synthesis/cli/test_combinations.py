@@ -139,7 +139,9 @@ def test_a_workbook_has_torques_and_slip(tmp_path: Path) -> None:
 @pytest.mark.parametrize("form", ["json", "jsonl"])
 def test_sorted_by_torque(form: str) -> None:
     """Direct drives first; torque times slip is 1, so these are by falling slip."""
-    text = said(CASES / "umdm.yaml", "--shift-elements", "auto", "--sort", "torques", "-f", form).out
+    text = said(
+        CASES / "umdm.yaml", "--shift-elements", "auto", "--sort", "torques", "-f", form
+    ).out
     lines = map(json.loads, text.splitlines()) if form == "jsonl" else json.loads(text).values()
     found = [*lines] if form == "jsonl" else next(iter(lines))
     assert [one["kind"] for one in found] == ["direct"] * 15 + ["gear"] * 4
@@ -150,7 +152,9 @@ def test_sorted_by_torque(form: str) -> None:
     assert sorted(map(str, found)) == sorted(
         map(str, entries(CASES / "umdm.yaml", "--shift-elements", "auto"))
     )
-    table = said(CASES / "umdm.yaml", "--shift-elements", "auto", "--sort", "torques", "-f", "csv").out
+    table = said(
+        CASES / "umdm.yaml", "--shift-elements", "auto", "--sort", "torques", "-f", "csv"
+    ).out
     named = [row["engaged"] for row in csv.DictReader(table.splitlines())][:19]
     assert named == [*(one["engaged"][0] for one in found)]
 
@@ -278,7 +282,14 @@ def test_how_many_how_large_how_long() -> None:
 def test_an_estimate_as_json(tmp_path: Path) -> None:
     """C(208, 2) combinations, as text tells."""
     file = tmp_path / "estimate.json"
-    asked = (CASES / "driveline-8hp70.yaml", "--shift-elements", "auto", "--engaged", "2", "--dry-run")
+    asked = (
+        CASES / "driveline-8hp70.yaml",
+        "--shift-elements",
+        "auto",
+        "--engaged",
+        "2",
+        "--dry-run",
+    )
     assert said(*asked, "-o", file).out == ""
     known = json.loads(file.read_text("utf-8"))
     assert [*validator("combinations").iter_errors(known)] == []

@@ -389,7 +389,10 @@ Options = tuple[object, ...]
         (("--ratios", "3"), "--ratios: read 3 twice, expected gears that differ"),
         (("--ratios", ""), "--ratios: read ``, expected"),
         (("--sets", -1), "--sets: read -1, expected 1 to"),
-        (("--shift-elements", 10**30), "--shift-elements: read 1000000000000000000000000000000, expected 1,"),
+        (
+            ("--shift-elements", 10**30),
+            "--shift-elements: read 1000000000000000000000000000000, expected 1,",
+        ),
         (("--engaged", 2), "--engaged: read 2, but 1 set leaves 1 to be engaged"),
         (("--bounds", "2"), "--bounds: read 2:2, expected two numbers above 1"),
         (("--bounds", "1.4"), "--bounds: read 1.4:1.4"),
