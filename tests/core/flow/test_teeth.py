@@ -144,8 +144,8 @@ def test_the_table_and_json_show_it_with_kilowatts(tmp_path: Path) -> None:
     grid = power_grid(only(load(file)))
     rows = {row[0]: row for row in grid.texts}
     assert rows["teeth"][1:4] == ["1.000", "1.000", "10.001"]
-    assert rows["short-long"][1:4] == ["1.000", ".980", "9.801"]
-    assert rows["short-long"][4] == ".01960"
+    assert rows["short-long"][1:4] == ["1.000", "0.980", "9.801"]
+    assert rows["short-long"][4] == "0.01960"
     [gear] = json_answer("flow", file)["gears"]
     shown = {one["mesh"]: (one["power"], one["loss"]) for one in gear["lossy"]["teeth"]}
     assert shown["short-long"] == pytest.approx((0.98, 0.0196))

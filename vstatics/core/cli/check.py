@@ -19,12 +19,13 @@ from vstatics.core.cli.shared.options import completing, refuse
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
-from vstatics.core.errors import Problem, ReadError, Severity, plural, spoken
+from vstatics.core.errors import Problem, ReadError, Severity, plural, quoted, spoken
 from vstatics.core.readers.kinds import document_function
 from vstatics.core.statics.diagnosis import freedom, given_conditions
 from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import CONFLICT, TIED_UP
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.answer import Words, as_json, line, plain_data
 from vstatics.core.tables.grid import Grid, grid_of
 from vstatics.core.tables.text import lines
@@ -41,7 +42,7 @@ class ProblemRecord(NamedTuple):
     severity: Severity
     message: str
     id: str
-    """Id of the cause: a letter for the severity and three digits, as in docs/messages.md."""
+    """Id of the cause: a letter for the severity and three digits."""
 
 
 def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
@@ -116,10 +117,14 @@ def conditions(file: str, results: Results) -> Grid:
     return grid_of(title, ["", ""], rows)
 
 
-def _ids() -> list[str]:
-    from vstatics.core.writers.explained import known_ids
+_ALL = "all"
+"""Value of `--explain` for all messages, also if the option has no value."""
 
-    return [*known_ids(), "all"]
+
+def _ids() -> list[str]:
+    from vstatics.core.messages.catalogue import known_ids
+
+    return [*known_ids(), _ALL]
 
 
 @click.command()
@@ -128,8 +133,10 @@ def _ids() -> list[str]:
 @click.option(
     "--explain",
     metavar="ID",
+    is_flag=False,
+    flag_value=_ALL,
     shell_complete=completing(_ids),
-    help="Cause, cure and an example of W201, of W201,E107, or of all; takes no case.",
+    help="Explain a message, such as W201 or W201,E107, or all messages if no ID is given.",
 )
 @click.option(
     "-f",
@@ -197,16 +204,16 @@ def check(
 
 def _explained(asked: str, form: str) -> str:
     """Return the explanations of comma-separated ids, or of all ids."""
-    from vstatics.core.writers.explained import explained, known_ids, text
+    from vstatics.core.messages.catalogue import explained, known_ids, text
 
-    ids = dict.fromkeys(item if item == "all" else item.upper() for item in separated([asked]))
-    try:
-        explanations = [explained(identity) for identity in (known_ids() if "all" in ids else ids)]
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="'--explain'") from None
-    if form == "json":
-        return _array(explanations)
-    return "\n".join(map(text, explanations))
+    names, known = separated([asked]), known_ids()
+    ids = known if _ALL in names else list(dict.fromkeys(name.upper() for name in names))
+    for identity in ids:
+        if identity not in known:
+            fault = f"there is no message {quoted(identity)}{nearest(identity, known)}"
+            raise click.BadParameter(fault, param_hint="'--explain'")
+    explanations = map(explained, ids)
+    return _array(explanations) if form == "json" else "\n".join(map(text, explanations))
 
 
 CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]

@@ -16,8 +16,9 @@ from vstatics.core.cli.shared.options import Command, completing, gathered
 from vstatics.core.cli.shared.patterns import expanded
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import above_0, allowable, value, wrong_value
-from vstatics.core.errors import DOUBTS, CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.core.extras import broken
+from vstatics.core.messages.catalogue import causes_of_allowable
 from vstatics.core.model.checks import hints
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.readers.kinds import document_function
@@ -76,7 +77,7 @@ allow = click.option(
     multiple=True,
     metavar="ID",
     callback=value(allowable),
-    shell_complete=completing(lambda: DOUBTS),
+    shell_complete=completing(causes_of_allowable),
     help="Warnings or notes that are not told, as W201 or W201,N318; may be given several times.",
 )
 limit = click.option(
