@@ -28,7 +28,7 @@ from vstatics.pictures.flow.sheets import (
 )
 from vstatics.pictures.flow.signs import MILD_HATCH, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
-from vstatics.pictures.flow.titles import FlowTitles, titles
+from vstatics.pictures.flow.titles import titles
 
 BAND_WIDTH = 30.0
 """Width of a band of power 1. [pt]"""
@@ -62,20 +62,18 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     chosen = [every[number - 1] for selected in numbers for number in selected]
     placings = iter(placed(chosen, style))
     for selected in numbers:
-        gears = [
-            FlowGear(flow, next(placings), _titles(results, flow, number, style))
-            for number in selected
-            for flow in [every[number - 1]]
-        ]
-        yield list(
-            _alone(results, gears[0], style) if len(gears) == 1 else _all(results, gears, style)
-        )
-
-
-def _titles(results: Results, flow: GearFlow, number: int, style: Style) -> FlowTitles | None:
-    if flow.shown is None:
-        return None
-    return titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
+        gears = []
+        for number in selected:
+            flow, said = every[number - 1], None
+            if flow.shown is not None:
+                said = titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
+            gears.append(FlowGear(flow, next(placings), said))
+        if len(gears) == 1:
+            yield list(_alone(results, gears[0], style))
+            continue
+        room = style.width - 2 * WIDE_MARGIN
+        name = title(results.case, style.text("power flow"))
+        yield list(sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style))
 
 
 def placed(gear_flows: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
@@ -111,12 +109,6 @@ def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[Flow
             len(rows_of_way),
         ),
     )
-
-
-def _all(results: Results, gears: Sequence[FlowGear], style: Style) -> Iterator[Figure]:
-    name = title(results.case, style.text("power flow"))
-    room = style.width - 2 * WIDE_MARGIN
-    yield from sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style)
 
 
 def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
