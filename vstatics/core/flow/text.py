@@ -73,7 +73,13 @@ def _lines(flow: GearFlow, digits: int | None) -> Iterator[str]:
     ports = ports_grid([flow.ports], named=False)._replace(title="ports")
     yield from lines(ports.with_digits(digits), indent="  ")
     for remark in remarks(flow, digits):
-        yield from _wrapped(remark, 4 if remark.startswith(" ") else 2)
+        yield from textwrap.wrap(
+            remark,
+            FLOW_TEXT_WIDTH,
+            subsequent_indent=" " * (4 if remark.startswith(" ") else 2),
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
 
 
 def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
@@ -100,13 +106,3 @@ def _field(name: str, cell: Cell, digits: int | None) -> str:
     if name == "share, %":
         return f"{cell.value:.{1 if digits is None else digits}f}%"
     return fixed(cell.value, NUMBER, DECIMALS.get(name, 3) if digits is None else digits)
-
-
-def _wrapped(line: str, indent: int) -> list[str]:
-    return textwrap.wrap(
-        line,
-        FLOW_TEXT_WIDTH,
-        subsequent_indent=" " * indent,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
