@@ -231,7 +231,7 @@ def test_losses_of_random_trains_are_parts_of_their_tooth_power(case: Transmissi
 
 @given(case=regular_trains(coast=False))
 def test_without_losses_it_is_the_sensitivity_of_the_ratio(case: Transmission) -> None:
-    """(u/i) di/du of docs/insight.md is the power by the first link, seen from the third."""
+    """(u/i) di/du of docs/summary.md is the power by the first link, seen from the third."""
     results = solve(case)
     [flow] = flows(results)
     if flow.ideal is not None and not flow.ideal.unknown:
