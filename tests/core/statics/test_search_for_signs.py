@@ -41,12 +41,10 @@ def test_a_gear_locked_by_friction_keeps_its_ideal_numbers() -> None:
     assert list(results.consistent) == [True, False]
     assert np.isnan([results.efficiency[1], *results.lossy_torques[1]]).all()
     assert results.power_sign[1] == [1]
-    assert texts(results) == [
-        "warning: locked by friction: no directions of power agree with the losses"
-    ]
+    assert texts(results) == ["warning: self-locking: no directions of power agree with the losses"]
     coasting = shipped_results("self-locking.yaml", coast=True)
     assert coasting.locked[0]
-    assert "locked by friction when coasting" in texts(coasting)[0]
+    assert "self-locking when coasting" in texts(coasting)[0]
 
 
 @pytest.mark.parametrize("name", [name for name in NASTY if name.startswith("turned")])

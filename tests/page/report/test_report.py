@@ -155,7 +155,7 @@ def test_the_flow_marks_what_a_convention_divides(zf: Page) -> None:
     assert {name for name, mark in marks.items() if mark} == {"ring 2", "E", "P3"}
     told = [one.text for one in zf.all("li")]
     assert not [one for one in told if one.startswith("in ")]  # the table has it
-    assert "~ by convention, as it turns as one piece: ring 2, E, P3" in told
+    assert "~ by convention, as it is locked up: ring 2, E, P3" in told
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -270,7 +270,7 @@ def test_the_same_case_gives_the_same_page(tmp_path: Path) -> None:
     [
         (NEUTRAL, 0, "there is no power to show"),
         (TIED_UP, 1, "Tied up, so there is no power to show"),
-        (LOCKED, 0, "with losses: locked by friction"),
+        (LOCKED, 0, "with losses: self-locking"),
     ],
 )
 def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, words: str) -> None:

@@ -50,12 +50,12 @@ def text(flow: GearFlow, digits: int | None = None) -> str:
         second: 2                 -1.000   -0.980
         teeth                      1.000    1.000
     ports
-      port           speed  torque    power  way
+      port           speed  torque    power  direction
       1              1.000   1.000    1.000  in
       2             -0.250  -3.920    0.980  out
       lost: meshes                  0.02000
     in 1.000 - out 0.980 - lost 0.020 = 0.000
-    circulating: none
+    recirculating power: none
     """
     return "".join(f"{line.rstrip()}\n" for line in _lines(flow, digits))
 

@@ -31,7 +31,7 @@ ALREADY = ("ETA", "ratio")
 WELL = {
     "power balance": (0.0, "power balance 0"),
     "consistent": (1.0, "directions of power agree with the losses"),
-    "locked": (0.0, "none locked by friction"),
+    "locked": (0.0, "no self-locking gear"),
 }
 """Value of a column of the results by gear if all is well, and the sentence that replaces it."""
 PORTS, LARGEST = "ports", ("planets", "shift elements")

@@ -55,7 +55,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
     >>> [[figure]] = each(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), [()])
     >>> [text.get_text() for text in figure.texts if "circulates" in text.get_text()][-1]
-    'circulates 1.000: 100.0% of the power in'
+    'recirculating power 1.000: 100.0% of the power in'
     """
     every = flows(results)
     numbers = [gears or range(1, len(every) + 1) for gears in shown]
@@ -132,15 +132,15 @@ def key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
         said.is_mild(node) for said, row in drawn for node in row.graph.place if said.is_open(node)
     ]
     loop = loop_colour(style)
-    by_convention = "divided by convention, turns as one piece"
-    mild = "divided within friction, turns as one piece"
+    by_convention = "divided by convention, locked up"
+    mild = "divided within friction, locked up"
     mild_look = {"facecolor": style.paper, "edgecolor": style.ink, "hatch": MILD_HATCH}
-    doubtful = "circulates, may not be in the metal"
+    doubtful = "recirculating power, may be an artefact of the model"
     return [
         (drawn, "power", {"facecolor": style.power}),
         (False in pieces, by_convention, hatched_look(style.power, style)),
         (True in pieces, mild, {**mild_look, "width": 0.5}),
         (lost, "lost", {"facecolor": style.lost}),
-        (False in loops, "circulates", {"facecolor": loop}),
+        (False in loops, "recirculating power", {"facecolor": loop}),
         (True in loops, doubtful, hatched_look(loop, style)),
     ]
