@@ -45,7 +45,7 @@ def gear_lines(text: str) -> list[str]:
 def test_the_numbers_are_those_of_the_result(path: Path) -> None:
     text = shown(path)
     document = json_answer("run", path)
-    for name in ("ratio", "ETA"):
+    for name in ("ratio", "efficiency"):
         for value in document[name]:
             assert value is None or shown_as(value) in text
     assert all(len(line) <= 80 for line in text.splitlines())

@@ -1,4 +1,4 @@
-"""Names that a person types: a number has one name and one alias, a row has one name."""
+"""Names that a person types: a number has a name and a deck name, a row has one name."""
 
 from __future__ import annotations
 
@@ -53,14 +53,9 @@ def everything() -> Transmission:
 # A quantity
 
 
-def test_all_names_and_aliases_are_different() -> None:
-    names = [name for one in QUANTITIES + ASKED for name in (one.name, one.alias)]
+def test_all_names_and_deck_names_are_different() -> None:
+    names = [name for one in QUANTITIES + ASKED for name in (one.name, one.deck_name)]
     assert len(names) == len(set(names)) == len(BY_NAME)
-
-
-def test_the_key_of_a_file_is_one_of_the_two() -> None:
-    for one in QUANTITIES + ASKED:
-        assert one.key in (one.name, one.alias)
 
 
 def test_every_array_of_the_results_is_declared() -> None:
@@ -73,11 +68,13 @@ def test_the_case_has_everything(everything: Transmission) -> None:
     assert made == {one.name for one in QUANTITIES}
 
 
-def test_the_documentation_lists_every_name_with_its_alias() -> None:
+def test_the_documentation_lists_every_name_with_its_deck_name() -> None:
     text = (ROOT / "docs" / "expressions.md").read_text(encoding="utf-8")
     lines = dict(re.findall(r"^\| `(\w+)` \| `(\w+)` \|", text, re.MULTILINE))
     ports = ("input_power_kW", "output_power_kW")
-    assert lines == {one.name: one.alias for one in DECLARED if not one.unit or one.name in ports}
+    assert lines == {
+        one.name: one.deck_name for one in DECLARED if not one.unit or one.name in ports
+    }
 
 
 # A row

@@ -97,8 +97,8 @@ def gears_grid(
     """
     names = [element.name for element in results.case.shift_elements]
     headings = list(map(str, range(1, len(names) + 1))) if numbered else names
-    by_key = {table.quantity.key: table for table in tables(results)}
-    rpm, torque = "W_rpm" in by_key, "AMLGP_Nm" in by_key
+    by_name = {table.quantity.name: table for table in tables(results)}
+    rpm, torque = "speeds_rpm" in by_name, "lossy_torques_Nm" in by_name
     occurring = _all_roles(results)
     resting = f"{ONE_PIECE} ({IDLE})" if ONE_PIECE in occurring else IDLE
     columns = [
@@ -114,8 +114,8 @@ def gears_grid(
             Cell(line.gear),
             *element_signs(results, index, marks),
             *_figures(line, digits),
-            _largest(_speeds(by_key, index, rpm=rpm), 0 if rpm else 2, digits),
-            _largest(_torques(by_key, index), 0 if torque else 2, digits)
+            _largest(_speeds(by_name, index, rpm=rpm), 0 if rpm else 2, digits),
+            _largest(_torques(by_name, index), 0 if torque else 2, digits)
             if results.calculable[index]
             else Cell(""),
             _resting(results, index, bracketed=resting != IDLE),
@@ -147,25 +147,26 @@ def _figures(line: GearLine, digits: int | None) -> list[Cell]:
     ]
 
 
-def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
+def _speeds(by_name: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
     """Yield names and speeds of links, planets and disengaged elements."""
     unit = "_rpm" if rpm else ""
-    for key, kind in (("W", ""), ("WSAT", tr("planet")), ("WFRI", tr("slip"))):
-        if key + unit in by_key:
-            for name, value in _column(by_key[key + unit], number):
+    kinds = (("speeds", ""), ("planet_speeds", tr("planet")), ("slip_speeds", tr("slip")))
+    for relative, kind in kinds:
+        if relative + unit in by_name:
+            for name, value in _column(by_name[relative + unit], number):
                 # A planet's name such as `P1.planet` needs no prefix, a number does.
                 front = "" if "." in name else kind or tr("link") * name.isdigit()
                 yield f"{front} {name}".lstrip(), value
 
 
-def _torques(by_key: dict[str, Table], number: int) -> list[tuple[str, float]]:
+def _torques(by_name: dict[str, Table], number: int) -> list[tuple[str, float]]:
     """List the torques of shift elements, mechanisms and members, with losses if calculated.
 
     The list is empty if any torque is indeterminate, since that one can be the largest.
     """
-    names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in by_key else ("AMLGP", "AMLG")
-    for name in names:
-        column = [torque for torque in _column(by_key[name], number) if torque[0] != OUTPUT]
+    unit = "_Nm" if "lossy_torques_Nm" in by_name else ""
+    for name in ("lossy_torques", "torques"):
+        column = [torque for torque in _column(by_name[name + unit], number) if torque[0] != OUTPUT]
         if not any(math.isnan(value) for _, value in column):
             return column
     return []
