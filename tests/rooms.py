@@ -25,6 +25,7 @@ ROOMS = (
         "core.annexes",
         "core.record",
         "core.errors",
+        "core.messages",
         "core.suggestions",
         "core.extras",
         "core.arguments",

@@ -12,15 +12,18 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from tests import message_page as page
-from tests.commands import ROOT, json_answer, vstatics
+from tests.commands import json_answer, vstatics
 from tests.installed import ANNEXES, missing
 from tests.rooms import PACKAGE, modules, nodes
 from vstatics.core import readers
 from vstatics.core.annexes import KEYS
 from vstatics.core.cli import main
-from vstatics.core.errors import DOUBTS
-from vstatics.core.writers.explained import ExplainedMessage, explained, known_ids
+from vstatics.core.messages.catalogue import (
+    ExplainedMessage,
+    causes_of_allowable,
+    explained,
+    known_ids,
+)
 
 MAKERS = {"Problem", "of_file", "CaseError", "ReadError", "Message", "Said", "Doubt", "warnings_of"}
 CASE = """\
@@ -39,10 +42,12 @@ def _files(folder: Path) -> None:
 
 
 @cache
-def ids_in_code() -> set[str]:
-    """The ids with which messages are made."""
+def ids_in_code(room: str = "") -> set[str]:
+    """The ids with which messages are made, in the core, an annex, or anywhere."""
     found = set()
-    for file in modules().values():
+    for name, file in modules().items():
+        if room and name.split(".")[1:2] != [room]:
+            continue
         for node in nodes(file):
             if isinstance(node, ast.Constant) and re.fullmatch(r"[EWN]\d{3}", str(node.value)):
                 found.add(str(node.value))
@@ -60,49 +65,50 @@ def test_no_message_is_made_without_an_id() -> None:
                 assert re.fullmatch(r"[EWN]\d{3}", str(first.value)), (file, node.lineno)
 
 
-def test_the_page_lists_every_id() -> None:
-    page = (ROOT / "docs/messages.md").read_text("utf-8")
-    listed = re.findall(r"^\| ([EWN]\d{3}) \|", page, re.MULTILINE)
-    assert listed == sorted(set(listed))
-    assert set(listed) == ids_in_code() or missing(ANNEXES)
-    assert set(listed) >= ids_in_code()
-    for identity, says in DOUBTS.items():
-        assert f"| {identity} | {says} |" in page
-
-
 HOW_TO_ADD = """
-Each id has three homes. A line `ID | cause | cure` in vstatics/core/writers/messages/causes.txt, where the cause
-of a warning or note is `-` and stands in DOUBTS of vstatics/core/errors.py; a case that shows it,
-vstatics/core/writers/messages/examples/ID.yaml, unless that needs another file or a run; a row of its table in
-docs/messages.md. Then `make messages` writes the last part of that page."""
+Each id has three lines in a file of vstatics/core/messages/causes: the id, the cause, the remedy,
+both in whole sentences, then an empty line. The file core.txt has the ids that the core uses, the
+others have those of an annex. If a case alone shows the message, the case is
+vstatics/core/messages/examples/ID.yaml."""
+CAUSES = PACKAGE / "core/messages/causes"
 
 
-def test_every_id_has_a_cause_and_a_cure() -> None:
-    told = known_ids()
-    lacking, unknown = sorted(ids_in_code() - {*told}), sorted({*told} - ids_in_code())
-    assert not lacking, f"no line for {lacking}.{HOW_TO_ADD}"
+def test_every_id_has_a_cause_and_a_remedy() -> None:
+    known = {*known_ids()}
+    lacking, unknown = sorted(ids_in_code() - known), sorted(known - ids_in_code())
+    assert not lacking, f"no explanation of {lacking}.{HOW_TO_ADD}"
     assert not unknown or missing(ANNEXES), (
-        f"the code has no message {unknown}: remove their lines.{HOW_TO_ADD}"
+        f"the code has no message {unknown}: remove their explanations.{HOW_TO_ADD}"
     )
-    ordered = sorted(told, key=lambda one: ("EWN".index(one[0]), one))
-    assert told == ordered, "expected the lines in order: E, W, N"
-    doubts = {one for one in told if one[0] in "WN"}
-    assert doubts == {*DOUBTS}, f"{doubts ^ {*DOUBTS}}: the cause belongs into DOUBTS.{HOW_TO_ADD}"
-    for one in map(explained, told):
-        assert len(one.cause) > 1, f"{one.id} has no cause.{HOW_TO_ADD}"
-        assert one.cure, f"{one.id} has no cure.{HOW_TO_ADD}"
 
 
-def test_the_page_has_the_causes_and_cures() -> None:
-    made = (ROOT / "docs/messages.md").read_text("utf-8")
-    assert made == page.page(made), "run `make messages`"
+@pytest.mark.parametrize("file", sorted(CAUSES.iterdir()), ids=lambda file: file.stem)
+def test_explanations_are_in_order_and_whole(file: Path) -> None:
+    blocks = file.read_text("utf-8").removesuffix("\n").split("\n\n")
+    rows = [block.split("\n") for block in blocks]
+    assert [row for row in rows if len(row) != 3] == [], HOW_TO_ADD
+    ids = [row[0] for row in rows]
+    assert ids == sorted({*ids}, key=lambda identity: ("EWN".index(identity[0]), identity))
+    assert file.stem == "core" or file.stem in ANNEXES
+
+
+def test_an_id_has_one_explanation_where_it_is_used() -> None:
+    found = Counter[str]()
+    for file in CAUSES.iterdir():
+        ids = re.findall(r"^[EWN]\d{3}$", file.read_text("utf-8"), re.MULTILINE)
+        found.update(ids)
+        if not missing(ANNEXES):
+            assert {*ids} <= ids_in_code(file.stem), file.name
+    assert [identity for identity, count in found.items() if count > 1] == []
+    of_core = re.findall(r"^[EWN]\d{3}$", (CAUSES / "core.txt").read_text("utf-8"), re.MULTILINE)
+    assert {*of_core} == ids_in_code("core")
 
 
 EXAMPLES = [one for one in map(explained, known_ids()) if one.example]
 
 
 def test_every_example_is_of_an_id() -> None:
-    files = {path.stem for path in (PACKAGE / "core/writers/messages/examples").iterdir()}
+    files = {path.stem for path in (PACKAGE / "core/messages/examples").iterdir()}
     assert files == {one.id for one in EXAMPLES}
 
 
@@ -122,10 +128,20 @@ def test_an_example_tells_its_message(one: ExplainedMessage) -> None:
 def test_an_id_is_explained_without_a_case() -> None:
     said = vstatics("check", "--explain", "W201")
     assert said.status == 0
-    assert said.out.startswith(f"W201, a warning: {DOUBTS['W201']}\n")
+    warning = explained("W201")
+    assert said.out.startswith("W201 (warning)\nCause: ")
+    assert " ".join(said.out.split()).startswith(
+        f"W201 (warning) Cause: {warning.cause} Remedy: {warning.remedy} Example: "
+    )
     assert "    links: [a, b, c]\n" in said.out
-    assert vstatics("check", "--explain", "all").out.count("\nW") == len(
-        [one for one in DOUBTS if one[0] == "W"]
+
+
+@pytest.mark.parametrize("option", [("--explain", "all"), ("--explain",)])
+def test_all_ids_are_explained(option: tuple[str, ...]) -> None:
+    said = vstatics("check", *option)
+    assert (
+        re.findall(r"^([EWN]\d{3}) \((?:error|warning|note)\)$", said.out, re.MULTILINE)
+        == known_ids()
     )
 
 
@@ -133,7 +149,7 @@ def test_all_ids_are_an_array_in_json() -> None:
     told = json_answer("check", "--explain", "all")
     explained = {one["id"] for one in told}
     assert explained >= ids_in_code() if missing(ANNEXES) else explained == ids_in_code()
-    assert {tuple(one) for one in told} == {("id", "severity", "cause", "cure", "example")}
+    assert {tuple(one) for one in told} == {("id", "severity", "cause", "remedy", "example")}
     two = vstatics("check", "--explain", "n318, w201", "-f", "json").out
     assert [one["id"] for one in json.loads(two)] == ["N318", "W201"]
     [one] = json_answer("check", "--explain", "E006")
@@ -155,10 +171,13 @@ def test_what_cannot_be_explained_is_wrong_use(options: tuple[str, ...], why: st
     assert said.is_wrong_use(why)
 
 
-def test_no_two_ids_say_the_same() -> None:
-    page = (ROOT / "docs/messages.md").read_text("utf-8")
-    said = re.findall(r"^\| [EWN]\d{3} \| (.*) \|$", page, re.MULTILINE)
-    assert sorted(says for says, count in Counter(said).items() if count > 1) == []
+def test_no_two_ids_have_the_same_cause() -> None:
+    causes = Counter(explained(identity).cause for identity in known_ids())
+    assert [cause for cause, count in causes.items() if count > 1] == []
+
+
+def test_errors_cannot_be_allowed() -> None:
+    assert [*causes_of_allowable()] == [name for name in known_ids() if name[0] in "WN"]
 
 
 def test_a_message_ends_with_its_id() -> None:

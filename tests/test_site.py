@@ -21,7 +21,7 @@ import vstatics
 from tests.installed import ANNEXES, needs
 from vstatics.core.cli import main
 from vstatics.core.cli.schemas import schemas
-from vstatics.core.writers.explained import known_ids
+from vstatics.core.messages.catalogue import known_ids
 from website import commands, documents, keys, public
 from website.page import KINDS
 

@@ -10,12 +10,15 @@ from pathlib import Path
 import yaml
 
 from vstatics.core.examples import example_file
-from website.page import KINDS, Page, anchor
+from website.messages import explanations
+from website.page import KINDS, Page
 
 ROOT = Path(__file__).parents[1]
 PLACES = {
     "README.md": "start/readme",
-    "docs/own-gearbox.md": "start/own-gearbox",
+    "docs/README.md": "start/menu",
+    "docs/tutorial.md": "start/tutorial",
+    "docs/coming-from.md": "start/coming-from",
     "docs/python.md": "api/index",
     "docs/sources.md": "sources/index",
     "CHANGELOG.md": "reference/changelog",
@@ -25,7 +28,6 @@ HOW_TO = ("docs/ci.md", "docs/page/serve.md", "docs/vehicle/damage.md")
 SOURCES = ("docs/sources.md",)
 """Besides those in docs/sources."""
 _LINK = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)\s#]+)(#[^)\s]*)?\)")
-_MESSAGE = re.compile(r"^### ([EWN]\d{3})$", re.MULTILINE)
 _FILE = re.compile(r"^<!-- file: (\S+) -->$", re.MULTILINE)
 """The name of the file whose text follows."""
 _FILES_OF = re.compile(r"^<!-- files of: (\S+) -->$", re.MULTILINE)
@@ -85,7 +87,7 @@ def pages() -> Iterator[Page]:
             title, line, rest = text.partition("\n")
             text = f"{title}{line}\n{shipped}{rest}"
         if name == "messages/messages":
-            text = _MESSAGE.sub(lambda found: f"{anchor(found[1])}\n{found[0]}", text)
+            text = f"{text}\n{explanations()}"
         yield Page(name.partition("/")[0], name, text)
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from vstatics.core.errors import DOUBTS, quoted, spoken
+from vstatics.core.errors import quoted, spoken
+from vstatics.core.messages.catalogue import causes_of_allowable
 
 _LEAST_PART = 4
 """Fewest letters of a part of a name that identify the name."""
@@ -103,8 +104,9 @@ def why_not_allowed(identity: str) -> str:
     >>> why_not_allowed("E234"), why_not_allowed("W999")
     ('`E234` is an error, expected a warning or a note', 'there is no message `W999`')
     """
-    if identity in DOUBTS:
+    allowable = causes_of_allowable()
+    if identity in allowable:
         return ""
     if re.fullmatch(r"E\d{3}", identity):
         return f"{quoted(identity)} is an error, expected a warning or a note"
-    return f"there is no message {quoted(identity)}{nearest(identity, DOUBTS)}"
+    return f"there is no message {quoted(identity)}{nearest(identity, allowable)}"

@@ -61,9 +61,7 @@ def test_what_means_something_to_github_is_escaped() -> None:
 
 
 def test_a_note_is_a_notice() -> None:
-    said = vstatics(
-        "check", ROOT / "vstatics/core/writers/messages/examples/N203.yaml", "-f", "github"
-    )
+    said = vstatics("check", ROOT / "vstatics/core/messages/examples/N203.yaml", "-f", "github")
     assert said.status == 0
     assert "title=N203::" in said.out
     assert said.out.startswith("::notice ") or "\n::notice " in said.out

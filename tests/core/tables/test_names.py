@@ -11,7 +11,7 @@ from tests.commands import ROOT
 from tests.core.elements.element_texts import loaded
 from tests.shipped import shipped_results
 from vstatics import ReadError, Transmission, solve
-from vstatics.core.statics.result_arrays import ARRAYS
+from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.tables.dataframe import to_dataframe
 from vstatics.core.tables.names import row_named
 from vstatics.core.tables.quantities import ASKED, BY_NAME, QUANTITIES
@@ -68,13 +68,31 @@ def test_the_case_has_everything(everything: Transmission) -> None:
     assert made == {one.name for one in QUANTITIES}
 
 
-def test_the_documentation_lists_every_name_with_its_deck_name() -> None:
-    text = (ROOT / "docs" / "expressions.md").read_text(encoding="utf-8")
-    lines = dict(re.findall(r"^\| `(\w+)` \| `(\w+)` \|", text, re.MULTILINE))
-    ports = ("input_power_kW", "output_power_kW")
-    assert lines == {
-        one.name: one.deck_name for one in DECLARED if not one.unit or one.name in ports
-    }
+WORDS: dict[Rows, str] = {
+    "links": "links",
+    "planets": "planets",
+    "elements": "shift elements",
+    "devices": "gear sets",
+    "mechanisms": "mechanisms",
+    "torques": "components, `Mx`",
+    "meshes": "meshes",
+    "one": "",
+}
+"""Rows of a table in the documentation."""
+
+
+def test_the_documentation_lists_every_name_with_deck_name_rows_and_unit() -> None:
+    text = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
+    found = re.findall(r"^\| `(\w+)` \| `(\w+)` \|(.*?)\|.*\|(.*?)\|$", text, re.MULTILINE)
+    listed = [one for one in QUANTITIES + ASKED if not one.of]
+    assert [(name, deck_name, rows.strip()) for name, deck_name, rows, _ in found] == [
+        (one.name, one.deck_name, WORDS[one.rows]) for one in listed
+    ]
+    units = {name: unit.strip() for name, _, _, unit in found}
+    for one in listed:
+        number = "-" if one.is_sign else {float: "-", int: "count", bool: "0, 1"}[one.kind]
+        ending = f"`_{one.with_load}`" if one.with_load else ""
+        assert units[one.name] == (one.unit or ending or number)
 
 
 # A row

@@ -13,18 +13,20 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
+from vstatics.core.cli.shared.command import MESSAGES, OUTPUT, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
+from vstatics.core.cli.shared.formats import WHOLE_OUTPUT, OutputOptions, TextStyle
 from vstatics.core.cli.shared.options import completing, refuse
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
-from vstatics.core.errors import Problem, ReadError, Severity, plural, spoken
+from vstatics.core.errors import Problem, ReadError, Severity, plural, quoted, spoken
 from vstatics.core.readers.kinds import document_function
 from vstatics.core.statics.diagnosis import freedom, given_conditions
 from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import CONFLICT, TIED_UP
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.answer import Words, as_json, line, plain_data
 from vstatics.core.tables.grid import Grid, grid_of
 from vstatics.core.tables.text import lines
@@ -41,7 +43,7 @@ class ProblemRecord(NamedTuple):
     severity: Severity
     message: str
     id: str
-    """Id of the cause: a letter for the severity and three digits, as in docs/messages.md."""
+    """Id of the cause: a letter for the severity and three digits."""
 
 
 def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
@@ -116,32 +118,45 @@ def conditions(file: str, results: Results) -> Grid:
     return grid_of(title, ["", ""], rows)
 
 
+_ALL = "all"
+"""Value of `--explain` for all messages, also if the option has no value."""
+
+
 def _ids() -> list[str]:
-    from vstatics.core.writers.explained import known_ids
+    from vstatics.core.messages.catalogue import known_ids
 
-    return [*known_ids(), "all"]
+    return [*known_ids(), _ALL]
 
 
-@click.command()
+@command
 @arguments.optional_argument
 @arguments.files_from
-@click.option(
-    "--explain",
-    metavar="ID",
-    shell_complete=completing(_ids),
-    help="Cause, cure and an example of W201, of W201,E107, or of all; takes no case.",
+@under(
+    MESSAGES,
+    click.option(
+        "--explain",
+        metavar="ID,...",
+        is_flag=False,
+        flag_value=_ALL,
+        shell_complete=completing(_ids),
+        help="Print cause, remedy and example of messages, such as W201,E107, or of all messages "
+        "if no ID is given.",
+    ),
 )
-@click.option(
-    "-f",
-    "--format",
-    "output_format",
-    type=click.Choice(FORMATS),
-    help="Format; else told by the suffix of -o, else text.",
+@under(
+    OUTPUT,
+    click.option(
+        "-f",
+        "--format",
+        "output_format",
+        type=click.Choice(FORMATS),
+        help="Format of the output.  [default: by the suffix of -o, else text]",
+    ),
+    click.option("-o", "--output", type=click.Path(), help=WHOLE_OUTPUT),
 )
-@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
 @arguments.input_format
 @arguments.telling
-def check(
+def check_command(
     cases: tuple[str, ...],
     files_from: str | None,
     explain: str | None,
@@ -150,27 +165,26 @@ def check(
     input_format: readers.Format | None,
     telling: Telling,
 ) -> int:
-    """Report all problems, warnings and notes of each CASE, and its conditions per gear.
+    """Report errors, warnings and notes of each CASE, and the constraints of each gear.
 
-    A scenario is checked with its case.
+    A CASE can also be a scenario, which is checked together with its case; - is standard
+    input. Messages go to stderr with file, line and column. The number of constraints in
+    each gear goes to stdout; with -q only for a case that fails.
 
-    Problems go to stderr as file:line:col: message, with the line and a caret;
-    the count of conditions goes to stdout, with -q only of a case that fails. There are
-    no tables. As JSON, for
-    editors and CI, the problems of all cases are one array on stdout; each has
-    file, line, column, severity (error, warning, note), message and id. Formats github
-    (annotations), sarif and junit go to stdout as well: they, not text, are for -o.
+    The formats for editors and CI contain the messages of all cases and go to stdout, or to
+    the file of -o: an array in JSON, annotations of GitHub, SARIF, or JUnit.
 
     \b
     Examples:
       vstatics check gearbox.yaml
+      vstatics check gearbox.yaml --strict --allow N311
       vstatics check gearbox.yaml -f json | jq -r '.[].message'
-      vstatics check cases/*.yaml -f github
-      git diff --name-only -z --diff-filter=d main | vstatics check --files-from -
+      vstatics check *.yaml -f sarif -o problems.sarif
+      git ls-files -z '*.yaml' | vstatics check --files-from - -f github
       vstatics check --explain W201
 
-    Exit status: 0 no errors; 1 a case is in error or a gear is tied up, with --strict
-    also if there is a warning; 2 wrong use.
+    Exit status 1: a case has an error, a gear is tied up, or with --strict there is a
+    warning.
     """
     wanted = OutputOptions(FORMATS, output_format, output, TextStyle())
     has_case = bool(cases) or files_from is not None
@@ -197,16 +211,16 @@ def check(
 
 def _explained(asked: str, form: str) -> str:
     """Return the explanations of comma-separated ids, or of all ids."""
-    from vstatics.core.writers.explained import explained, known_ids, text
+    from vstatics.core.messages.catalogue import explained, known_ids, text
 
-    ids = dict.fromkeys(item if item == "all" else item.upper() for item in separated([asked]))
-    try:
-        explanations = [explained(identity) for identity in (known_ids() if "all" in ids else ids)]
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="'--explain'") from None
-    if form == "json":
-        return _array(explanations)
-    return "\n".join(map(text, explanations))
+    names, known = separated([asked]), known_ids()
+    ids = known if _ALL in names else list(dict.fromkeys(name.upper() for name in names))
+    for identity in ids:
+        if identity not in known:
+            fault = f"there is no message {quoted(identity)}{nearest(identity, known)}"
+            raise click.BadParameter(fault, param_hint="'--explain'")
+    explanations = map(explained, ids)
+    return _array(explanations) if form == "json" else "\n".join(map(text, explanations))
 
 
 CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]

@@ -34,7 +34,7 @@ TAKEN = (
 )
 CASE = "a case, of which `vstatics run CASE -f json -o RESULT.json` makes a result"
 OTHERS = {
-    "cure": "a message that check explains",
+    "remedy": "a message that check explains",
     "severity": "a problem that check tells",
     "changed": "what compare told",
     "gears": CASE,

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from vstatics.core.errors import Problem
-from vstatics.core.writers.explained import explained
+from vstatics.core.messages.catalogue import explained
 
 _COMMANDS = {"error": "error", "warning": "warning", "note": "notice"}
 """Workflow commands of GitHub, by severity."""
@@ -59,7 +59,7 @@ def sarif(problems: Sequence[Problem]) -> dict[str, Any]:
         {
             "id": message.id,
             "shortDescription": {"text": message.cause},
-            "help": {"text": message.cure},
+            "help": {"text": message.remedy},
             "defaultConfiguration": {"level": message.severity},
         }
         for message in map(explained, ids)
