@@ -45,7 +45,7 @@ def gear_lines(text: str) -> list[str]:
 def test_the_numbers_are_those_of_the_result(path: Path) -> None:
     text = shown(path)
     document = json_answer("run", path)
-    for name in ("ratio", "ETA"):
+    for name in ("ratio", "efficiency"):
         for value in document[name]:
             assert value is None or shown_as(value) in text
     assert all(len(line) <= 80 for line in text.splitlines())
@@ -54,8 +54,7 @@ def test_the_numbers_are_those_of_the_result(path: Path) -> None:
 
 def shown_as(value: float) -> str:
     """Three digits after the point, or four significant ones below 0.1."""
-    text = f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
-    return text
+    return f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
 
 
 def test_steps_are_quotients_of_neighbouring_ratios() -> None:

@@ -127,7 +127,7 @@ def _slip_powers(summary: Summary) -> Grid:
 def _planets(summary: Summary, *, loaded: bool) -> Grid:
     shown = quantity(PLANETS, loaded=loaded)
     headings = "planet", headed("speed", shown.unit), "gear"
-    lines = summary.largest.get(shown.key, ())
+    lines = summary.largest.get(shown.name, ())
     devices = summary.results.case.own_devices
     planets = [planet for device in devices for planet in device.planets]
     without_teeth = {planet.name for planet in planets if math.isnan(planet.speed)}
@@ -142,9 +142,9 @@ def _elements(summary: Summary, *, loaded: bool) -> Grid:
     """Return slip and torques of shift elements side by side."""
     named = {SLIPS: "slip", TORQUES: "torque", LOSSY_TORQUES: "with losses"}
     shown = [(quantity(key, loaded=loaded), name) for key, name in named.items()]
-    shown = [(item, name) for item, name in shown if summary.largest.get(item.key)]
+    shown = [(item, name) for item, name in shown if summary.largest.get(item.name)]
     headings = [heading for item, name in shown for heading in (headed(name, item.unit), "gear")]
-    columns = [[(item, line) for line in summary.largest[item.key]] for item, _ in shown]
+    columns = [[(item, line) for line in summary.largest[item.name]] for item, _ in shown]
     rows = [
         [pairs[0][1].row, *(cell for pair in pairs for cell in _cells(*pair))]
         for pairs in zip(*columns, strict=True)

@@ -41,7 +41,7 @@ def tables(results: Results) -> list[Table]:
             filled.append(Table(quantity, case.link_names, case.devices, matrix))
             continue
         kind = quantity.rows
-        rows = [quantity.key] if kind == "one" else names[kind]
+        rows = [quantity.name] if kind == "one" else names[kind]
         array = np.asarray(results.existing(quantity.name), dtype=np.float64)
         filled.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
     return filled
@@ -52,7 +52,7 @@ def places(table: Table) -> list[tuple[str, str, str | None]]:
 
     The distribution matrix does not depend on the gear: its rows are ``link:device``.
     """
-    key, of_matrix = table.quantity.key, table.quantity.columns == "devices"
+    key, of_matrix = table.quantity.name, table.quantity.columns == "devices"
     return [
         (key, f"{row}:{column}", None) if of_matrix else (key, row, column)
         for row in table.rows

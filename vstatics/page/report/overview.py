@@ -68,7 +68,7 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
     for loaded in (True, False):
         for key in (LOSSY_TORQUES, TORQUES):
             shown = quantity(key, loaded=loaded)
-            extreme = overall(largest.get(shown.key, ()))
+            extreme = overall(largest.get(shown.name, ()))
             if extreme is not None and extreme.gear:
                 unit = tr(UNITS[shown.unit].text) if shown.unit else tr(RELATIVE)
                 value = rounded(abs(extreme.value), shown.decimals, material.digits)

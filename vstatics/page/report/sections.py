@@ -26,7 +26,7 @@ from vstatics.page.report.tools.marks import marked_links
 from vstatics.pictures.paged.drawn import Drawn, name_of
 from vstatics.pictures.paged.parts import Part, figures, gear_link, of_gear, on_screen
 
-ALREADY = ("ETA", "ratio")
+ALREADY = ("efficiency", "ratio")
 """Columns of the table of results by gear that the table of gears has already, by heading."""
 WELL = {
     "power balance": (0.0, "power balance 0"),

@@ -195,7 +195,7 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
     >>> names, shares.round(6)
     (['D1'], array([[0.04]]))
     """
-    by_name = {table.quantity.key: table for table in tables(results)}
+    by_name = {table.quantity.name: table for table in tables(results)}
     names, losses = list(by_name["losses"].rows), by_name["losses"].values
     if "drag_losses" in by_name:
         names.append(style.text("drag"))
