@@ -24,11 +24,11 @@ COMMANDS = ["run", "check", "convert", "compare"]
         ("locked.yaml", 0, "gear 1: locked by friction"),
         ("tied.yaml", 1, "gear both: tied up: C, B and the input speed"),
         ("bad.yaml", 1, "did you mean `ratio`?"),
-        ("nowhere.yaml", 1, "nowhere.yaml: error: can't be read: No such file"),
+        ("nowhere.yaml", 1, "nowhere.yaml: error: cannot be read: No such file"),
         (
             ".",
             1,
-            ".: error: can't be read: Is a directory; expected a file, or of several a pattern, "
+            ".: error: cannot be read: Is a directory; expected a file, or of several a pattern, "
             "'./**/*.yaml'",
         ),
     ],

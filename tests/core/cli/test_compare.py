@@ -147,8 +147,10 @@ def test_a_result_of_another_command_is_named() -> None:
 
 def test_what_is_no_result_is_told_by_what_it_is() -> None:
     told = {
-        "a problem that check tells": vstatics("check", "open.yaml", "-f", "json").out,
-        "a message that check explains": vstatics("check", "--explain", "W201", "-f", "json").out,
+        "a problem that `vstatics check` reports": vstatics("check", "open.yaml", "-f", "json").out,
+        "an explanation of `vstatics check --explain`": vstatics(
+            "check", "--explain", "W201", "-f", "json"
+        ).out,
         "is a case, of which": vstatics("convert", "open.yaml", "-", "--to", "json").out,
         "error: a case, of which": Path("open.yaml").read_text("utf-8"),
         ": a case, of which `vstatics run": Path(MZKT).read_text("utf-8"),
@@ -236,7 +238,7 @@ def test_a_table_that_is_none_gets_the_nearest_name() -> None:
     said = vstatics("compare", file, file, "--leave-out", "losess")
     assert said.is_wrong_use("did you mean `losses`?")
     said = vstatics("compare", file, file, "--leave-out", "losses,ratio")
-    assert said.is_wrong_use("give each of them by itself")
+    assert said.is_wrong_use("give each name separately")
 
 
 # sweeps

@@ -70,7 +70,9 @@ def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
 
 def test_a_planet_and_a_link_of_one_name_are_told() -> None:
     text = AOD.replace("reverse sun", "set.long")
-    assert any("planet long is called `set.long`, as a link is" in told for told in problems(text))
+    assert any(
+        "planet long has the name `set.long`, like a link" in told for told in problems(text)
+    )
 
 
 def test_ratio_is_the_exact_fraction_rounded_once() -> None:
@@ -321,8 +323,8 @@ def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
     text = changed("B: [ring, housing]", "B: [rign, housing]")
     told = read(text.encode(), "case.yaml").warnings
     assert [str(problem) for problem in told if problem.severity == "warning"] == [
-        "case.yaml:5:41: warning: link `ring` is joined to nothing else; did you mean `rign`? [W102]",
-        "case.yaml:7:7: warning: link `rign` is joined to nothing else; did you mean `ring`? [W102]",
+        "case.yaml:5:41: warning: link `ring` appears only once, so it is connected to nothing; did you mean `rign`? [W102]",
+        "case.yaml:7:7: warning: link `rign` appears only once, so it is connected to nothing; did you mean `ring`? [W102]",
     ]
 
 

@@ -74,7 +74,7 @@ def test_meshed_planets_reach_one_another() -> None:
     assert not told(element("double_planet", sun=30, inner=20, outer=20, ring=90), "can't mesh")
     # Radii (30 + 20)/2 = 25 and (120 - 20)/2 = 50 leave 25 between, planets make 20.
     (problem,) = told(element("double_planet", sun=30, inner=20, outer=20, ring=120), "can't mesh")
-    assert "distance 20 would have to lie between 25 and 75" in problem.message
+    assert "distance 20 would have to be between 25 and 75" in problem.message
     assert problem.path == ("elements", 1, "teeth", "inner")
 
 

@@ -35,7 +35,7 @@ def test_tips_interfere_in_a_ring_that_is_hardly_larger() -> None:
     assert told(element("planetary", sun=5, planet=40, ring=45), "interfere")
     assert told(
         element("stepped", sun=20, planet=40, planet2=30, ring2=30),
-        "planet2 30 doesn't fit into ring2 30",
+        "planet2 30 does not fit into ring2 30",
     )
 
 

@@ -187,7 +187,7 @@ def test_a_torque_beyond_a_flat_end_has_no_twist() -> None:
         ({"points": [(0, 0), (0.1, 5), (0.1, 6)]}, "3][1]: read 0.1 behind 0.1, expected twists"),
         ({"points": [(0, 0), (0.1, 5), (0.2, 4)]}, "3][2]: read 4 behind 5, expected torques"),
         ({"points": [(0, 1), (0.1, 5)]}, "1]: read 0, 1, expected [0, 0] first"),
-        ({"points": [(0, 0), (0.1, 0)]}, "expected two points at least, and a torque that rises"),
+        ({"points": [(0, 0), (0.1, 0)]}, "expected at least two points, and a torque that rises"),
         ({"points": STAGES, "stiffness": 5}, "stiffness: read `stiffness` beside `points`"),
         ({"points": STAGES, "limit": 5}, "limit: read `limit` beside `points`"),
         ({"points": STAGES, "damping": Damping(1, 0.1)}, "read a loss factor or ratio beside"),

@@ -25,7 +25,7 @@ def test_neutral_counts_what_is_missing_and_names_the_free_links() -> None:
     case = train([(2, 0)], Gear())
     results = solve(case)
     assert texts(results) == [
-        "warning: 1 condition missing for the speeds (neutral): nothing holds the torque of the "
+        "warning: 1 condition missing for the speeds (neutral): nothing supports the torque of the "
         "input; free: links 2 and 3; engage another shift element or give a speed"
     ]
     assert results.missing == [1]
@@ -46,7 +46,7 @@ def test_brakes_that_hold_the_input_tie_the_gear_up() -> None:
     assert results.failed
     assert texts(results) == [
         "error: tied up: A, B and the input speed contradict each other, so the input can't "
-        "turn as given; release one of the engaged elements"
+        "turn as given; release one of the engaged shift elements"
     ]
     assert status(case) == 1
 
@@ -74,14 +74,14 @@ def test_a_geared_neutral_holds_no_torque_but_with_losses() -> None:
         assert abs(at(k).torques[0, -1]) > 1e7
         assert 1 < abs(at(k).lossy_torques[0, -1]) < 100
     braked = Transmission(3, [ShiftElement(3)], [Mechanism(1, 2, 0, -1.0)], [Gear([1])])
-    assert texts(solve(braked))[-1].endswith("nothing holds the torque of the input")
+    assert texts(solve(braked))[-1].endswith("nothing supports the input torque")
 
 
 def test_only_torques_that_are_not_held_are_told() -> None:
     """The output takes that of the input; a pair on a link beside it takes none."""
     pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(3, 4, 0, -2.0)]
     case = Transmission(4, [], pairs, [Gear(torques={4: 0.5})], output=2)
-    assert texts(solve(case))[-1].endswith("balance: nothing holds the torque of 4")
+    assert texts(solve(case))[-1].endswith("balance: nothing supports the torque of 4")
 
 
 @pytest.mark.parametrize("coast", [False, True])
@@ -140,7 +140,7 @@ def test_an_output_that_stands_still_has_no_ratio() -> None:
     results = solve(case)
     assert results.speeds[0] == pytest.approx([1, -0.5, 0])
     assert np.isnan(results.ratio).all()
-    assert "warning: the output, link 3, stands still: there is no ratio" in texts(results)
+    assert "warning: the output, link 3, is at rest, so the gear has no ratio" in texts(results)
     assert status(case) == 0
 
 

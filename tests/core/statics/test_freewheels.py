@@ -170,7 +170,7 @@ def test_a_freewheel_that_is_driven_backward_is_a_conflict() -> None:
     assert np.isnan([*results.speeds[0], *results.torques[0], *results.ratio]).all()
     assert texts(results, "1") == [
         "error: conflict: freewheel L can neither overrun (its slip would be -1, below 0) nor "
-        "hold (the gear would be tied up); release one of the engaged elements, or exchange the "
+        "hold (the gear would be tied up); release one of the engaged shift elements, or exchange the "
         "links of the freewheel if it stands the wrong way round"
     ]
     turned = solved(pair(first=0, second=2))
@@ -226,7 +226,7 @@ def test_a_gear_that_no_freewheel_holds_says_so() -> None:
     """m2 pushes the carrier the other way, in which it is free."""
     results = solved(simpson(TWO_MOTORS.replace("{m2: -1}", "{m2: 1}")))
     assert not results.holds.any()
-    said = "nothing holds the torque of m2, as freewheel F overruns"
+    said = "nothing supports the torque of m2, as freewheel F overruns"
     assert said in texts(results, "both")[-1]
     assert results.ratio == pytest.approx([-3])
 
@@ -284,7 +284,7 @@ def test_a_load_that_contradicts_the_gear_is_refused() -> None:
     (problem,) = refused.value.problems
     assert problem.message == (
         "gears.both.input_turns: read `backward`, but by the load of this gear the input turns "
-        "forward; expected a load of its own whose signs agree, or this left out"
+        "forward; expected an operating point with other signs, or no `input_turns`"
     )
     assert problem.place is not None
     assert problem.place[1] == 7

@@ -42,7 +42,7 @@ def test_a_gear_locked_by_friction_keeps_its_ideal_numbers() -> None:
     assert np.isnan([results.efficiency[1], *results.lossy_torques[1]]).all()
     assert results.power_sign[1] == [1]
     assert texts(results) == [
-        "warning: locked by friction: no directions of power agree with the losses"
+        "warning: self-locking: no direction of power flow is consistent with the losses"
     ]
     coasting = shipped_results("self-locking.yaml", coast=True)
     assert coasting.locked[0]
@@ -56,7 +56,7 @@ def test_a_flow_that_losses_turn_is_told(name: str) -> None:
     assert exact.efficiency is not None
     assert results.efficiency[0] == pytest.approx(float(exact.efficiency))
     names = " and ".join(f"D{number + 1}" for number in np.nonzero(results.turned[0])[0])
-    assert f"note: losses turn the flow of power through {names} round" in texts(results)
+    assert f"note: losses reverse the power flow through {names} round" in texts(results)
 
 
 @pytest.mark.parametrize("name", [name for name in NASTY if name.startswith("several")])

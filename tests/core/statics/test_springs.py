@@ -154,7 +154,7 @@ def test_two_springs_between_the_same_links_share_a_torque_that_is_not_known() -
     assert np.isnan(results.torques[:, 3:5]).all()
     said = [str(message) for message in results.messages]
     assert said[0] == (
-        "warning: gear low: shaft and other say the same of the speeds: 1 condition in excess, the "
+        "warning: gear low: shaft and other impose the same constraint on the speeds, the "
         "torque of shaft and other is not determined [W416]"
     )
 

@@ -30,7 +30,7 @@ def test_two_clutches_that_lock_the_train_leave_only_the_split_open() -> None:
     assert [*results.ratio, *results.output_torque, *results.efficiency] == [1, 1, 1]
     assert np.isnan(results.torques[0, :3]).all()
     assert texts(results) == [
-        "warning: A and B: 1 engaged element is in excess; the speeds agree, the torque of A, B "
+        "warning: A and B impose the same constraint on the speeds, so one is redundant, the torque of A, B "
         "and D1 is not determined",
     ]
     assert status(case) == 0

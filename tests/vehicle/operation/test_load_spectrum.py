@@ -240,7 +240,7 @@ def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
     else:  # v = w r / 4
         file.write_text(f"time [s],speed [m/s],gear\n0,{speed / 8},{gear}\n1,{speed / 8},{gear}\n")
         given = ["cycle", str(case), str(file)]
-    said = "note: outside the points of a the last one counts"
+    said = "note: outside the points of a the value of the end point applies"
     assert vstatics(*given).err.count(said) == is_outside
     assert said not in vstatics(*given, "--allow", "N414").err
 

@@ -49,6 +49,6 @@ def left_out(names: str | Iterable[str]) -> frozenset[str]:
     keys = set()
     for name in given:
         if "," in name:
-            raise ReadError("E113", f"{quoted(name)} is no table: give each of them by itself")
+            raise ReadError("E113", f"{quoted(name)} is not a table: give each name separately")
         keys.add(quantity_named(name).key)
     return frozenset(keys)

@@ -156,7 +156,7 @@ def _bare(
             yield Problem(
                 "W440",
                 f"the drag of {name} has no unit, so it is {drag:g} of the input torque{size}; "
-                f"if it is in newton metres, write `{drag:g} N*m`",
+                f"if it is meant in N*m, write `{drag:g} N*m`",
                 path,
             )
 
@@ -171,8 +171,9 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
     for number, other in sets_side_by_side(sets):
         yield Problem(
             "N202",
-            f"shares a wheel and the carrier with {other}: if they share planets too, the "
-            "losses of this form are not exact; give the set as an element, or each mesh as a "
+            f"shares a central gear and the carrier with {other}: if they also share planets, the "
+            "losses of this form are not exact; give the planets as one gear set, or "
+            "each mesh as a "
             "mechanism (example: `vstatics check --explain N202`)",
             ("mechanisms", number),
         )
@@ -220,7 +221,10 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
         message = f"{case.links} links, but {len(case.link_names)} names of links"
         yield Problem("E204", message, ("link_names",))
     if not case.gears and case.shift_elements and not moves:
-        message = "`gears` is missing or empty: expected what each gear engages, such as"
+        message = (
+            "`gears` is missing or empty: expected the shift elements that each "
+            "gear engages, such as"
+        )
         yield Problem("E205", f"{message} `gears: {{{_first_gear(case)}}}`", ("gears",))
 
 
@@ -278,7 +282,7 @@ def _outputs(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E210", f"link {called(case, link)} is the input, expected another", path)
     if case.outputs and case.output not in (0, case.outputs[0]):
         first, given = (called(case, link) for link in (case.outputs[0], case.output))
-        message = f"the first output is {first}, but `output` is {given}; leave one of them out"
+        message = f"the first output is {first}, but `output` is {given}; remove one of them"
         yield Problem("E211", message, ("outputs",))
 
 
@@ -286,7 +290,9 @@ def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
     seen: dict[str, int] = {}
     for number, name in enumerate(names, 1):
         if not _is_name(name):
-            message = f"{name!r} is no name: expected one line of text, no blanks at its ends"
+            message = (
+                f"{name!r} is not a name: expected one line of text without blanks at its ends"
+            )
             yield Problem("E212", message, (part, number))
         elif name in seen:
             message = f"{kind} {number} has the name `{name}` of {kind} {seen[name]}"

@@ -56,7 +56,7 @@ def test_a_write_that_breaks_off_leaves_the_old_file(
     monkeypatch.setattr(os, "replace", full)
     said = vstatics("run", MZKT, "-o", "old.lst")
     assert said.gives_nothing()
-    assert said.err == "old.lst: error: can't be written: No space left on device\n"
+    assert said.err == "old.lst: error: cannot be written: No space left on device\n"
     assert (names(folder), old.read_text(encoding="utf-8")) == (["old.lst"], "old")
 
 
@@ -81,7 +81,7 @@ def test_what_cannot_be_written_is_told(target: str, reason: str) -> None:
     for command in (["run", MZKT, "-o", target], ["convert", MZKT, target, "--to", "deck"]):
         said = vstatics(*command)
         assert said.gives_nothing()
-        assert said.err == f"{target}: error: can't be written: {reason}\n"
+        assert said.err == f"{target}: error: cannot be written: {reason}\n"
     assert names(Path()) == ["file"]
 
 

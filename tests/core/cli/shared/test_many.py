@@ -87,7 +87,7 @@ def test_failures_are_told_where_they_occur_and_summed_up_at_the_end(jobs: int) 
     )
     assert second.startswith("  in/tied.yaml:4:")
     assert "tied up" in second
-    assert third == "  nowhere.dat: error: can't be read: No such file or directory"
+    assert third == "  nowhere.dat: error: cannot be read: No such file or directory"
 
 
 @pytest.mark.usefixtures("folder")
@@ -129,7 +129,7 @@ def test_an_error_of_the_program_in_one_case_harms_no_other(
     monkeypatch.setattr("vstatics.core.statics.solution.solution", faulty)
     said = vstatics("run", *reversed(GOOD), "-o", "out", "--jobs", jobs)
     assert (said.status, names("out")) == (1, ["mzkt.lst"])
-    message = "an error of vstatics, please report it with this case: ZeroDivisionError: by nothing"
+    message = "an error in vstatics, please report it with this case: ZeroDivisionError: by nothing"
     assert said.err.startswith(f"in/neutral.yaml: error: {message} in test_many.py:")
     assert "\n1 of 2 cases calculated, 1 failed:\n" in said.err
 

@@ -199,7 +199,7 @@ springs:
   b: {links: [dics, wheel], stiffness: 8}
 """)
     assert told == (
-        "case.yaml:5:15: warning: link `dics` is joined to nothing else; did you mean `disc`? [W102]"
+        "case.yaml:5:15: warning: link `dics` appears only once, so it is connected to nothing; did you mean `disc`? [W102]"
     )
 
 
