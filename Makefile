@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN = .venv/bin
 OLDEST = .venv-oldest/bin
 QUIETLY = -q --disable-pip-version-check
-CASE ?= cases/mzkt7922.dat
+CASE ?= cases/zf-8hp70.yaml
 # A process of pytest for each core; make test TEST_JOBS=0 runs the tests in one.
 TEST_JOBS ?= logical
 SOURCES := $(shell find vstatics -name '*.py')
@@ -13,8 +13,8 @@ unexport PYTHONDONTWRITEBYTECODE
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-run: .venv/compiled.stamp ## calculate the published case (another: make run CASE=file)
-	@$(BIN)/vstatics run "$(CASE)"
+run: .venv/compiled.stamp ## show the gears of the ZF 8HP70 in one table (another case: make run CASE=file)
+	@$(BIN)/vstatics run "$(CASE)" --pretty
 
 test: .venv/dev.stamp ## the fast tests (ROOM=torsion: of a room; ABOVE=1: and of what stands on it)
 	@tests="$(if $(ROOM),$$($(BIN)/python -m tests.rooms $(ROOM) $(ABOVE)))" && set -x && \

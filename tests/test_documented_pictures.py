@@ -43,9 +43,9 @@ def test_a_picture_is_as_it_is_drawn(one: DocumentedPicture) -> None:
         assert there == pytest.approx(here, abs=NEAR), f"{said}: {advice}"
 
 
-def test_the_first_page_has_a_stick_a_flow_and_a_shift() -> None:
-    kinds = [one.kind for one in PICTURES_THERE if one.document == ROOT / "README.md"]
-    assert kinds == ["stick", "flow", "shift"]
+def test_the_first_page_shows_recirculating_power() -> None:
+    asked = [one.asked for one in PICTURES_THERE if one.document == ROOT / "README.md"]
+    assert asked == ["cases/zf-8hp70.yaml --kind flow --gear R"]
 
 
 def test_each_kind_of_picture_is_shown() -> None:

@@ -259,15 +259,28 @@ def test_broken_links_are_found(tmp_path: Path) -> None:
     assert list(broken_links(page)) == ["none.md", "page.md#none", "#comment"]
 
 
-def test_every_document_is_reached_from_the_readme() -> None:
-    """Pages of the cookbook, of how to and of the sources by their lists."""
-    linked = set(LINK.findall((ROOT / "README.md").read_text(encoding="utf-8")))
-    for document in ("docs/cookbook/README.md", "docs/how-to/README.md", "docs/sources.md"):
-        folder, pages = document.rpartition("/")[0], (ROOT / document).read_text(encoding="utf-8")
-        linked |= {os.path.normpath(f"{folder}/{page}") for page in LINK.findall(pages)}
-    assert {name for name in NAMES if name != "README.md"} <= {
-        link.partition("#")[0] for link in linked
-    }
+MENU = ROOT / "docs/README.md"
+LISTS = (
+    "README.md",
+    "docs/README.md",
+    "docs/cookbook/README.md",
+    "docs/how-to/README.md",
+    "docs/sources.md",
+)
+"""Pages that list others; the last three have the cookbook, how to and the sources."""
+
+
+def test_every_document_is_listed_in_the_readme_or_the_menu() -> None:
+    linked: set[str] = set()
+    for name in LISTS:
+        folder, text = name.rpartition("/")[0], (ROOT / name).read_text(encoding="utf-8")
+        linked |= {os.path.normpath(f"{folder or '.'}/{page}") for page in LINK.findall(text)}
+    assert {*NAMES} - {link.partition("#")[0] for link in linked} == set()
+
+
+def test_the_menu_orders_pages_by_need() -> None:
+    needs_of_readers = re.findall(r"^## (.*)$", MENU.read_text(encoding="utf-8"), re.MULTILINE)
+    assert needs_of_readers == ["Learn", "Do a task", "Look up", "Understand", "Contribute"]
 
 
 def test_deck_reference_names_every_field() -> None:
@@ -279,20 +292,43 @@ def test_deck_reference_names_every_field() -> None:
     assert (SCALARS | LISTS | PRINTED.keys()) - named == set()
 
 
+def named_keys(document: str) -> set[str]:
+    """Return the words in code of the prose of a document."""
+    text = FENCE.sub("", (ROOT / document).read_text(encoding="utf-8"))
+    return set(re.findall(r"\w+", "".join(re.findall(r"`[^`]*`", text))))
+
+
 def test_reference_of_cases_names_every_key() -> None:
     from vstatics.core.elements.keys import with_elements
     from vstatics.core.model.keys import CASE, ELEMENT, GEAR, LOAD, MECHANISM
 
-    text = FENCE.sub("", (ROOT / "docs" / "cases.md").read_text(encoding="utf-8"))
-    named = set(re.findall(r"\w+", "".join(re.findall(r"`[^`]*`", text))))
+    named = named_keys("docs/cases.md")
     for shape in (with_elements(CASE), ELEMENT, GEAR, LOAD, MECHANISM):
         assert {key.name for key in shape.keys} - named == set(), shape.title
+
+
+def test_reference_of_springs_names_every_key() -> None:
+    from vstatics.core.model.torsional_keys import SPRING, STRUT
+
+    for shape in (SPRING, STRUT):
+        assert {key.name for key in shape.keys} - named_keys("docs/springs.md") == set(), (
+            shape.title
+        )
+
+
+@needs("vehicle")
+def test_references_of_the_vehicle_name_every_key() -> None:
+    from vstatics.vehicle.case.fatigue_key import FATIGUE
+    from vstatics.vehicle.case.vehicle_key import VEHICLE
+
+    assert {key.name for key in FATIGUE.keys} - named_keys("docs/springs.md") == set()
+    assert {key.name for key in VEHICLE.keys} - named_keys("docs/vehicle/README.md") == set()
 
 
 def test_units_of_the_reference_are_understood() -> None:
     from vstatics.core.readers.named.units import unit
 
-    text = (ROOT / "docs" / "cases.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "units.md").read_text(encoding="utf-8")
     for quantity, units in re.findall(
         r"^\| (speed|torque|power) \| (`.*`) \|$", text, re.MULTILINE
     ):
@@ -307,12 +343,26 @@ def test_readme_starts_with_the_two_commands() -> None:
     ]
 
 
+MOST_WORDS_OF_README = 900
+
+
 def test_readme_is_short_and_comes_to_the_point() -> None:
-    text = (ROOT / "README.md").read_bytes()
-    assert len(text) <= 10_240
-    head = b"\n".join(text.split(b"\n")[:60])
-    for wanted in (b"make run", b"make test", b"vstatics new", b"--pretty"):
+    """The first screen says what the program is, for whom, how it differs, and how it starts."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert len(text.split()) <= MOST_WORDS_OF_README
+    head = "\n".join(text.splitlines()[:60])
+    for wanted in ("engineers", "does not", "Simscape", "KISSsys", "spreadsheet", "zf-8hp70-flow"):
         assert wanted in head
+    for wanted in ("make run", "make test", "vstatics new", "--pretty", "pip install ."):
+        assert wanted in head
+
+
+def test_make_run_prints_the_first_table_of_the_readme() -> None:
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    [case] = re.findall(r"^CASE \?= (.*)$", makefile, re.MULTILINE)
+    [options] = re.findall(r'^\t@\$\(BIN\)/vstatics run "\$\(CASE\)" (.*)$', makefile, re.MULTILINE)
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert f"$ vstatics run {case} {options}\n" in "\n".join(text.splitlines()[:60])
 
 
 OF_SOURCES = ["docs/sources.md", *(name for name in NAMES if name.startswith("docs/sources/"))]

@@ -16,7 +16,9 @@ from website.page import KINDS, Page
 ROOT = Path(__file__).parents[1]
 PLACES = {
     "README.md": "start/readme",
-    "docs/own-gearbox.md": "start/own-gearbox",
+    "docs/README.md": "start/menu",
+    "docs/tutorial.md": "start/tutorial",
+    "docs/coming-from.md": "start/coming-from",
     "docs/python.md": "api/index",
     "docs/sources.md": "sources/index",
     "CHANGELOG.md": "reference/changelog",

@@ -80,7 +80,7 @@ def test_the_text_has_springs_between_mechanisms_and_shift_elements() -> None:
     shown = text(only(AXLE))
     lines = shown.splitlines()
     at = lines.index("springs")
-    assert lines[at + 1] == "  shaft                        1.000     .980"
+    assert lines[at + 1] == "  shaft                        1.000    0.980"
     assert "no power: 4, mount" in shown
     case = Transmission(4, [], [], [Gear(speeds={2: 0, 4: 0})], output=3, springs=[FORM])
     assert "    1                          1.000    1.000\n" in text(only(case))

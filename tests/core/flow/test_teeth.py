@@ -144,8 +144,8 @@ def test_the_table_and_json_show_it_with_kilowatts(tmp_path: Path) -> None:
     grid = power_grid(only(load(file)))
     rows = {row[0]: row for row in grid.texts}
     assert rows["teeth"][1:4] == ["1.000", "1.000", "10.001"]
-    assert rows["short-long"][1:4] == ["1.000", ".980", "9.801"]
-    assert rows["short-long"][4] == ".01960"
+    assert rows["short-long"][1:4] == ["1.000", "0.980", "9.801"]
+    assert rows["short-long"][4] == "0.01960"
     [gear] = json_answer("flow", file)["gears"]
     shown = {one["mesh"]: (one["power"], one["loss"]) for one in gear["lossy"]["teeth"]}
     assert shown["short-long"] == pytest.approx((0.98, 0.0196))
@@ -231,7 +231,7 @@ def test_losses_of_random_trains_are_parts_of_their_tooth_power(case: Transmissi
 
 @given(case=regular_trains(coast=False))
 def test_without_losses_it_is_the_sensitivity_of_the_ratio(case: Transmission) -> None:
-    """(u/i) di/du of docs/insight.md is the power by the first link, seen from the third."""
+    """(u/i) di/du of docs/summary.md is the power by the first link, seen from the third."""
     results = solve(case)
     [flow] = flows(results)
     if flow.ideal is not None and not flow.ideal.unknown:

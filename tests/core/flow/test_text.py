@@ -39,7 +39,7 @@ def test_a_load_gives_kilowatts() -> None:
     assert only(loaded).kilowatts == pytest.approx(104.7197551)
     assert only(replace(loaded, coast=True)).kilowatts == pytest.approx(104.7197551)
     [line] = [line for line in text(only(loaded)).splitlines() if "pair" in line]
-    assert line.split() == ["pair", "1.000", "1.000", "104.720", ".0500", "5.236", "100.0%"]
+    assert line.split() == ["pair", "1.000", "1.000", "104.720", "0.0500", "5.236", "100.0%"]
 
 
 def test_the_command_shows_one_gear_by_name_or_number(tmp_path: Path) -> None:

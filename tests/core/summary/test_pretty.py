@@ -53,7 +53,7 @@ def test_the_numbers_are_those_of_the_result(path: Path) -> None:
 
 
 def shown_as(value: float) -> str:
-    """Three digits after the point, or four significant ones below .1; no zero before it."""
+    """Three digits after the point, or four significant ones below 0.1."""
     text = f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
     return text.replace("0.", ".", 1) if abs(value) < 1 else text
 
@@ -163,9 +163,9 @@ gears:
 """
     text = shown("-", "--from", "yaml", stdin=case)
     small = next(line for line in text.splitlines() if " small " in line)
-    assert small.split()[-3:] == [".02000", "pair", "dragged"]
+    assert small.split()[-3:] == ["0.02000", "pair", "dragged"]
     ports = text.splitlines()[len(gear_lines(text)) :]
-    assert [line.split()[2] for line in ports if line.split()[:1] == ["out"]] == ["-.04000", ".0"]
+    assert [line.split()[2] for line in ports if line.split()[:1] == ["out"]] == ["-0.04000", "0.0"]
 
 
 HUB = """\

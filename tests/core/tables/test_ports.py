@@ -26,7 +26,7 @@ def test_physical_where_all_gears_have_a_load_else_relative() -> None:
     assert ports_grid(both).texts == [
         ["1", "engine", "2000.0", "100.0", "20.944", "in"],
         ["1", "shaft", "-500.0", "-392.0", "20.525", "out"],
-        ["1", "lost: meshes", "", "", ".419", ""],
+        ["1", "lost: meshes", "", "", "0.419", ""],
     ]
     one = port_tables(solve(pair(Gear(load=load), Gear())))
     assert ports_grid(one).columns[2].heading == "speed"

@@ -80,8 +80,8 @@ def test_what_is_rounding_beside_the_largest_is_printed_as_0() -> None:
         for grid in motion_grids(motion)
         for row in grid.cells
     }
-    assert shown["elastic"] == shown["m"] == ".000"
-    assert shown["E"] != ".000" == shown["D"]
+    assert shown["elastic"] == shown["m"] == "0.000"
+    assert shown["E"] != "0.000" == shown["D"]
 
 
 AT_REST = """links: [a, m, b]

@@ -37,7 +37,7 @@ def test_large_energies_are_in_kj_and_what_does_not_exist_stays_so() -> None:
     rows: list[Row] = [["work", exact(474894.33)], ["brake", exact(None)], ["elastic", exact(0.0)]]
     made = in_figures(Grid("Energy", [text(""), Column("energy [J]")], rows))
     assert [column.heading for column in made.columns] == ["part", "energy [kJ]"]
-    assert made.texts == [["work", "474.894"], ["brake", "-"], ["elastic", ".000"]]
+    assert made.texts == [["work", "474.894"], ["brake", "-"], ["elastic", "0.000"]]
     none = Grid("Events: none", [Column("time [s]")], [])
     assert in_figures(none) == none
 

@@ -119,7 +119,7 @@ def percent(deviation: float) -> str:
     """Format a deviation in per cent with a sign; NaN gives an empty text.
 
     >>> percent(0.0065), percent(-1.5), percent(1e-9), percent(float("nan"))
-    ('+.65 %', '-150.00 %', '+1.0e-07 %', '')
+    ('+0.65 %', '-150.00 %', '+1.0e-07 %', '')
     """
     if deviation != deviation:  # noqa: PLR0124 - NaN
         return ""

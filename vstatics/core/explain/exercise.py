@@ -93,7 +93,7 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> made = exercise(solve(case), "1")
-    >>> "[2] ____" in made.worksheet(), "[2] .286" in made.solution()
+    >>> "[2] ____" in made.worksheet(), "[2] 0.286" in made.solution()
     (True, True)
     """
     expect_one_case(results, "exercise")

@@ -8,7 +8,7 @@ the lines of the tables, `text` writes them as text, `answer` as JSON.
 >>> from vstatics.core.flow.text import text
 >>> [gear] = flows(solve(Transmission(2, [], [Mechanism(1, 2, 0, -4.0, 0.98)], [Gear()])))
 >>> round(gear.lossy.lost, 3), text(gear).splitlines()[-2]
-(0.02, 'in 1.000 - out .980 - lost .020 = .000')
+(0.02, 'in 1.000 - out 0.980 - lost 0.020 = 0.000')
 
 `circulation` finds loops of any graph, `graph_cycles` the edges on cycles.
 """

@@ -42,7 +42,7 @@ def power_grid(flow: GearFlow) -> Grid:
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [flow] = flows(solve(Transmission(2, [], [pair], [Gear()])))
     >>> power_grid(flow).texts[4]
-    ['pair', '1.000', '1.000', '.02000', '100.0']
+    ['pair', '1.000', '1.000', '0.02000', '100.0']
     """
     load = not math.isnan(flow.kilowatts)
     columns = [text("power through"), Column("ideal"), Column("with losses")]

@@ -43,18 +43,18 @@ def text(flow: GearFlow, digits: int | None = None) -> str:
     gear 1                         ideal    lossy     loss  share
     links
       1                            1.000    1.000
-      2                            1.000     .980
+      2                            1.000    0.980
     mechanisms
-      pair                         1.000    1.000    .0200 100.0%
+      pair                         1.000    1.000   0.0200 100.0%
         first: 1                   1.000    1.000
-        second: 2                 -1.000    -.980
+        second: 2                 -1.000   -0.980
         teeth                      1.000    1.000
     ports
-      port          speed  torque   power  way
-      1             1.000   1.000   1.000  in
-      2             -.250  -3.920    .980  out
-      lost: meshes                 .02000
-    in 1.000 - out .980 - lost .020 = .000
+      port           speed  torque    power  way
+      1              1.000   1.000    1.000  in
+      2             -0.250  -3.920    0.980  out
+      lost: meshes                  0.02000
+    in 1.000 - out 0.980 - lost 0.020 = 0.000
     circulating: none
     """
     return "".join(f"{line.rstrip()}\n" for line in _lines(flow, digits))

@@ -37,7 +37,7 @@ def sensitivities(results: Results) -> Floats:
 
     Source
     ------
-    docs/insight.md, from the equations for speeds of docs/method.md.
+    docs/summary.md, from the equations for speeds of docs/method.md.
 
     Examples
     --------

@@ -251,9 +251,9 @@ def exact(
     Examples
     --------
     >>> exact(0.98765)[:2], exact(-1.5e9).text, exact(None).text, exact(-0.01038).text
-    (('.988', 0.98765), '-1.5e+09', '-', '-.01038')
+    (('0.988', 0.98765), '-1.5e+09', '-', '-0.01038')
     >>> exact(2e-8, largest=1000)[:2]
-    ('.000', 2e-08)
+    ('0.000', 2e-08)
     """
     known = math.nan if value is None else value
     if not math.isfinite(known):

@@ -76,7 +76,7 @@ _LONE_MINUS = re.compile(r"(?<=\s)-(?=\s)")
 
 
 def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
-    """Typeset the shown texts of HTML: minus signs, dashes and a zero before the point.
+    """Typeset the shown texts of HTML: minus signs and dashes.
 
     Pictures are left unchanged, as they are already typeset.
 
@@ -88,7 +88,7 @@ def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
 
     Examples
     --------
-    >>> printed(joined(tag("td", "-3"), tag("p", "-3, -.5 - w")), ["-3", "8-1"])
+    >>> printed(joined(tag("td", "-3"), tag("p", "-3, -0.5 - w")), ["-3", "8-1"])
     '<td>-3</td><p>-3, −0.5 − w</p>'
     >>> printed(tag("td", "-"))
     '<td>–</td>'
@@ -99,7 +99,7 @@ def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
 
     def typeset_match(match: re.Match[str]) -> str:
         before, text = match[1] or match[3], match[2] or match[4]
-        if text is None or not ("-" in text or "." in text) or text in unchanged:
+        if text is None or "-" not in text or text in unchanged:
             return match[0]
         if text == NOTHING:
             return f"{before}\N{EN DASH}"

@@ -1,4 +1,4 @@
-"""Numbers in the style of Fortran's F and E formats."""
+"""Numbers as text: for readers, for listings and for decks."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from math import isfinite
 from vstatics.core.numerics.tolerances import ROUNDED_NUMBER
 
 _MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
-_POINT = re.compile(r"(?<![\w.])\.(?=\d)")
 
 EXPONENT_DIGITS = 4
 """Least number of digits in E format."""
@@ -31,7 +30,7 @@ def certain(value: float) -> float:
 
 
 def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
-    """Format a number in F format, without the zero before the point.
+    """Format a number with a fixed number of decimals, with a zero before the point.
 
     Parameters
     ----------
@@ -45,23 +44,22 @@ def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
     Examples
     --------
     >>> [fixed(value) for value in (0.726, -2.656, 1, -0.0001)]
-    ['.726', '-2.656', '1.000', '.000']
+    ['0.726', '-2.656', '1.000', '0.000']
     >>> fixed(float("nan"), width=7), fixed(0.5, width=7), fixed(-3, decimals=0)
-    ('*******', '   .500', '-3')
+    ('*******', '  0.500', '-3')
     """
     if not isfinite(value):
         return "*" * (width or decimals + 2)
     text = f"{abs(value):.{decimals}f}"
     sign = "-" if value < 0 and text.strip("0.") else ""
-    if decimals:
-        text = text.removeprefix("0")
     return f"{sign}{text}".rjust(width)
 
 
 def fixed_rows(values: Sequence[Sequence[float]], width: int, decimals: int = 3) -> list[str]:
-    """Format the rows of a table in F format, with a blank between two fields.
+    """Format the rows of a listing in Fortran's F format, with a blank between two fields.
 
-    The numbers are formatted as by `fixed`, but the whole table at once, in a fifth of the time.
+    As in the listing of the source, there is no zero before the point. The whole table is
+    formatted at once, in a fifth of the time that `fixed` needs for each number.
 
     Parameters
     ----------
@@ -125,18 +123,18 @@ def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
 
 
 def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
-    """Format a number in F format with the number of decimals of `places`.
+    """Format a number with the number of decimals of `places`.
 
     >>> [rounded(value) for value in (-1 / 96.354, 0.5, 3e-17, 0.099999)]
-    ['-.01038', '.500', '.000', '.1000']
+    ['-0.01038', '0.500', '0.000', '0.1000']
     >>> rounded(0.1), rounded(0.09999999999999999)
-    ('.100', '.100')
+    ('0.100', '0.100')
     """
     return fixed(value, decimals=places(value, decimals, digits))
 
 
 def exponent(value: float) -> str:
-    """Format a number in E format, with four digits, or more to be read back exactly.
+    """Format a number of a deck in E format, with four digits, or more to be read back exactly.
 
     Examples
     --------
@@ -178,15 +176,13 @@ def short(value: float, digits: int | None = None) -> str:
 
 
 def typeset(text: str) -> str:
-    """Typeset the numbers in a text: with a zero before the point and a minus sign.
+    """Typeset the numbers in a text, with a minus sign.
 
     Pictures and pages use this; text for programs keeps the hyphen.
 
-    >>> typeset("-.953"), typeset("sun 1-2: -.5, 2.5 (-1e-07)")
+    >>> typeset("-0.953"), typeset("sun 1-2: -0.5, 2.5 (-1e-07)")
     ('−0.953', 'sun 1-2: −0.5, 2.5 (−1e-07)')
     >>> typeset("-M_C + M_1 = 0; --idle exact")
     '−M_C + M_1 = 0; --idle exact'
     """
-    if "-" in text:
-        text = _MINUS.sub("−", text)
-    return _POINT.sub("0.", text) if "." in text else text
+    return _MINUS.sub("−", text) if "-" in text else text

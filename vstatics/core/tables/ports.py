@@ -136,7 +136,7 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
     ['port', 'speed, rpm', 'torque, N*m', 'power, kW', 'way']
     >>> grid.texts
     [['1', '2000.0', '100.0', '20.944', 'in'], ['2', '-500.0', '-392.0', '20.525', 'out'], \
-['lost: meshes', '', '', '.419', '']]
+['lost: meshes', '', '', '0.419', '']]
     """
     physical = {
         unit for _, unit in MEASURES if not any(math.isnan(gear.scales[unit]) for gear in gears)

@@ -159,7 +159,7 @@ def without_zeros(grid: Grid) -> Grid:
     >>> from vstatics.core.tables.grid import Column, exact, text
     >>> cells = [exact(0.0), exact(0.5)]
     >>> without_zeros(Grid("t", [text("x"), Column("y"), Column("z")], [["a", *cells]])).texts
-    [['a', '', '.500']]
+    [['a', '', '0.500']]
     """
     return grid.changed(lambda cell: cell._replace(text="") if cell.value == 0 else cell)
 

@@ -82,7 +82,7 @@ _MINUS, _TIMES = re.compile(r"(?<![^\s(])-(?=[a-z(])"), re.compile(r"(?<=[\d)]) 
 def _typeset(text: str) -> str:
     """Replace hyphens, crosses and eta of equations by typographic characters.
 
-    >>> _typeset("-w[sun 1-2] - (1 - u) w_in = -0.5; -2 x (-.5) = 1, u eta^x")
-    '−w[sun 1-2] - (1 - u) w_in = -0.5; -2 × (-.5) = 1, u η^x'
+    >>> _typeset("-w[sun 1-2] - (1 - u) w_in = -0.5; -2 x (-0.5) = 1, u eta^x")
+    '−w[sun 1-2] - (1 - u) w_in = -0.5; -2 × (-0.5) = 1, u η^x'
     """
     return _MINUS.sub("\u2212", _TIMES.sub(" × ", text)).replace("eta^x", "\u03b7^x")

@@ -112,7 +112,7 @@ def in_figures(grid: Grid) -> Grid:
     >>> rows = [[exact(0.805359703), "B", exact(474894.33)], [exact(2), "C", exact(-30.7)]]
     >>> rounded = in_figures(Grid("t", columns, rows))
     >>> rounded.columns[2].heading, rounded.texts
-    ('energy [kJ]', [['.8054', 'B', '474.894'], ['2.0000', 'C', '-.03070']])
+    ('energy [kJ]', [['0.8054', 'B', '474.894'], ['2.0000', 'C', '-0.03070']])
     """
     if not grid.rows:
         return grid

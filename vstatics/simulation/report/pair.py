@@ -96,7 +96,7 @@ def _by_event(grid: Grid) -> Grid:
     >>> from vstatics.core.tables.grid import Column, exact
     >>> columns = [Column("time [s]"), text("element"), text("event")]
     >>> _by_event(Grid("Events", columns, [[exact(0.5), "B", "locks"]], key="events")).texts
-    [['B locks', '.500']]
+    [['B locks', '0.500']]
     """
     if grid.key != "events":
         return grid

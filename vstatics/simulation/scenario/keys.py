@@ -268,7 +268,7 @@ TABLE = ByForm(
             KeyShape(
                 "file",
                 TEXT,
-                "CSV file beside this one, with a head such as `speed [rpm],.2,.5,1`: what the "
+                "CSV file beside this one, with a head such as `speed [rpm],0.2,0.5,1`: what the "
                 "first column is, then the second variable of each other column.",
                 examples=("engine.csv",),
             ),

@@ -38,7 +38,7 @@ class LoadedWheel(NamedTuple):
 
     Examples
     --------
-    At 1 kN a wheel of .5 m rolls with .5/(1 + 1e-4*1000) m.
+    At 1 kN a wheel of 0.5 m rolls with 0.5/(1 + 1e-4*1000) m.
 
     >>> wheel = LoadedWheel(0.5, 1e-4, 0.0, ((0.0, 1000.0),), 0.0)
     >>> wheel.velocity(np.array([-11.0, 11.0])).round(12).tolist()

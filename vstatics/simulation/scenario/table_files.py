@@ -41,16 +41,16 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 
     Examples
     --------
-    >>> head = ["speed [rpm]", ".2", "1"]
+    >>> head = ["speed [rpm]", "0.2", "1"]
     >>> _table([(1, head), (2, ["0", "10", "50"]), (3, ["3000", "20", "90"])]).at(1000.0, 1.0)
     90.0
-    >>> _table([(1, ["time [ms]", "pedal"]), (2, ["0", ".5"]), (3, ["1000", "1"])]).at(0.5)
+    >>> _table([(1, ["time [ms]", "pedal"]), (2, ["0", "0.5"]), (3, ["1000", "1"])]).at(0.5)
     0.75
     """
     heads = rows[0][1] if rows else []
     given = [with_unit(head)[1] or "" for head in heads]
     if len(heads) < 2 or not given[0]:
-        raise ValueError("expected a CSV file with a head such as `speed [rpm],.2,.5,1`")
+        raise ValueError("expected a CSV file with a head such as `speed [rpm],0.2,0.5,1`")
     units = given if len(heads) == 2 else [given[0], *[""] * (len(heads) - 1)]
     columns = tuple(_number(head, 1) for head in heads[1:]) if len(heads) > 2 else (0.0,)
     x, values = [], []

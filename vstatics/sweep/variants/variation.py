@@ -22,7 +22,7 @@ from vstatics.sweep.variants.targets import NAMES, Target, Varied, behind, refus
 OPTION = "--vary"
 MOST = 2**63 - 1
 """Largest number of values, or of variants."""
-FORMS = "START:STOP:COUNT, START:STOP:step=STEP or a list such as .95,.97"
+FORMS = "START:STOP:COUNT, START:STOP:step=STEP or a list such as 0.95,0.97"
 
 _ASSIGNED = re.compile(rf"(.*?\.(?:{'|'.join(NAMES)})\s*)=")
 _UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
@@ -70,7 +70,7 @@ def read_variation(text: str, subject: VariedSubject, place: Place | None = None
         `D1.ratio=` and one of
         `-0.9:-0.7:201` (start, stop and count; both ends included),
         `-0.9:-0.7:step=0.001` (the end is included if a step hits it),
-        `.95,.97,-96/39` (a list),
+        `0.95,0.97,-96/39` (a list),
         `-0.9:-0.7` (any number between, for samples).
     subject : Transmission or VariedScenario
     place : Place, optional
@@ -88,7 +88,7 @@ def read_variation(text: str, subject: VariedSubject, place: Place | None = None
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
     >>> read_variation("D1.ratio=-3:-2:5", case).values
     Steps(start=-3.0, stop=-2.0, number=5)
-    >>> read_variation("D1.efficiency=.95,.97", case).values
+    >>> read_variation("D1.efficiency=0.95,0.97", case).values
     array([0.95, 0.97])
     """
     place = place or Place(OPTION, 1, 1, text)

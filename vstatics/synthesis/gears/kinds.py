@@ -372,7 +372,7 @@ def _torque_cell(torques: Sequence[float]) -> Cell:
     """Return a cell with the torques of the engaged elements in their order.
 
     >>> _torque_cell([-2.5]).datum, _torque_cell([-2.5, 1 / 3]).text
-    (-2.5, '-2.500, .333')
+    (-2.5, '-2.500, 0.333')
     >>> _torque_cell([-2.5, 1 / 3]).datum
     '-2.5, 0.3333333333333333'
     """

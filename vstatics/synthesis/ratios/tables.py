@@ -32,7 +32,7 @@ def fit_grids(result: Fit) -> Iterator[Grid]:
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> gears, mechanisms = fit_grids(fit(case, {"1": 4.0}))
     >>> gears.texts, mechanisms.texts
-    ([['1', '4.0000', '4.0000', '.000', 'met']], [['D1', '-3.0000', '-14.0000', '-1.0000', '']])
+    ([['1', '4.0000', '4.0000', '0.000', 'met']], [['D1', '-3.0000', '-14.0000', '-1.0000', '']])
     """
     yield _gears(result)
     yield _mechanisms(result)
@@ -44,7 +44,7 @@ def number(value: float | None) -> Cell:
     """Return a cell with a ratio of any size, as given by the user.
 
     >>> number(-4.7).text, number(0.00125).text, number(1e-300).text, number(None).text
-    ('-4.7000', '.001250', '1e-300', '-')
+    ('-4.7000', '0.001250', '1e-300', '-')
     """
     if value is None or not 0 < abs(value) < TINY_RATIO:
         return exact(value, 4)

@@ -26,7 +26,7 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     >>> [table.title for table in tables[:3]]
     ['Rigid modes', 'Natural frequencies', 'Where most of the energy is']
     >>> tables[1].texts
-    [['1', '1', '10.000', '1.592', '.000', '1.592', '1']]
+    [['1', '1', '10.000', '1.592', '0.000', '1.592', '1']]
     >>> [table.title for table in tables[3:]]
     ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
     """
@@ -103,7 +103,7 @@ def _by_mode(
 
 
 def _part(value: float) -> Cell:
-    """Return a cell for a part of 1, with .000 for negligible parts."""
+    """Return a cell for a part of 1, with 0.000 for negligible parts."""
     cell = exact(value)
     return cell._replace(text=fixed(value)) if abs(value) < LEAST_SHOWN_PART else cell
 
@@ -118,7 +118,7 @@ def identified_grids(omega: float, identified: Identified) -> Iterator[Grid]:
     --------
     >>> [grid] = identified_grids(20.0, Identified(22.0, {"shaft": 0.0121}, {"shaft": 3.5}))
     >>> grid.title, grid.texts
-    ('Calculated 22 rad/s, measured 20: all compliances by 1.21', [['shaft', '.01210', '3.500']])
+    ('Calculated 22 rad/s, measured 20: all compliances by 1.21', [['shaft', '0.01210', '3.500']])
     """
     rows = (
         (name, value, identified.dampings.get(name))
@@ -155,7 +155,7 @@ def damped_grids(decrements: Mapping[str, float], damped: Damped) -> Iterator[Gr
     >>> damped = Damped(10.0, {"shaft": 0.5}, 0.03, {"shaft": 0.75})
     >>> [grid] = damped_grids({"shaft": 0.04}, damped)
     >>> grid.title, grid.texts
-    ('Dampings at 10 rad/s', [['shaft', '.04000', '.750', '.500'], ['mode', '.03000', '', '']])
+    ('Dampings at 10 rad/s', [['shaft', '0.04000', '0.750', '0.500'], ['mode', '0.03000', '', '']])
     """
     rows: list[Values] = [
         (name, value, damped.shares[name], damped.dampings[name])

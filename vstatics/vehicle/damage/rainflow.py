@@ -49,7 +49,7 @@ def rainflow(values: Floats) -> list[LoadCycle]:
 
     Examples
     --------
-    The example of the standard: ranges 3, 4, 6, 8, 9 are counted .5, 1.5, .5, 1, .5 times.
+    The example of the standard: ranges 3, 4, 6, 8, 9 are counted 0.5, 1.5, 0.5, 1, 0.5 times.
 
     >>> [(c.range, c.counted) for c in rainflow(np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2]))]
     [(3.0, 0.5), (4.0, 0.5), (4.0, 1.0), (6.0, 0.5), (8.0, 0.5), (8.0, 0.5), (9.0, 0.5)]

@@ -16,7 +16,7 @@ def damage_grid(damages: Mapping[str, DeviceDamage], title: str = "Damage") -> G
     Examples
     --------
     >>> damage_grid({"shaft": DeviceDamage(2.5e-6, 4e5, 90e6, [])}).texts
-    [['shaft', '.000002500', '400000.000', '90.000', '0']]
+    [['shaft', '0.000002500', '400000.000', '90.000', '0']]
     """
     rows = []
     for name, damage in damages.items():

@@ -129,7 +129,7 @@ def read_trace(data: bytes, file: str) -> Trace:
     >>> trace = read_trace(b"time [s],speed [km/h]\\n0,0\\n2,36\\n", "t.csv")
     >>> trace.speed.round(9), trace.acceleration.round(9)
     (array([5.]), array([5.]))
-    >>> read_trace(b"cycSecs,cycMps,cycGrade\\n0,5,.75\\n2,5,0\\n", "t.csv").slope.round(9)
+    >>> read_trace(b"cycSecs,cycMps,cycGrade\\n0,5,0.75\\n2,5,0\\n", "t.csv").slope.round(9)
     array([0.6])
     """
     expected = "a driving cycle: time, speed"

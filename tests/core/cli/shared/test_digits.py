@@ -24,8 +24,8 @@ def _case(folder: Path) -> None:
 
 
 def test_a_small_number_has_four_significant_digits() -> None:
-    assert re.search(r"^1 +-\.01038 ", vstatics("summary", "up.yaml").out, re.MULTILINE)
-    assert " -.01038 " in vstatics("run", "up.yaml", "--pretty").out
+    assert re.search(r"^1 +-0\.01038 ", vstatics("summary", "up.yaml").out, re.MULTILINE)
+    assert " -0.01038 " in vstatics("run", "up.yaml", "--pretty").out
     assert vstatics("report", "up.yaml", "-o", "up.html").status == 0
     assert ">−0.01038<" in Path("up.html").read_text(encoding="utf-8")
 
@@ -39,15 +39,15 @@ def test_a_listing_keeps_the_published_format() -> None:
     ("command", "number"),
     [
         (("run",), "\nRATIO(J),J=1,NP:\n  -.010378\n"),
-        (("run", "--pretty"), " -.010378 "),
-        (("summary",), "-.010378"),
+        (("run", "--pretty"), " -0.010378 "),
+        (("summary",), "-0.010378"),
         (("flow",), "-96.354000"),
         (("explain",), "-0.010378"),
-        (("run", "-f", "markdown"), "| -.010378 |"),
-        (("run", "-f", "latex"), "& $-.010378$ &"),
-        (("summary", "-f", "markdown"), "| -.010378 |"),
-        (("flow", "-f", "latex"), ".020000"),
-        (("explain", "-f", "markdown"), "| -.010378 |"),
+        (("run", "-f", "markdown"), "| -0.010378 |"),
+        (("run", "-f", "latex"), "& $-0.010378$ &"),
+        (("summary", "-f", "markdown"), "| -0.010378 |"),
+        (("flow", "-f", "latex"), "0.020000"),
+        (("explain", "-f", "markdown"), "| -0.010378 |"),
     ],
 )
 def test_every_text_has_the_digits_that_are_asked_for(

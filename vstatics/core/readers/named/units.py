@@ -281,8 +281,8 @@ def common_unit(text: str) -> tuple[str, str]:
 
     Examples
     --------
-    >>> common_unit("1000 rpm:2000 rpm:11"), common_unit(".1,.2")
-    (('1000    :2000    :11', 'rpm'), ('.1,.2', ''))
+    >>> common_unit("1000 rpm:2000 rpm:11"), common_unit("0.1,0.2")
+    (('1000    :2000    :11', 'rpm'), ('0.1,0.2', ''))
     """
     units: dict[str, None] = {}
     bare = list(text)
