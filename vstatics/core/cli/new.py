@@ -61,7 +61,8 @@ def _known(name: str) -> str:
     if name not in known:
         names, hint = ", ".join(TEMPLATES), nearest(name, known)
         raise ValueError(
-            f"{name!r} is not a template; expected one of {names}, or the name of a shipped case{hint}"
+            f"{name!r} is not a template; expected one of {names}, or the name of a "
+            f"shipped case{hint}"
         )
     return name
 
