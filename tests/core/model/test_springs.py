@@ -117,7 +117,7 @@ def test_an_inertia_that_cannot_be_is_told(inertias: dict[int, float], said: str
     [
         ({"stiffness": 0}, "stiffness: read 0, expected a stiffness above 0"),
         ({"stiffness": 3, "damping": -1}, "damping.viscous: read -1, expected a damping of 0 or more"),
-        ({"damping": 1}, "damping: there is a damping without `stiffness`"),
+        ({"damping": 1}, "damping: read a damping without `stiffness`"),
     ],
 )  # fmt: skip
 def test_a_device_that_cannot_be_elastic_so_is_told(elastic: dict[str, Any], said: str) -> None:

@@ -161,7 +161,7 @@ def test_an_output_that_is_none_is_refused_before_anything_is_read(
 def test_an_output_that_cannot_be_written_is_told(call: tuple[str, ...]) -> None:
     answer = said(*call, "-o", "no/new.json")
     assert answer.gives_nothing(
-        "no/new.json: error: cannot be written: there is no directory no, make it"
+        "no/new.json: error: cannot be written: there is no directory no; create it"
     )
 
 

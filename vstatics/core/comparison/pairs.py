@@ -189,7 +189,9 @@ def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iter
     """
     here, there = _result_files(actual), _result_files(expected)
     if not (here or there):
-        message = f"contains no result, and {expected} contains none either"
+        message = (
+            f"contains no result, and {expected} contains none, so there is nothing to compare"
+        )
         suffixes = spoken(SUFFIXES, "or")
         raise ReadError([of_file("E050", actual, f"{message}: expected files {suffixes}")])
     for name in sorted({*here, *there}):

@@ -318,7 +318,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
     count = "one" if missing == 1 else str(missing)
     return Said(
         "W414",
-        f"{f'the gear is {NEUTRAL.english}{why}: ' * bool(neutral)}"
+        f"{f'{NEUTRAL.english}{why}: ' * bool(neutral)}"
         f"{count} more shift element{_s(missing)} must be engaged"
         f"{', or a speed given' * bool(neutral)}{links}{unheld}{exchange}",
     )
