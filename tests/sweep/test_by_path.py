@@ -227,7 +227,9 @@ def test_a_note_tells_that_a_converter_is_asked_outside_its_points(tmp_path: Pat
     for least, count in ((0.1, 0), (0.05, 1)):
         ran = run("sweep", str(tmp_path / "case.yaml"), "--vary", f"{path}={least},.8")
         assert (
-            ran.err.count("note: outside the points of TC the value of the end point applies")
+            ran.err.count(
+                "note: outside the points of TC, the value of the nearest end point applies"
+            )
             == count
         )
 
@@ -250,6 +252,6 @@ def test_one_note_tells_that_variants_are_outside_a_law(
     ran = run("sweep", "case.yaml", *vary, "--out", "efficiency[one]", *options)
     assert ran.status == 0
     assert (
-        ran.err.count("note: outside the points of in the value of the end point applies")
+        ran.err.count("note: outside the points of in, the value of the nearest end point applies")
         == is_outside
     )

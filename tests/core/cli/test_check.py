@@ -113,7 +113,7 @@ def test_a_note_tells_which_gear_asks_a_law_outside_its_points(tmp_path: Path) -
     )
     said = vstatics("check", str(case)).err
     assert (
-        "case.yaml:6:3: note: gear far: outside the points of out the value of the end point applies"
+        "case.yaml:6:3: note: gear far: outside the points of out, the value of the nearest end point applies"
         in said
     )
 

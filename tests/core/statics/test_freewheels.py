@@ -303,7 +303,7 @@ def test_an_input_of_a_gears_own_that_says_neither_gets_a_note() -> None:
         return [one.message for one in hints(simpson(text.replace("torques: {m2: -1}", given)))]
 
     assert notes("input: m2") == [
-        "the input, link m2, is taken to turn forward, on which freewheels depend; say "
+        "the input, link m2, is assumed to turn forward, which affects the freewheels; write "
         "`input_turns: forward` or `backward`"
     ]
     for given in (
@@ -315,7 +315,7 @@ def test_an_input_of_a_gears_own_that_says_neither_gets_a_note() -> None:
     checked = vstatics(
         "check", "-", stdin=TWO_MOTORS.replace("torques: {m2: -1}", "input: m2").encode()
     )
-    assert "7:3: note: gears.both: the input, link m2, is taken to turn forward" in checked.err
+    assert "7:3: note: gears.both: the input, link m2, is assumed to turn forward" in checked.err
 
 
 def test_a_conflict_of_a_backward_input_says_so() -> None:

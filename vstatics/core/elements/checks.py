@@ -97,8 +97,7 @@ def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
             "N303",
             f"shares a central gear and the carrier with {other}: if they also share planets, "
             "describe them as one gear set, such as `ravigneaux` or `planet_group`; "
-            "otherwise the losses are not "
-            "exact otherwise",
+            "otherwise the losses are not exact",
             ("elements", number),
         )
 

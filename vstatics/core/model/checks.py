@@ -188,8 +188,8 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
         if gear.input not in (None, case.input) and not case.input_turns(gear):
             yield Problem(
                 "N201",
-                f"the input, link {case.link_name(case.gear_input(gear))}, is taken to turn "
-                "forward, on which freewheels depend; say `input_turns: forward` or `backward`",
+                f"the input, link {case.link_name(case.gear_input(gear))}, is assumed to turn "
+                "forward, which affects the freewheels; write `input_turns: forward` or `backward`",
                 ("gears", number),
             )
 
@@ -214,7 +214,7 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     elif case.links > max(joined, 2):
         yield Problem(
             "E203",
-            f"read {case.links} links, but {_counted(case)} can join {joined} at most",
+            f"read {case.links} links, but {_counted(case)} can connect at most {joined}",
             ("links",),
         )
     if case.link_names and len(case.link_names) != case.links:
@@ -277,9 +277,15 @@ def _outputs(case: TransmissionFields) -> Iterator[Problem]:
         path = ("outputs", number)
         yield from of_link(link, path, case.own_links, lowest=1)
         if link in case.outputs[: number - 1]:
-            yield Problem("E209", f"link {called(case, link)} is an output twice", path)
+            yield Problem(
+                "E209",
+                f"link {called(case, link)} is listed twice, expected each output once",
+                path,
+            )
         if link == case.input and number > 1:
-            yield Problem("E210", f"link {called(case, link)} is the input, expected another", path)
+            yield Problem(
+                "E210", f"link {called(case, link)} is the input, expected another link", path
+            )
     if case.outputs and case.output not in (0, case.outputs[0]):
         first, given = (called(case, link) for link in (case.outputs[0], case.output))
         message = f"the first output is {first}, but `output` is {given}; remove one of them"
@@ -295,7 +301,7 @@ def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
             )
             yield Problem("E212", message, (part, number))
         elif name in seen:
-            message = f"{kind} {number} has the name `{name}` of {kind} {seen[name]}"
+            message = f"{kind} {number} has the name of {kind} {seen[name]}, expected another name"
             yield Problem("E213", message, (part, number))
         seen.setdefault(name, number)
 
@@ -311,5 +317,7 @@ def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from _outputs(case)
     if case.input == case.main_output and not (_moves(case) and case.links == 1):
         yield Problem(
-            "E214", f"input and output are both link {called(case, case.input)}", ("output",)
+            "E214",
+            f"input and output are both link {called(case, case.input)}, expected two links",
+            ("output",),
         )

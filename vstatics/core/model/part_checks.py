@@ -334,7 +334,9 @@ def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
     """Check the efficiency of a mechanism, gear set or mesh."""
     if isinstance(value, Law):
         return _efficiencies(value, path)
-    return expect(value, "an efficiency above 0 and up to 1", path, right=0 < value <= 1)
+    example = f", such as {value / 100:g} for {value:g} %" if 1 < value <= 100 else ""
+    expected = f"an efficiency above 0 and up to 1{example}"
+    return expect(value, expected, path, right=0 < value <= 1)
 
 
 def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
@@ -402,7 +404,11 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
         if link is not None:
             yield from of_link(link, (*path, end), case.own_links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
-        yield Problem("E214", f"input and output are both link {called(case, ends[0])}", path)
+        yield Problem(
+            "E214",
+            f"input and output are both link {called(case, ends[0])}, expected two links",
+            path,
+        )
     yield from _turning(case, gear, (*path, "input_turns"))
     yield from of_link_drag(case, gear.drag, path)
     elements = case.shift_elements
@@ -427,7 +433,9 @@ def _sides_given(
     yield from _speeds(case, gear.speeds, (*path, "speeds"))
     yield from _finite(gear.torques, (*path, "torques"), case.own_links)
     if ends[0] in gear.speeds:
-        message = f"link {called(case, ends[0])} is the input, whose speed is 1; expected another"
+        message = (
+            f"link {called(case, ends[0])} is the input, whose speed is 1; expected another link"
+        )
         yield Problem("E233", message, (*path, "speeds", ends[0]))
     for link in gear.torques:
         if link == ends[1]:
@@ -564,5 +572,5 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
 def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
     """Return a note about an implausibly large number with a missing unit."""
     other = "mm" if unit == "m" else "rpm"
-    hint = f"{value:g} {other} needs its unit, a bare number is in {unit}"
-    return Problem("N205", f"read {value:g} {unit}, more than {what} has: {hint}", path)
+    hint = f"a number without a unit is in {unit}, so write `{value:g} {other}` if this is meant"
+    return Problem("N205", f"read {value:g} {unit}, more than {what} can have: {hint}", path)

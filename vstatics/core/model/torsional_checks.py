@@ -102,7 +102,7 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
             place, expected = (2, "torques that do not fall") if rises else (1, "twists that rise")
             yield Problem(
                 "E690",
-                f"read {point[place - 1]:g} behind {previous[place - 1]:g}, expected {expected}",
+                f"read {point[place - 1]:g} after {previous[place - 1]:g}, expected {expected}",
                 (*here, number, place),
             )
     first, last = spring.points[0], spring.points[-1]
@@ -121,7 +121,9 @@ def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
     for name, read in given.items():
         if read:
             what = "a loss factor or ratio" if name == "damping" else f"`{name}`"
-            yield Problem("E693", f"read {what} beside `{key}`, expected none", (*path, name))
+            yield Problem(
+                "E693", f"read {what} with `{key}`, expected only one of them", (*path, name)
+            )
 
 
 def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
@@ -147,7 +149,7 @@ def _of_unit(value: Any, why: str, path: Path, *, straight: bool) -> Iterator[Pr
     measure = value.measure if isinstance(value, InUnit) else None
     expected = measure and (STRAIGHT if straight else _TURNING).get(measure)
     if measure and expected:
-        message = f"read a number in {UNIT_OF[measure]}, expected one in {UNIT_OF[expected]}"
+        message = f"read a number in {UNIT_OF[measure]}, expected {UNIT_OF[expected]}"
         yield Problem("E541", f"{message}: {why}", path)
 
 
@@ -178,7 +180,9 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
         elif not strut.slope(strut.at) < math.inf:
             yield Problem("E548", "its stiffness is infinite, expected realistic dimensions", path)
     if spring.points:
-        yield Problem("E693", "read `points` beside `strut`, expected none", (*path[:-1], "points"))
+        yield Problem(
+            "E693", "read `points` with `strut`, expected only one of them", (*path[:-1], "points")
+        )
     yield from _beside("strut", spring, path[:-1])
 
 

@@ -122,7 +122,7 @@ def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
 def outside_message(names: Sequence[str]) -> Message:
     """Return the note about laws evaluated outside the given points."""
     return Message(
-        "N414", f"{spoken(names)}: evaluated outside the given points, where the end point applies"
+        "N414", f"outside the points of {spoken(names)}, the value of the nearest end point applies"
     )
 
 

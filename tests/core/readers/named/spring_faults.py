@@ -189,13 +189,13 @@ FAULTS = [
         "spring-named-like-a-mechanism.yaml",
         6,
         3,
-        "springs.M: `M` is the name of a mechanism too, expected another",
+        "springs.M: `M` is also the name of a mechanism, expected another name",
     ),
     (
         "mechanism-named-like-a-clutch.yaml",
         10,
         3,
-        "mechanisms.C: `C` is the name of a shift element too, expected another",
+        "mechanisms.C: `C` is also the name of a shift element, expected another name",
     ),
     (
         "springs-a-list.yaml",

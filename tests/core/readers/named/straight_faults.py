@@ -67,7 +67,7 @@ FAULTS = [
         "strut-beside-stiffness.yaml",
         3,
         33,
-        "springs.s.stiffness: read `stiffness` beside `strut`, expected none",
+        "springs.s.stiffness: read `stiffness` with `strut`, expected only one of them",
     ),
     (
         "strut-without-length.yaml",

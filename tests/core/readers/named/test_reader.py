@@ -117,7 +117,7 @@ FAULTS = [
         "links-too-many.yaml",
         1,
         8,
-        "links: read 100000000 links, but 2 shift elements and 1 mechanisms can join 7 at most",
+        "links: read 100000000 links, but 2 shift elements and 1 mechanisms can connect at most 7",
     ),
     ("links-missing.yaml", 1, 1, "`links` is missing"),
     (
