@@ -1,7 +1,7 @@
 """Messages, explanations, help texts and documents avoid words that readers stumble over.
 
 A part of the texts is checked if its name is listed here. To check all of them write
-``ROOMS = EXPLAINED = ("core", *ANNEXES)``, ``COMMANDS = ("",)`` for every command, and
+``ROOMS = EXPLAINED = ("core", *ANNEXES)`` with `ANNEXES` of tests/installed.py, and
 ``DOCUMENTS = ("README.md", "docs/**/*.md", "website/*.md")``.
 """
 
@@ -17,9 +17,20 @@ ROOMS = ("core",)
 """The core and annexes whose messages are checked in the code."""
 EXPLAINED = ("core",)
 """Files of explanations that are checked."""
-COMMANDS: tuple[str, ...] = ()
-"""First words of the commands whose help is checked."""
-DOCUMENTS = ("docs/messages.md",)
+COMMANDS = ("",)
+"""First words of the commands whose help is checked; every command begins with an empty word."""
+DOCUMENTS = (
+    "README.md",
+    "website/*.md",
+    *(
+        f"docs/{name}.md"
+        for name in (
+            *("README", "cases", "coming-from", "commands", "deck", "elements", "explain"),
+            *("expressions", "messages", "method", "power-flow", "python", "results", "springs"),
+            *("summary", "tutorial", "units", "simulation/method", "vehicle/README"),
+        )
+    ),
+)
 """Documents that are checked, as patterns."""
 
 

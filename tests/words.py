@@ -16,10 +16,11 @@ FORBIDDEN = {
     "is no (there is no is fine)": r"(?<!there )\b(?:is|are|was|were) no (?!longer|more|less|better|worse|need|way)\w+",
     "in place of": r"\bin place of\b",
     "element alone, not a gear set, shift element or finite element": (
-        r"(?<!shift )(?<!gear )(?<!finite )\belements?\b(?!:)"
+        r"(?<!shift[ -])(?<!gear )(?<!finite )\belements?\b(?!:)"
     ),
 }
 _CODE = re.compile(r"``[^`]+``|`[^`\n]+`")
+_OPTION = re.compile(r"--[a-z][\w-]*")
 _FENCE = re.compile(r"^[ \t]*```.*?^[ \t]*```[ \t]*$", re.MULTILINE | re.DOTALL)
 _LINK = re.compile(r"\]\([^)]*\)")
 _HEADS_OF_EXAMPLES = re.compile(r"^\s*Examples?:.*?(?=^\S|\n\s*\n|\Z)", re.MULTILINE | re.DOTALL)
@@ -38,11 +39,11 @@ def stumbles(text: str) -> list[str]:
     >>> stumbles("what is missing is told, `told` is not")
     ['told, tells: what is missing is told, CODE is not']
     >>> stumbles("3 shift elements and 2 gear sets, no longer elements")
-    ['element alone, not a gear set, shift element or finite element: ar sets, no longer elements']
+    ['element alone, not a gear set, shift element or finite element: ear sets, no longer elements']
     """
-    plain = _CODE.sub("CODE", _LINK.sub("]", text))
+    plain = _OPTION.sub("OPTION", _CODE.sub("CODE", _LINK.sub("]", " ".join(text.split()))))
     return [
-        f"{name}: {' '.join(plain[max(0, found.start() - 20) : found.end() + 20].split())}"
+        f"{name}: {plain[max(0, found.start() - 20) : found.end() + 20].strip()}"
         for name, pattern in FORBIDDEN.items()
         for found in re.finditer(pattern, plain, re.IGNORECASE)
     ]
