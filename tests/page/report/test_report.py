@@ -292,7 +292,9 @@ def test_a_duty_cycle_is_on_the_page_with_what_is_doubtful_about_it(tmp_path: Pa
     case, points = write(tmp_path, DUTY), tmp_path / "points.csv"
     points.write_text("time [s],gear,speed [rpm],torque [N*m]\n9,1,2000,300\n1,1,2500,200\n")
     shown = Page(report(case, "--duty", points, "--exponent", 6))
-    said = "warning: in 1 of 2 rows B carries up to 900 of 700 N*m"
+    said = (
+        "warning: in 1 of 2 rows B carries up to 900 N*m, more than its torque capacity of 700 N*m"
+    )
     assert any(one.text.startswith(said) for one in shown.all("li"))
     table = shown.table("Largest over the duty cycle")
     members = json_answer("summary", case, "--duty", points, "--exponent", 6)["duty"]["members"]

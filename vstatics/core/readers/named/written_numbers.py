@@ -110,7 +110,7 @@ def with_written(
         spot = spots[keys]
         new = text[spot.start : spot.end] if value == spot.value else number_text(value)
         if changed.setdefault(spot.start, (spot.end, new)) != (spot.end, new):
-            raise ValueError(f"{dotted(keys)} stands where another number stands, too")
+            raise ValueError(f"{dotted(keys)} appears where another number appears, too")
     for start in sorted(changed, reverse=True):
         end, new = changed[start]
         text = text[:start] + new + text[end:]

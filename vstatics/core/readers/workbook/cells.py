@@ -170,7 +170,8 @@ class _SheetElements:
         place = _PLACE.fullmatch(first)
         if place and last:
             self._report(
-                f"{ref} are merged into one cell, expected a value in each: unmerge and fill them",
+                f"{ref} are merged into one cell, expected a value in each cell: "
+                "unmerge and fill them",
                 int(place[2]),
                 _column_of(place[1]),
             )
