@@ -6,6 +6,7 @@ annexes are gone, so commands and public names are listed here, too.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterable
 from pathlib import Path
@@ -15,8 +16,19 @@ import pytest
 from vstatics.core.annexes import COMMANDS, annexes
 
 TESTS = Path(__file__).parent
-OPTIONS = {"--duty": "vehicle", "--exponent": "vehicle", "--box": "synthesis"}
+OPTIONS = {
+    **dict.fromkeys(("--duty", "--exponent"), "vehicle"),
+    **dict.fromkeys(("--gearbox", "--box"), "synthesis"),
+}
 """The annex of each option that a command of the core has of it."""
+KINDS = {
+    **dict.fromkeys(("curves", "histogram", "map"), "sweep"),
+    **dict.fromkeys(("campbell", "dump", "modes", "response"), "torsion"),
+    "shift": "simulation",
+    "boxes": "synthesis",
+    **dict.fromkeys(("sawtooth", "steps", "traction"), "vehicle"),
+}
+"""The annex of each kind of picture that `pictures` does not have itself."""
 NAMES = {
     **dict.fromkeys(("Picture", "plot"), "pictures"),
     **dict.fromkeys(("Chunk", "Sweep", "sweep"), "sweep"),
@@ -71,9 +83,14 @@ def skip_without(*names: str) -> None:
 
 
 def skip_without_command(*words: object) -> None:
-    """Skip the rest of a test where the annex of a command or of its option is not installed."""
-    known = [COMMANDS.get(str(word), "") for word in words[:1]]
-    known += [OPTIONS.get(str(word), "") for word in words[1:]]
+    """Skip the rest of a test where the annex of a command, or of its options is missing."""
+    command, *others = map(str, words or [""])
+    known = [COMMANDS.get(command, ""), *(OPTIONS.get(word, "") for word in others)]
+    known += [
+        KINDS.get(kind, "")
+        for option, kind in itertools.pairwise(others)
+        if option in ("-k", "--kind")
+    ]
     skip_without(*filter(None, known))
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.installed import ANNEXES, FILES, HERE, TESTS, skip_without_command, used_in
+from tests.installed import ANNEXES, FILES, HERE, KINDS, TESTS, skip_without_command, used_in
 from vstatics.core.annexes import annexes
 
 NEEDS = {annex.name: {annex.name, *annex.needs} for annex in annexes()}
@@ -39,6 +39,19 @@ def test_files_of_tests_import_what_is_installed_where_they_run() -> None:
 
 def test_a_command_of_a_missing_annex_is_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tests.installed.HERE", HERE - {"page"})
+    monkeypatch.setitem(KINDS, "page picture", "page")
     skip_without_command("run", "summary")
     with pytest.raises(pytest.skip.Exception, match="needs page"):
         skip_without_command("report")
+    with pytest.raises(pytest.skip.Exception, match="needs page"):
+        skip_without_command("plot", "box.yaml", "-k", "page picture")
+
+
+def test_kinds_of_pictures_are_those_of_the_records() -> None:
+    declared = {
+        kind: annex.name
+        for annex in annexes()
+        if annex.name != "pictures"
+        for kind in annex.pictures
+    }
+    assert {kind: name for kind, name in KINDS.items() if name in HERE} == declared

@@ -292,20 +292,43 @@ def test_deck_reference_names_every_field() -> None:
     assert (SCALARS | LISTS | PRINTED.keys()) - named == set()
 
 
+def named_keys(document: str) -> set[str]:
+    """Return the words in code of the prose of a document."""
+    text = FENCE.sub("", (ROOT / document).read_text(encoding="utf-8"))
+    return set(re.findall(r"\w+", "".join(re.findall(r"`[^`]*`", text))))
+
+
 def test_reference_of_cases_names_every_key() -> None:
     from vstatics.core.elements.keys import with_elements
     from vstatics.core.model.keys import CASE, ELEMENT, GEAR, LOAD, MECHANISM
 
-    text = FENCE.sub("", (ROOT / "docs" / "cases.md").read_text(encoding="utf-8"))
-    named = set(re.findall(r"\w+", "".join(re.findall(r"`[^`]*`", text))))
+    named = named_keys("docs/cases.md")
     for shape in (with_elements(CASE), ELEMENT, GEAR, LOAD, MECHANISM):
         assert {key.name for key in shape.keys} - named == set(), shape.title
+
+
+def test_reference_of_springs_names_every_key() -> None:
+    from vstatics.core.model.torsional_keys import SPRING, STRUT
+
+    for shape in (SPRING, STRUT):
+        assert {key.name for key in shape.keys} - named_keys("docs/springs.md") == set(), (
+            shape.title
+        )
+
+
+@needs("vehicle")
+def test_references_of_the_vehicle_name_every_key() -> None:
+    from vstatics.vehicle.case.fatigue_key import FATIGUE
+    from vstatics.vehicle.case.vehicle_key import VEHICLE
+
+    assert {key.name for key in FATIGUE.keys} - named_keys("docs/springs.md") == set()
+    assert {key.name for key in VEHICLE.keys} - named_keys("docs/vehicle/README.md") == set()
 
 
 def test_units_of_the_reference_are_understood() -> None:
     from vstatics.core.readers.named.units import unit
 
-    text = (ROOT / "docs" / "cases.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "units.md").read_text(encoding="utf-8")
     for quantity, units in re.findall(
         r"^\| (speed|torque|power) \| (`.*`) \|$", text, re.MULTILINE
     ):

@@ -56,5 +56,5 @@ def test_a_page_tells_how_its_files_are_got(tmp_path: Path) -> None:
             assert target.read_bytes() == (ROOT / words[2]).read_bytes()
     assert {path.name for path in (tmp_path / "how-to/shift/cases/scenarios").iterdir()}
     assert "come with the program" not in texts["how-to/drive"]
-    assert "`car.yaml`:\n" in texts["reference/cases"]
+    assert "`car.yaml`:\n" in texts["reference/vehicle"]
     assert "Files that are not shown here stand in [" in texts["how-to/drive"]

@@ -108,9 +108,9 @@ REFUSED = {
         "vstatics simulate nowhere.yaml -o out.csv",
     ),
     "boxes": (
-        "vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1",
-        "vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1 --dry-run",
-        "vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1 -o found/",
+        "vstatics synth box --sets 1 --shift-elements 2 --engaged 1 --ratios 3,1",
+        "vstatics synth box --sets 1 --shift-elements 2 --engaged 1 --ratios 3,1 --dry-run",
+        "vstatics synth box --sets 1 --shift-elements 2 --engaged 1 --ratios 3,1 -o found/",
         "@ from vstatics import synthesis as own; own.find_boxes(own.BoxSearch(1, 2, 1, (3.0, 1.0)))",
     ),
     "xlsx": (

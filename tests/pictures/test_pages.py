@@ -38,7 +38,7 @@ OPTIONS = {"map": ("--z", "efficiency[1]"), "curves": ("--x", "P1.ratio", "--y",
 FOUND = (
     "--sets",
     2,
-    "--elements",
+    "--shift-elements",
     4,
     "--engaged",
     2,

@@ -682,7 +682,7 @@ def of_ports(*ports: str) -> dict[str, dict[str, Any]]:
     """Combinations of one element of `cases/umdm.yaml` by ports, then by the element."""
     asked = ",".join(":".join(LINK_NAMES[link] for link in one.split("-")) for one in ports)
     said = vstatics(
-        *("synth", "combinations", CASES / "umdm.yaml", "--elements", "auto"),
+        *("synth", "combinations", CASES / "umdm.yaml", "--shift-elements", "auto"),
         *("--ports", asked, "-f", "json"),
     )
     assert said.status == 0

@@ -65,7 +65,7 @@ class Command(NamedTuple):
     """Command of the program."""
 
     module: str
-    """Module to import for the command, with a function of the command's name."""
+    """Module to import for the command, which it defines as `NAME_command`."""
     help: str
     """Line in the list of commands."""
     place: int

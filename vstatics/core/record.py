@@ -9,24 +9,26 @@ CORE = Annex(
         "run": Command("vstatics.core.cli.run", "Calculate every gear of each case.", 20),
         "flow": Command(
             "vstatics.core.cli.flow",
-            "Show where the power goes, what is lost, what circulates.",
+            "Show power flow, losses and recirculating power.",
             40,
         ),
         "summary": Command(
-            "vstatics.core.cli.summary", "Ratios, steps, spread, transitions, largest values.", 50
+            "vstatics.core.cli.summary",
+            "Summarize ratios, step ratios, spread, shifts and largest values.",
+            50,
         ),
         "explain": Command(
-            "vstatics.core.cli.explain", "Write out the equations and the ratio of a gear.", 70
+            "vstatics.core.cli.explain", "Explain the equations and the ratio of a gear.", 70
         ),
         "check": Command(
             "vstatics.core.cli.check",
-            "Report problems of the input, and the conditions per gear.",
+            "Report errors and warnings, and the constraints per gear.",
             150,
         ),
         "convert": Command(
-            "vstatics.core.cli.convert", "Convert a case between deck, YAML and JSON.", 160
+            "vstatics.core.cli.convert", "Convert a case between deck, YAML, JSON and XLSX.", 160
         ),
-        "compare": Command("vstatics.core.cli.compare", "Compare two results: what changed.", 170),
+        "compare": Command("vstatics.core.cli.compare", "Compare two results.", 170),
     },
     names={
         "CentralWheel": "vstatics.core.elements",

@@ -8,11 +8,11 @@ ANNEX = Annex(
     commands={
         "serve": Command(
             "vstatics.page.cli.serve",
-            "Serve the page of a case, which follows and changes it.",
+            "Serve a page that shows and changes a case.",
             130,
         ),
         "report": Command(
-            "vstatics.page.cli.report", "Write a case and its results as one page of HTML.", 140
+            "vstatics.page.cli.report", "Write a case and its results as an HTML page.", 140
         ),
     },
     names={

@@ -19,40 +19,41 @@ ANNEX = Annex(
     pictures={
         "plan": PictureKind(
             "vstatics.pictures.plan.picture",
-            "speeds of all links over the output speed: the generalised\nkinematic plan",
+            "speed plan: speeds of all links divided by the output speed\n"
+            "(generalised kinematic plan)",
             10,
             "Kinematic plan",
             options=("motion", "ratios"),
         ),
         "lever": PictureKind(
             "vstatics.pictures.lever.picture",
-            "the lever analogy: sets as levers, their joints, torques and\nspeeds, gear by gear",
+            "lever diagram of each gear: gear sets as levers, with joints,\ntorques and speeds",
             20,
             "Lever diagram",
             options=("merge",),
         ),
         "flow": PictureKind(
             "vstatics.pictures.flow.picture",
-            "power of each gear in bands, losses, circulating power",
+            "power flow of each gear as bands, losses, recirculating power",
             30,
             "Power flow",
         ),
         "structure": PictureKind(
             "vstatics.pictures.schemes.structure",
-            "mechanisms as boxes, links as wires, clutches and brakes",
+            "block diagram: mechanisms as boxes, links as wires, clutches\nand brakes",
             40,
             "Structure",
         ),
         "stick": PictureKind(
             "vstatics.pictures.schemes.stick",
-            "the stick diagram of elements, or of what may be planetary sets",
+            "stick diagram of the gear sets, or of mechanisms that can be\nplanetary gear sets",
             50,
             "Stick diagram",
             options=("wheels", "order"),
         ),
         "efficiency": PictureKind(
             "vstatics.pictures.flow.efficiency",
-            "efficiency by gear, with the losses of each mechanism",
+            "efficiency of each gear, with the losses of each mechanism",
             60,
             "Efficiency",
             alike=True,
@@ -61,7 +62,7 @@ ANNEX = Annex(
     picture_options={
         "motion": "only {kinds} show a run",
         "merge": "only levers can be merged",
-        "wheels": "only stick diagrams name them",
+        "wheels": "only stick diagrams show teeth",
         "order": "only stick diagrams have sets in a row",
         "ratios": "only a plan follows from ratios alone",
     },

@@ -7,7 +7,7 @@ ANNEX = Annex(
     needs=("pictures", "sweep"),
     commands={
         "simulate": Command(
-            "vstatics.simulation.cli.command", "What a scenario does to a case over time.", 80
+            "vstatics.simulation.cli.command", "Simulate a shift or launch over time.", 80
         ),
     },
     names={
@@ -60,8 +60,8 @@ ANNEX = Annex(
     pictures={
         "shift": PictureKind(
             "vstatics.simulation.pictures.shift",
-            "the run of a scenario over time: gear, speeds, slips, torques\n"
-            "with capacities, vehicle or output, heat, with its events",
+            "simulation of a scenario over time: gear, speeds, slips, torques\n"
+            "and capacities, vehicle or output, heat, events",
             110,
             "Run over time",
             "run",

@@ -9,7 +9,7 @@ ANNEX = Annex(
     needs=("pictures",),
     commands={
         "sweep": Command(
-            "vstatics.sweep.cli.command", "Calculate variants of a case, to a table.", 30
+            "vstatics.sweep.cli.command", "Calculate variants of a case and write a table.", 30
         ),
     },
     names={
@@ -29,8 +29,8 @@ ANNEX = Annex(
     pictures={
         "map": PictureKind(
             "vstatics.sweep.pictures.map",
-            "what `sweep -o` wrote, in place of a case: contours of a\n"
-            "column over two varied numbers, and where operation ends",
+            "contours of a column of a table of `sweep -o` over two varied\n"
+            "numbers, and the limit of operation",
             160,
             shows="sweep",
             options=("columns",),
@@ -39,8 +39,8 @@ ANNEX = Annex(
         ),
         "curves": PictureKind(
             "vstatics.sweep.pictures.curves",
-            "of the same: columns over one varied number, a line for each\n"
-            "gear, or for each value of another one",
+            "columns of a table of `sweep -o` over one varied number, a\n"
+            "line for each gear, or for each value of another number",
             170,
             shows="sweep",
             options=("columns",),
@@ -49,8 +49,8 @@ ANNEX = Annex(
         ),
         "histogram": PictureKind(
             "vstatics.sweep.pictures.histogram",
-            "of the same, and of what `simulate --samples -o` wrote: how\n"
-            "often numbers of a column fall into parts of its range",
+            "frequency of the values in columns of a table of `sweep -o`\n"
+            "or `simulate --samples -o`",
             180,
             shows="sweep",
             options=("columns",),
@@ -58,5 +58,5 @@ ANNEX = Annex(
             plots="plot_written_sweep",
         ),
     },
-    picture_options={"columns": "only {kinds} are of columns"},
+    picture_options={"columns": "only {kinds} have columns of a sweep"},
 )

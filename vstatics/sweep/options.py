@@ -96,6 +96,12 @@ class Option(NamedTuple):
     least: int = 1
     """Smallest count."""
     choices: tuple[str, ...] = ()
+    heading: str = "Variants"
+    """Heading of the option in the help text."""
+
+
+_ROWS = "Rows and columns"
+_OUTPUT = "Output"
 
 
 def _option(kind: Kind, help: str = "", **more: Any) -> Any:  # noqa: A002
@@ -108,30 +114,43 @@ class SweepOptions:
     """Options of a command line, a sweep file or a call; `None` and () if missing."""
 
     case: str | None = _option("path")
-    vary: tuple[Text, ...] = _option("vary", "Vary a number; repeatable.", metavar="NAME=VALUES")
-    zip: bool | None = _option("flag", "Values in pairs, not a grid.")
-    sample: int | None = _option("count", "N points between low:high.", metavar="N")
-    method: str | None = _option(
-        "choice", "How they are picked.  [default: sobol]", choices=METHODS
+    vary: tuple[Text, ...] = _option("vary", "Vary a number. Repeatable.", metavar="NAME=VALUES")
+    zip: bool | None = _option("flag", "Combine the values in pairs instead of a grid.")
+    sample: int | None = _option("count", "Number of random variants within LOW:HIGH.", metavar="N")
+    method: str | None = _option("choice", "Sampling method.  [default: sobol]", choices=METHODS)
+    seed: int | None = _option(
+        "count", "Seed of the random numbers.  [default: 0]", metavar="S", least=0
     )
-    seed: int | None = _option("count", "Of --sample.  [default: 0]", metavar="S", least=0)
-    variants: str | None = _option("path", "A table of variants.", metavar="FILE")
+    variants: str | None = _option(
+        "path", "Table of variants: a column for each varied number.", metavar="FILE"
+    )
     out: Text | None = _option(  # noqa: RUF009 (a field)
-        "list", "The columns.  [default: ratio,efficiency]", metavar="LIST"
+        "list", "Columns to write.  [default: ratio,efficiency]", metavar="LIST", heading=_ROWS
     )
     where: Text | None = _option(  # noqa: RUF009 (a field)
-        "text", "Keep variants for which this is true.", metavar="EXPR"
+        "text", "Keep the variants for which EXPR is true.", metavar="EXPR", heading=_ROWS
     )
-    by: str | None = _option("choice", "A row for each gear of a variant.", choices=("gear",))
-    min: tuple[Text, ...] = _option("texts", "Keep those with the least.", metavar="EXPR")
-    max: tuple[Text, ...] = _option("texts", "Keep those with the most.", metavar="EXPR")
-    best: int | None = _option("count", "So many.  [default: 20]", metavar="N")
-    output: str | None = _option("path", "Write to this file, whole or not at all.", short="-o")
+    by: str | None = _option(
+        "choice", "Write a row for each gear of a variant.", choices=("gear",), heading=_ROWS
+    )
+    min: tuple[Text, ...] = _option(
+        "texts", "Keep the rows with the smallest EXPR.", metavar="EXPR", heading=_ROWS
+    )
+    max: tuple[Text, ...] = _option(
+        "texts", "Keep the rows with the largest EXPR.", metavar="EXPR", heading=_ROWS
+    )
+    best: int | None = _option(
+        "count", "Number of rows to keep.  [default: 20]", metavar="N", heading=_ROWS
+    )
+    output: str | None = _option(
+        "path", "Output file, written completely or not at all.", short="-o", heading=_OUTPUT
+    )
     format: str | None = _option(
         "choice",
-        "Format of the output; else told by the suffix, CSV on stdout.",
+        "Format of the output.  [default: by the suffix of -o, else csv]",
         short="-f",
         choices=FORMATS,
+        heading=_OUTPUT,
     )
     coast: bool | None = _option("flag")
     idle: str | None = _option("choice", choices=get_args(IdleConvention))

@@ -8,7 +8,7 @@ ANNEX = Annex(
     commands={
         "synth": Command(
             "vstatics.synthesis.cli.group",
-            "Find gearboxes: schemes, gears, ratios, teeth, whole ones.",
+            "Find gearboxes for wanted ratios, and ratios, gears or teeth of a case.",
             110,
         ),
     },
@@ -31,24 +31,24 @@ ANNEX = Annex(
         "synth": {
             "structures": (
                 "vstatics.synthesis.cli.structures",
-                "All schemes of so many planetary sets.",
+                "List all structures of N planetary gear sets.",
             ),
-            "case": ("vstatics.synthesis.cli.case", "A case of one of them."),
+            "case": ("vstatics.synthesis.cli.case", "Write a structure as a case."),
             "combinations": (
                 "vstatics.synthesis.cli.combinations",
-                "What each combination of shift elements of a case does.",
+                "Find the gears of all combinations of shift elements.",
             ),
             "fit": (
                 "vstatics.synthesis.cli.fit",
-                "Ratios of mechanisms for wanted ratios of gears.",
+                "Fit ratios of mechanisms to wanted ratios of gears.",
             ),
             "box": (
                 "vstatics.synthesis.cli.box.command",
-                "Whole gearboxes for wanted ratios of gears.",
+                "Find gearboxes for wanted ratios.",
             ),
             "teeth": (
                 "vstatics.synthesis.cli.teeth",
-                "Integer teeth for wanted ratios of gears or sets.",
+                "Find tooth numbers for wanted ratios.",
             ),
         },
     },
@@ -76,8 +76,8 @@ ANNEX = Annex(
     pictures={
         "boxes": PictureKind(
             "vstatics.synthesis.pictures.picture",
-            "what `synth box -f json` found, in place of a case: mean loss\n"
-            "over the largest torque, families, stick diagrams",
+            "gearboxes found by `synth box -f json`: mean loss over the\n"
+            "largest torque, families, stick diagrams",
             150,
             shows="boxes",
             refused={"gear": "found boxes are shown with all their gears"},

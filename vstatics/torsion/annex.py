@@ -7,7 +7,7 @@ ANNEX = Annex(
     needs=("pictures",),
     commands={
         "torsion": Command(
-            "vstatics.torsion.cli.group", "The transmission as a torsional system.", 100
+            "vstatics.torsion.cli.group", "Calculate torsional vibration and clutch dump.", 100
         ),
     },
     names={
@@ -24,24 +24,33 @@ ANNEX = Annex(
         "torsion": {
             "modes": (
                 "vstatics.torsion.cli.modes",
-                "Natural frequencies and shapes in every gear.",
+                "Calculate natural frequencies and mode shapes.",
             ),
-            "reduce": ("vstatics.torsion.cli.reduce", "Inertias and compliances on one link."),
+            "reduce": (
+                "vstatics.torsion.cli.reduce",
+                "Reduce inertias and compliances to one link.",
+            ),
             "simplify": (
                 "vstatics.torsion.cli.simplify",
-                "Fewer masses, the same low frequencies.",
+                "Simplify the system, with equal low frequencies.",
             ),
             "response": (
                 "vstatics.torsion.cli.response",
-                "Amplitudes and torques by orders and speeds.",
+                "Calculate the forced vibration by orders and speeds.",
             ),
             "random": (
                 "vstatics.torsion.cli.random",
-                "Deviations and life under random excitation.",
+                "Calculate random vibration and fatigue life.",
             ),
-            "dump": ("vstatics.torsion.cli.dump", "The largest torque when the clutch is dumped."),
-            "identify": ("vstatics.torsion.cli.measured", "Compliances from a measured frequency."),
-            "damping": ("vstatics.torsion.cli.measured", "Dampings from logarithmic decrements."),
+            "dump": ("vstatics.torsion.cli.dump", "Calculate the largest torque of a clutch dump."),
+            "identify": (
+                "vstatics.torsion.cli.measured",
+                "Correct compliances by a measured frequency.",
+            ),
+            "damping": (
+                "vstatics.torsion.cli.measured",
+                "Calculate dampings from logarithmic decrements.",
+            ),
         },
     },
     own_names={
@@ -76,16 +85,16 @@ ANNEX = Annex(
     pictures={
         "modes": PictureKind(
             "vstatics.torsion.pictures.shapes.modes",
-            "natural modes of a gear, the first unless --gear says which:\n"
-            "shapes over the links, shares of the energy",
+            "natural modes of one gear, by default of the first: shapes over\n"
+            "the links, and shares of the energy",
             70,
             "Natural modes",
             "vibration",
         ),
         "campbell": PictureKind(
             "vstatics.torsion.pictures.orders.campbell",
-            "natural frequencies of all gears over the input speed, and\n"
-            "where its orders meet them",
+            "natural frequencies of all gears over the input speed, with\n"
+            "their intersections with the orders",
             80,
             "Campbell diagram",
             "vibration",
@@ -94,8 +103,8 @@ ANNEX = Annex(
         ),
         "response": PictureKind(
             "vstatics.torsion.pictures.orders.response",
-            "amplitude of the input over its speed under 1 N*m, a line for\n"
-            "each order, gear by gear",
+            "amplitude of the input over its speed under 1 N*m in each\n"
+            "gear, a line for each order",
             90,
             "Response",
             "vibration",
@@ -104,7 +113,7 @@ ANNEX = Annex(
         ),
         "dump": PictureKind(
             "vstatics.torsion.pictures.dump",
-            "the largest torque when the clutch is dumped, by gear",
+            "largest torque when the clutch is dumped, in each gear",
             100,
             "Dumped clutch",
             "vibration",

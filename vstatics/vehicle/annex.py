@@ -10,12 +10,12 @@ ANNEX = Annex(
     commands={
         "cycle": Command(
             "vstatics.vehicle.cli.cycle",
-            "Drive a case with a vehicle through a cycle of speeds.",
+            "Drive a vehicle through a driving cycle.",
             60,
         ),
         "damage": Command(
             "vstatics.vehicle.cli.damage.group",
-            "What torques that vary do to devices: their life.",
+            "Calculate fatigue damage and life under varying torque.",
             90,
         ),
     },
@@ -55,23 +55,23 @@ ANNEX = Annex(
         "damage": {
             "record": (
                 "vstatics.vehicle.cli.damage.record",
-                "Damage by a record of torques, cycle by cycle.",
+                "Calculate the damage under recorded torques.",
             ),
             "rayleigh": (
                 "vstatics.vehicle.cli.damage.rayleigh",
-                "Life under random stresses, in closed form.",
+                "Calculate the life under a random stress.",
             ),
             "resize": (
                 "vstatics.vehicle.cli.damage.resize",
-                "A shaft of equal life under other torques.",
+                "Resize a shaft for other torques at equal life.",
             ),
         },
     },
     pictures={
         "traction": PictureKind(
             "vstatics.vehicle.pictures.traction",
-            "force at the wheels of the `vehicle` over its speed, gear by\n"
-            "gear with all losses; resistance on slopes of 0 to 30 %",
+            "force at the road wheels of the `vehicle` over its speed in each\n"
+            "gear, with all losses, and resistance on slopes of 0 to 30 %",
             120,
             "Wheel force",
             refused=_FULL_LOAD,
@@ -79,7 +79,7 @@ ANNEX = Annex(
         ),
         "sawtooth": PictureKind(
             "vstatics.vehicle.pictures.sawtooth",
-            "engine speed over road speed, gear by gear",
+            "engine speed over road speed in each gear",
             130,
             "Engine speed over road speed",
             refused=_FULL_LOAD,
@@ -87,8 +87,8 @@ ANNEX = Annex(
         ),
         "steps": PictureKind(
             "vstatics.vehicle.pictures.steps",
-            "forward gears on a logarithmic line of ratios, beside\n"
-            "geometric and progressive steps",
+            "forward gears on a logarithmic scale of ratios, with geometric\n"
+            "and progressive step ratios for comparison",
             140,
             "Steps between gears",
             alike=True,

@@ -49,7 +49,7 @@ SWEEP = ("sweep", "box.yaml", "--vary", "D.ratio=-4:-2:20", "-j", "1")
 SAMPLES = ("simulate", "lock.yaml", "--samples", "5", "--jobs", "1", "--out", "locks[brake]")
 RUN = ("run", *CASES, "-j", "1")
 BOX = (
-    *("synth", "box", "--sets", "1", "--elements", "2", "--engaged", "1"),
+    *("synth", "box", "--sets", "1", "--shift-elements", "2", "--engaged", "1"),
     *("--ratios", "3,1", "-j", "1"),
 )
 RECORD = ".vstatics-boxes"

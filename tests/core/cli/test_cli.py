@@ -64,7 +64,7 @@ def test_a_gear_tied_up_does_not_stop_the_others() -> None:
         "run a.dat --format xml",
         "run a.dat --lang fr",
         "run a.dat --from xml",
-        "run a.dat --idle never",
+        "run a.dat --unloaded never",
         "run a.dat --nonsense",
         "check a.dat --coast",
         "convert a.dat b.txt",
@@ -164,8 +164,8 @@ def test_a_link_to_what_is_not_there_is_no_misspelling(tmp_path: Path) -> None:
     [
         ("report differential.yaml --gears 9 -o a.html", "Invalid value for --gears: no gear '9'"),
         ("flow differential.yaml --gear 9", "Invalid value for --gear: no gear '9'"),
-        ("synth box", "'--sets'. Expected --sets N, or --keep CASE in its place."),
-        ("report differential.yaml", "Expected --output FILE, or --watch in its place."),
+        ("synth box", "'--sets'. Expected --sets N, or --keep CASE instead."),
+        ("report differential.yaml", "Expected --output FILE, or --watch instead."),
         ("flow gears/*.yaml", "no file matches `gears/*.yaml`"),
     ],
 )

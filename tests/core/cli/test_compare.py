@@ -124,7 +124,7 @@ def test_a_listing_of_the_source_has_gears_by_number_and_mechanisms_for_rows() -
         said = vstatics("run", case, "-q", "-f", "source")
         Path("source.lst").write_text(said.out, encoding="utf-8")
         for form in ("json", "csv"):
-            other = results(f"x.{form}", case, "--idle", "published")
+            other = results(f"x.{form}", case, "--unloaded", "published")
             said = vstatics("compare", "source.lst", other)
             assert (said.status, "rows of mechanisms" in said.err) == (is_drawn, is_drawn)
 

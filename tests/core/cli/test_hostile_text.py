@@ -103,7 +103,7 @@ NAMES_A_FILE = (
     ("synth", "combinations", CASE, "-o", f"{ATTACK}.d/no/a.json"),
     ("synth", "combinations", CASE, "--engaged", ATTACK),
     ("synth", "combinations", CASE, "--engaged", "0", "--write", "a.yaml"),
-    ("synth", "combinations", CASE, "--elements", ATTACK),
+    ("synth", "combinations", CASE, "--shift-elements", ATTACK),
     ("synth", "combinations", CASE, "--write", ATTACK),
     ("synth", "fit", CASE, "--ratios", ATTACK),
     ("synth", "fit", CASE, "--ratios", f"{ATTACK}=2"),

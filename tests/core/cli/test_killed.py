@@ -30,7 +30,7 @@ GRID = ("--vary", "D.ratio=-4:-2:500", "--vary", "D.efficiency=.9:1:800")
 CASES = 150
 BRAKES = ("--vary", "controls.brake.scale=.9:1.2:200", "--out", "locks[brake],heat[brake]")
 BOXES = (
-    *("--sets", "3", "--elements", "5", "--engaged", "2"),
+    *("--sets", "3", "--shift-elements", "5", "--engaged", "2"),
     *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94"),
 )
 """Nine pieces of a second or less."""

@@ -42,5 +42,5 @@ def test_coasting_turns_the_reverse_gears_of_the_published_train() -> None:
 @pytest.mark.parametrize(("idle", "signs"), [("published", PRINTED["IX"][2]), ("exact", None)])
 def test_idle_convention_is_overridden(idle: str, signs: list[int] | None) -> None:
     """D3 turns as one piece in gears 3, 4 and 6; `exact` has 0 there."""
-    said = vstatics("run", MZKT, "--idle", idle, "-f", "json")
+    said = vstatics("run", MZKT, "--unloaded", idle, "-f", "json")
     assert said.json["IX"][2] == (signs or [1, 1, 0, 0, 1, 0])

@@ -367,7 +367,7 @@ def test_a_case_without_fields_does_not_stop_the_others(tmp_path: Path) -> None:
         ("--own-tables", "--own-tables is for -f source"),
         ("--own-tables --lang ru", "--own-tables is for -f source"),
         ("-f source --coast", "--coast has no field"),
-        ("-f source --idle exact", "-f source has the signs of --idle published"),
+        ("-f source --unloaded exact", "-f source has the signs of --unloaded published"),
     ],
 )
 def test_it_is_a_listing_only(options: str, why: str) -> None:

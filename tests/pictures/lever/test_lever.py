@@ -303,8 +303,8 @@ def test_options_of_levers_and_of_stick_diagrams_serve_no_other_kind() -> None:
     assert "P1 + P2" in said.out
     refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--merge", "-o", "-")
     assert refused.is_wrong_use("--merge: only levers can be merged")
-    refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--wheels", "-o", "-")
-    assert refused.is_wrong_use("--wheels: only stick diagrams name them")
+    refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--teeth", "-o", "-")
+    assert refused.is_wrong_use("--teeth: only stick diagrams show teeth")
 
 
 @pytest.mark.slow

@@ -55,8 +55,11 @@ def test_it_needs_no_case(tmp_path: Path) -> None:
         (f"{CASES / 'umdm.yaml'} --kind plan --ratios 2", "--ratios: without a case"),
         ("--kind lever --ratios 2", "--ratios: only a plan follows from ratios alone"),
         ("--kind lever", "Missing argument 'CASE...'."),
-        ("--kind plan --ratios 2 --coast", "--from, --coast, --idle: they are of a case"),
-        ("s.csv --kind curves --idle exact", "--from, --coast, --idle: they are of a case"),
+        ("--kind plan --ratios 2 --coast", "--from, --coast, --unloaded: only a case has them"),
+        (
+            "s.csv --kind curves --unloaded exact",
+            "--from, --coast, --unloaded: only a case has them",
+        ),
         pytest.param(
             f"{CASES / 'umdm.yaml'} --kind sawtooth --drive",
             "--coast: a vehicle is drawn at full",

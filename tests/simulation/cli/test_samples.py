@@ -64,7 +64,7 @@ def test_the_runs_are_written_and_give_the_same_statistics() -> None:
     ("options", "said"),
     [
         (["--seed", "1"], "--seed belongs to --samples."),
-        (["--samples", "3", "--step", ".1"], "--step is for one run, without --samples."),
+        (["--samples", "3", "--time-step", ".1"], "--time-step is for one run, without --samples."),
         (["--samples", "3", "-o", "out.md"], "--samples writes .csv .jsonl .ndjson .npz .parquet"),
         (["--samples", "3", "--resume"], "--resume needs a file to go on with"),
         (["--out", "jerks"], "--out asks for columns over time: expected -o with .csv .json"),

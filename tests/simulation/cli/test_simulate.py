@@ -88,7 +88,7 @@ def test_tables_for_people_fit_a_terminal() -> None:
 
 
 def test_json_has_all_of_it() -> None:
-    found = document("--step", "0.25")
+    found = document("--time-step", "0.25")
     assert list(found["energy"]) == [
         *("work", "heat", "losses", "kinetic", "elastic", "impact", "balance"),
     ]
@@ -203,9 +203,9 @@ def test_a_run_that_stops_leaves_what_it_has_with_a_mark(
 
 def test_wrong_use() -> None:
     assert vstatics("simulate", "lock.yaml", "-o", "box.yaml").status == 2
-    assert vstatics("simulate", "lock.yaml", "--step", "0").status == 2
-    assert vstatics("simulate", "lock.yaml", "--step", "nan").status == 2
-    assert vstatics("simulate", "lock.yaml", "--step", "1e-9").status == 2
+    assert vstatics("simulate", "lock.yaml", "--time-step", "0").status == 2
+    assert vstatics("simulate", "lock.yaml", "--time-step", "nan").status == 2
+    assert vstatics("simulate", "lock.yaml", "--time-step", "1e-9").status == 2
     assert vstatics("simulate", "lock.yaml", "-o", "out.svg").status == 2
     assert vstatics("simulate", "-", "-").status == 2
     said = vstatics("simulate", "box.yaml")

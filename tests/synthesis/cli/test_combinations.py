@@ -93,7 +93,7 @@ def test_ports_have_a_block_each() -> None:
 
 
 def test_all_ports_are_all_ordered_pairs_and_have_no_brakes_of_auto() -> None:
-    found = said(DIFFERENTIAL, "--ports", "all", "--elements", "auto", "-f", "json").json
+    found = said(DIFFERENTIAL, "--ports", "all", "--shift-elements", "auto", "-f", "json").json
     pairs = [(one["input"], one["output"]) for one in found["ports"]]
     assert pairs == [*permutations("123", 2)]
     for one in found["ports"]:
@@ -107,7 +107,7 @@ def test_all_ports_are_all_ordered_pairs_and_have_no_brakes_of_auto() -> None:
 def test_tables_have_torques_and_slip_as_json_has() -> None:
     """Of one element a number, of several their list in the order of the names."""
     for case, count in ((CASES / "umdm.yaml", 19), (BELAZ, 15)):
-        options = ("--elements", "auto") if count == 19 else ()
+        options = ("--shift-elements", "auto") if count == 19 else ()
         found = entries(case, *options)
         text = said(case, *options, "-f", "csv", "--raw").out
         rows = [row for row in csv.DictReader(text.splitlines()) if row["table"] == "combinations"]
@@ -139,7 +139,9 @@ def test_a_workbook_has_torques_and_slip(tmp_path: Path) -> None:
 @pytest.mark.parametrize("form", ["json", "jsonl"])
 def test_sorted_by_torque(form: str) -> None:
     """Direct drives first; torque times slip is 1, so these are by falling slip."""
-    text = said(CASES / "umdm.yaml", "--elements", "auto", "--sort", "torques", "-f", form).out
+    text = said(
+        CASES / "umdm.yaml", "--shift-elements", "auto", "--sort", "torques", "-f", form
+    ).out
     lines = map(json.loads, text.splitlines()) if form == "jsonl" else json.loads(text).values()
     found = [*lines] if form == "jsonl" else next(iter(lines))
     assert [one["kind"] for one in found] == ["direct"] * 15 + ["gear"] * 4
@@ -148,9 +150,11 @@ def test_sorted_by_torque(form: str) -> None:
     torques = [abs(*one["torques"].values()) for one in found[15:]]
     assert torques == sorted(torques)
     assert sorted(map(str, found)) == sorted(
-        map(str, entries(CASES / "umdm.yaml", "--elements", "auto"))
+        map(str, entries(CASES / "umdm.yaml", "--shift-elements", "auto"))
     )
-    table = said(CASES / "umdm.yaml", "--elements", "auto", "--sort", "torques", "-f", "csv").out
+    table = said(
+        CASES / "umdm.yaml", "--shift-elements", "auto", "--sort", "torques", "-f", "csv"
+    ).out
     named = [row["engaged"] for row in csv.DictReader(table.splitlines())][:19]
     assert named == [*(one["engaged"][0] for one in found)]
 
@@ -188,16 +192,16 @@ def test_ports_are_of_no_one_case(tmp_path: Path) -> None:
 def test_options_are_repeated_or_hold_commas() -> None:
     several = entries(BELAZ, "--engaged", "1", "--engaged", "3,1")
     assert [len(one["engaged"]) for one in several] == [1] * 6 + [3] * 20
-    some = entries(BELAZ, "--elements", "T1,T3", "--elements", "F1")
+    some = entries(BELAZ, "--shift-elements", "T1,T3", "--shift-elements", "F1")
     assert [one["engaged"] for one in some] == [["F1", "T1"], ["F1", "T3"], ["T1", "T3"]]
 
 
 def test_names_with_commas_and_strange_letters(tmp_path: Path) -> None:
     text = BELAZ.read_text("utf-8").replace("F1: [", "'a,\\\"b': [").replace("F1", "'a,\\\"b'")
     (tmp_path / "box.yaml").write_text(text, encoding="utf-8")
-    found = entries(tmp_path / "box.yaml", "--elements", 'a,\\"b', "--elements", "F2")
+    found = entries(tmp_path / "box.yaml", "--shift-elements", 'a,\\"b', "--shift-elements", "F2")
     assert [one["engaged"] for one in found] == [['a,\\"b', "F2"]]
-    found = entries(tmp_path / "box.yaml", "--elements", 'F2,"a,\\""b"')
+    found = entries(tmp_path / "box.yaml", "--shift-elements", 'F2,"a,\\""b"')
     assert [one["engaged"] for one in found] == [['a,\\"b', "F2"]]
 
 
@@ -205,7 +209,7 @@ def test_a_table_for_people(tmp_path: Path) -> None:
     shown = said(BELAZ)
     assert "T1, T4   gear     -7.642     ·   -.493, 9.134     -\n" in shown.out
     assert "parking             6\n" in shown.out
-    said(BELAZ, "-o", tmp_path / "out.csv", "--elements", "auto")
+    said(BELAZ, "-o", tmp_path / "out.csv", "--shift-elements", "auto")
     assert (tmp_path / "out.csv").read_text("utf-8").count("\n") > 325
 
 
@@ -225,7 +229,7 @@ def test_gears_as_a_case(tmp_path: Path, suffix: str) -> None:
 def test_all_elements_as_a_case(tmp_path: Path) -> None:
     """Each gear of the file has the ratio that its combination was said to have."""
     file = tmp_path / "all.yaml"
-    found = entries(CASES / "simpson.yaml", "--elements", "auto", "--write", file)
+    found = entries(CASES / "simpson.yaml", "--shift-elements", "auto", "--write", file)
     ratios = sorted(one["ratio"] for one in found if one["ratio"] is not None)
     assert sorted(solve(load(file)).ratio.tolist()) == pytest.approx(ratios)
 
@@ -266,7 +270,7 @@ def test_gears_that_leave_links_free_are_left_out_and_told(tmp_path: Path) -> No
 
 def test_how_many_how_large_how_long() -> None:
     shown = said(
-        CASES / "driveline-8hp70.yaml", "--elements", "auto", "--dry-run", "--engaged", "2"
+        CASES / "driveline-8hp70.yaml", "--shift-elements", "auto", "--dry-run", "--engaged", "2"
     )
     assert "combinations  21528\n" in shown.out  # C(208, 2)
     assert [line.split()[0] for line in shown.out.splitlines()] == [
@@ -278,7 +282,14 @@ def test_how_many_how_large_how_long() -> None:
 def test_an_estimate_as_json(tmp_path: Path) -> None:
     """C(208, 2) combinations, as text tells."""
     file = tmp_path / "estimate.json"
-    asked = (CASES / "driveline-8hp70.yaml", "--elements", "auto", "--engaged", "2", "--dry-run")
+    asked = (
+        CASES / "driveline-8hp70.yaml",
+        "--shift-elements",
+        "auto",
+        "--engaged",
+        "2",
+        "--dry-run",
+    )
     assert said(*asked, "-o", file).out == ""
     known = json.loads(file.read_text("utf-8"))
     assert [*validator("combinations").iter_errors(known)] == []
@@ -292,9 +303,9 @@ WRONG = {
     ("--engaged", "two"): "read `two`, expected a whole number of elements",
     ("--engaged", ""): "read ``, expected a whole number",
     ("--engaged", "-1"): "read `-1`",
-    ("--elements", "T11"): "no shift element `T11`",
-    ("--elements", "auto,F1"): "expected `auto` alone",
-    ("--elements", "Auto"): "did you mean `auto`",
+    ("--shift-elements", "T11"): "no shift element `T11`",
+    ("--shift-elements", "auto,F1"): "expected `auto` alone",
+    ("--shift-elements", "Auto"): "did you mean `auto`",
     ("--write", "gears.txt"): "can't tell the format of gears.txt",
     ("--write", str(BELAZ)): "would be overwritten",
     ("--write", "a.json", "-o", "a.json"): "expected another file",
@@ -308,9 +319,9 @@ def test_wrong_use(options: tuple[str, ...]) -> None:
 
 
 def test_too_many_are_told_with_what_helps() -> None:
-    done = said(CASES / "driveline-8hp70.yaml", "--elements", "auto")
+    done = said(CASES / "driveline-8hp70.yaml", "--shift-elements", "auto")
     assert done.fails("208 shift elements have 75760620 combinations", "see --dry-run")
-    done = said(BELAZ, "--elements", "auto", "--engaged", "13", "--at-most", "100000000")
+    done = said(BELAZ, "--shift-elements", "auto", "--engaged", "13", "--at-most", "100000000")
     assert done.is_wrong_use("text is for 200000 rows at most, not for 10400600")
 
 
@@ -319,13 +330,13 @@ def test_what_has_no_room_is_refused_before_it_begins(
 ) -> None:
     monkeypatch.setattr(estimates, "free_room", lambda _: 1000)
     done = said(BELAZ, "-f", "jsonl", "-o", tmp_path / "found.jsonl")
-    assert done.fails("but 1 kB are free there: expected --engaged or --elements")
+    assert done.fails("but 1 kB are free there: expected --engaged or --shift-elements")
     assert not list(tmp_path.iterdir())
 
 
 def test_nothing_to_choose_from() -> None:
     done = said(CASES / "power-split.yaml")
-    assert done.fails("2 engaged elements leave one degree of freedom", "see --elements")
+    assert done.fails("2 engaged elements leave one degree of freedom", "see --shift-elements")
 
 
 def test_no_gear_to_write(tmp_path: Path) -> None:

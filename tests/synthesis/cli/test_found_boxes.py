@@ -49,7 +49,7 @@ def test_a_box_that_was_edited_without_its_case_is_reported(tmp_path: Path, boxe
 
 
 def test_summaries_stand_side_by_side(boxes: Path) -> None:
-    said = vstatics("summary", boxes, "--box", "1,4")
+    said = vstatics("summary", boxes, "--gearbox", "1,4")
     assert said.status == 0
     assert re.search(r"^B: .*boxes\.json box 4 \(box ", said.out, re.MULTILINE)
     assert re.search(r"^1 +2\.479 +2\.479 +1\.676 +1\.676 ", said.out, re.MULTILINE)
@@ -64,11 +64,11 @@ def test_summaries_stand_side_by_side(boxes: Path) -> None:
     ("options", "said"),
     [
         (
-            ("summary", "BOXES", "--box", "5"),
-            "--box: read 5, but the boxes have the numbers 1 to 4",
+            ("summary", "BOXES", "--gearbox", "5"),
+            "--gearbox: read 5, but the boxes have the numbers 1 to 4",
         ),
-        (("summary", "BOXES", "--box", "x"), "read 'x', expected numbers of boxes"),
-        (("summary", CASES / "simpson.yaml", "--box", "1"), "--box: expected one document"),
+        (("summary", "BOXES", "--gearbox", "x"), "read 'x', expected numbers of boxes"),
+        (("summary", CASES / "simpson.yaml", "--gearbox", "1"), "--gearbox: expected one document"),
         (("plot", "BOXES", "--kind", "boxes", "--gear", "1", "-o", "x.svg"), "--gear: found boxes"),
         (("report", "BOXES", "-o", "x/"), "found boxes give one page: expected -o FILE, not x/"),
         (("plot", "BOXES", "BOXES", "--kind", "boxes", "-o", "x/"), "expected one document"),
@@ -106,5 +106,5 @@ def test_a_box_that_cannot_be_is_told_with_what_is_wrong(boxes: Path) -> None:
     case = document["boxes"][0]["case"]
     case["gears"]["1"]["engaged"] = list(case["shift_elements"])
     boxes.write_text(json.dumps(document))
-    said = vstatics("summary", boxes, "--box", "1")
+    said = vstatics("summary", boxes, "--gearbox", "1")
     assert said.fails("boxes.json box 1: error: gear 1: tied up: ")

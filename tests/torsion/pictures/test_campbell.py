@@ -268,6 +268,7 @@ def test_the_range_is_from_the_least_to_the_largest_speed_that_the_case_tells() 
     assert sorted(ends) == pytest.approx(expected, abs=0.02)
 
 
+@needs("simulation")
 def test_a_scenario_tells_the_range_of_its_engine(tmp_path: Path) -> None:
     """``over: speed``, points from 80 to 720 rad/s."""
     file = CASES / "scenarios" / "8hp70-shifts.yaml"

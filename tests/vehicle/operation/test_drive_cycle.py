@@ -443,7 +443,7 @@ def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(tmp_path: Path) ->
     Path(given).write_text(TRACE_FILE)
     fuel = "speed [rad/s],torque [N*m],fuel [g/h]\n0,0,500\n0,900,500\n400,0,500\n400,900,500\n"
     (tmp_path / "fuel.csv").write_text(fuel)
-    assert vstatics("cycle", case, given, "--steps", steps).status == 0
+    assert vstatics("cycle", case, given, "--time-steps", steps).status == 0
     table = sweep_tables.read(Path(steps).read_bytes(), steps)
     assert table.varied == ("time [s]",)
     forces, speeds, ratios = [5000, 2000, 0, -12000], [5, 11, 12, 6], [4, 4, 2, 4]
@@ -463,5 +463,5 @@ def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(tmp_path: Path) ->
     assert vstatics("plot", steps, "-k", "curves", "-o", picture).status == 0
     assert "engine torque" in Path(picture).read_text()
     before = Path(given).read_bytes()
-    assert vstatics("cycle", case, given, "--steps", given).status == 2
+    assert vstatics("cycle", case, given, "--time-steps", given).status == 2
     assert Path(given).read_bytes() == before

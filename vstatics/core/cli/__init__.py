@@ -126,7 +126,7 @@ def _with_hint(message: str) -> str:
     return message + slip(number[1])
 
 
-def _tell_version(context: click.Context, _: click.Parameter, value: bool) -> None:
+def _print_version(context: click.Context, _: click.Parameter, value: bool) -> None:
     if value and not context.resilient_parsing:
         files.write_output(f"vstatics, version {__version__}, build {build()}\n", None)
         context.exit()
@@ -138,27 +138,38 @@ def _tell_version(context: click.Context, _: click.Parameter, value: bool) -> No
     is_flag=True,
     expose_value=False,
     is_eager=True,
-    callback=_tell_version,
-    help="Show the version and the build, and exit.",
+    callback=_print_version,
+    help="Print the version and the build, and exit.",
 )
 def main() -> None:
-    """Vehicle transmissions calculated from their kinematic scheme.
+    """Calculate vehicle transmissions from their stick diagrams.
 
-    Speeds, planet and slip speeds, torques with and without losses, efficiency
-    and power flow in every gear, from a Visual-Statics deck or YAML.
+    A case describes gear sets, shift elements and gears in YAML, or in a deck of the
+    program Visual-Statics. You get ratios, speeds, torques, efficiency and power flow of
+    every gear, and can vary, draw, simulate and design gearboxes.
 
     \b
     Examples:
-      vstatics new gearbox.yaml --template ravigneaux
-      vstatics run gearbox.dat                 tables of every gear
-      vstatics run gearbox.dat -f source       the published listing, verbatim
-      vstatics run gearbox.yaml -f json        the same for programs
-      vstatics check gearbox.yaml              what is wrong or doubtful
-      vstatics convert gearbox.dat gearbox.yaml
-      vstatics compare result.json golden.json
+      vstatics new gearbox.yaml --template zf-8hp70
+      vstatics run gearbox.yaml --pretty
+      vstatics check gearbox.yaml
+      vstatics plot gearbox.yaml --kind stick -o gearbox.svg
+      vstatics report gearbox.yaml -o gearbox.html
+      vstatics run gearbox.yaml --help
+
+    The first example writes the case that the help of all commands uses.
 
     \b
-    Completion in the shell (bash; zsh and fish likewise):
+    Exit status of all commands:
+      0    success
+      1    an error in a case, an incomplete result, or a difference in `compare`
+      2    wrong use of the command line
+      3    a sweep without rows, with --fail-empty
+      130  stopped by Ctrl-C; 143: stopped by SIGTERM
+    The help of a command states only more precise conditions.
+
+    \b
+    Completion in bash, and in zsh and fish with their names instead of bash:
       eval "$(_VSTATICS_COMPLETE=bash_source vstatics)"
     """
 

@@ -13,8 +13,9 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
+from vstatics.core.cli.shared.command import MESSAGES, OUTPUT, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
+from vstatics.core.cli.shared.formats import WHOLE_OUTPUT, OutputOptions, TextStyle
 from vstatics.core.cli.shared.options import completing, refuse
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated
@@ -127,28 +128,35 @@ def _ids() -> list[str]:
     return [*known_ids(), _ALL]
 
 
-@click.command()
+@command
 @arguments.optional_argument
 @arguments.files_from
-@click.option(
-    "--explain",
-    metavar="ID",
-    is_flag=False,
-    flag_value=_ALL,
-    shell_complete=completing(_ids),
-    help="Explain a message, such as W201 or W201,E107, or all messages if no ID is given.",
+@under(
+    MESSAGES,
+    click.option(
+        "--explain",
+        metavar="ID,...",
+        is_flag=False,
+        flag_value=_ALL,
+        shell_complete=completing(_ids),
+        help="Print cause, remedy and example of messages, such as W201,E107, or of all messages "
+        "if no ID is given.",
+    ),
 )
-@click.option(
-    "-f",
-    "--format",
-    "output_format",
-    type=click.Choice(FORMATS),
-    help="Format; else told by the suffix of -o, else text.",
+@under(
+    OUTPUT,
+    click.option(
+        "-f",
+        "--format",
+        "output_format",
+        type=click.Choice(FORMATS),
+        help="Format of the output.  [default: by the suffix of -o, else text]",
+    ),
+    click.option("-o", "--output", type=click.Path(), help=WHOLE_OUTPUT),
 )
-@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
 @arguments.input_format
 @arguments.telling
-def check(
+def check_command(
     cases: tuple[str, ...],
     files_from: str | None,
     explain: str | None,
@@ -157,27 +165,26 @@ def check(
     input_format: readers.Format | None,
     telling: Telling,
 ) -> int:
-    """Report all problems, warnings and notes of each CASE, and its conditions per gear.
+    """Report errors, warnings and notes of each CASE, and the constraints of each gear.
 
-    A scenario is checked with its case.
+    A CASE can also be a scenario, which is checked together with its case; - is standard
+    input. Messages go to stderr with file, line and column. The number of constraints in
+    each gear goes to stdout; with -q only for a case that fails.
 
-    Problems go to stderr as file:line:col: message, with the line and a caret;
-    the count of conditions goes to stdout, with -q only of a case that fails. There are
-    no tables. As JSON, for
-    editors and CI, the problems of all cases are one array on stdout; each has
-    file, line, column, severity (error, warning, note), message and id. Formats github
-    (annotations), sarif and junit go to stdout as well: they, not text, are for -o.
+    The formats for editors and CI contain the messages of all cases and go to stdout, or to
+    the file of -o: an array in JSON, annotations of GitHub, SARIF, or JUnit.
 
     \b
     Examples:
       vstatics check gearbox.yaml
+      vstatics check gearbox.yaml --strict --allow N311
       vstatics check gearbox.yaml -f json | jq -r '.[].message'
-      vstatics check cases/*.yaml -f github
-      git diff --name-only -z --diff-filter=d main | vstatics check --files-from -
+      vstatics check *.yaml -f sarif -o problems.sarif
+      git ls-files -z '*.yaml' | vstatics check --files-from - -f github
       vstatics check --explain W201
 
-    Exit status: 0 no errors; 1 a case is in error or a gear is tied up, with --strict
-    also if there is a warning; 2 wrong use.
+    Exit status 1: a case has an error, a gear is tied up, or with --strict there is a
+    warning.
     """
     wanted = OutputOptions(FORMATS, output_format, output, TextStyle())
     has_case = bool(cases) or files_from is not None

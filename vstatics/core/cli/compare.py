@@ -9,6 +9,7 @@ from collections.abc import Callable
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import Command, completing, gathered, refuse
 from vstatics.core.cli.shared.values import value
@@ -39,27 +40,35 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
     )
 
 
-@click.command()
+@command
 @click.argument("actual", type=click.Path())
 @click.argument("expected", type=click.Path())
 @gathered(
     "how",
     Tolerances,
-    _tolerance("--atol", ATOL, "Absolute tolerance."),
-    _tolerance("--rtol", RTOL, "Tolerance relative to the expected number."),
+    _tolerance("--atol", ATOL, "Absolute tolerance of a number."),
+    _tolerance("--rtol", RTOL, "Tolerance of a number, relative to the expected number."),
     click.option(
         "--leave-out",
         multiple=True,
         metavar="TABLE",
         callback=value(left_out),
         shell_complete=completing(lambda: (quantity.name for quantity in QUANTITIES)),
-        help="Do not compare this table, by name or alias; may be given several times.",
+        help="Leave out this table, such as efficiency or losses. Repeatable.",
     ),
 )
-@click.option("--all", "all_numbers", is_flag=True, help="Every number that differs.")
-@click.option("--summary", is_flag=True, help="The first line of each case alone.")
-@click.option("-f", "--format", "form", type=click.Choice(FORMATS), default="text", help="Format.")
-def compare(
+@click.option("--all", "all_numbers", is_flag=True, help="List every number that differs.")
+@click.option("--summary", is_flag=True, help="Print only the first line of each case.")
+@click.option(
+    "-f",
+    "--format",
+    "form",
+    type=click.Choice(FORMATS),
+    default="text",
+    show_default=True,
+    help="Format of the output.",
+)
+def compare_command(
     actual: str,
     expected: str,
     how: Tolerances,
@@ -67,27 +76,28 @@ def compare(
     summary: bool,
     form: str,
 ) -> int:
-    """Compare two results, - is standard input: what changed in the case, and what by that.
+    """Compare two results: changes of the case, and changes of the results.
 
-    Results of run: listing, JSON, JSON lines, CSV, Parquet, in any mix; or two directories
-    of them, by the paths of the files without suffix. Cases are those of one file, with as many
-    folders as tell them apart, else of one name, gears those of one name, else of one number.
-    Or two sweeps: CSV, JSON lines, NPZ, Parquet, by the number of the variant.
+    ACTUAL and EXPECTED (- is standard input) are results of `run` in any two formats, two
+    directories of results, or two tables of `sweep`. Files of two directories are paired by
+    their names without suffix, cases and gears by their names, else by their numbers, and
+    rows of a sweep by the number of the variant.
 
-    The first line tells how much differs, then come changes of the case and the largest
-    ones of ratios, steps, efficiencies and other tables, as expected -> actual, 20 lines at
-    most. The deviation is (actual - expected)/|expected|: a ratio of -3 that becomes -4 deviates
-    by -33 %. A number from a listing matches anything within half of its last digit. Messages,
-    and name, description and source of a case are not compared.
+    The first line states the number of differences. Then the changes of the case are
+    listed, and the largest changes of ratios, step ratios, efficiencies and other tables,
+    as expected -> actual. The deviation is (actual - expected)/|expected|: a ratio of -3
+    that becomes -4 deviates by -33 %. A number from a listing matches everything within
+    half of its last digit. Messages, names, descriptions and sources are not compared.
 
-    Exit status: 0 no number differs; 1 one does, a result is added, gone or unreadable;
-    2 wrong use.
+    Exit status 1: a number differs, or a result is new, missing or unreadable.
 
     \b
     Examples, in CI:
+      mkdir golden && vstatics run gearbox.yaml -f json -o golden/gearbox.json
       vstatics run gearbox.yaml -f json | vstatics compare - golden/gearbox.json
+      vstatics run *.yaml -f json -o new/
       vstatics compare new/ golden/ -f junit > compare.xml
-      vstatics compare new.csv old.csv --leave-out losses
+      vstatics compare new/ golden/ --leave-out losses --summary
     """
     refuse(
         (actual == expected == files.STDIN, "standard input (-) can be read once"),

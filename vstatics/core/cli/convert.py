@@ -7,47 +7,55 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import OUTPUT, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.writers.saving import case_data
 
 
-@click.command()
+@command
 @click.argument("source", type=click.Path(), metavar="IN")
 @click.argument("target", type=click.Path(), metavar="OUT")
 @arguments.input_format
 @arguments.telling
-@click.option(
-    "--to",
-    "output_format",
-    type=click.Choice([*readers.READERS, "matrices"]),
-    help="Format of OUT; else told by the suffix.",
+@under(
+    OUTPUT,
+    click.option(
+        "--to",
+        "output_format",
+        type=click.Choice([*readers.READERS, "matrices"]),
+        help="Format of OUT.  [default: by the suffix]",
+    ),
 )
-def convert(
+def convert_command(
     source: str,
     target: str,
     input_format: readers.Format | None,
     output_format: str | None,
     telling: Telling,
 ) -> int:
-    """Convert the case IN to OUT: deck (.dat), YAML, JSON or XLSX; - is a stream.
+    """Convert a case from the file IN to the file OUT; - is a stream.
 
-    OUT is written over if it is there, so that a conversion can be repeated.
-    Numbers and names are kept to the last digit; torques and speeds with a unit are
-    written relative to the load. A workbook (XLSX) has a sheet for the parts of each kind.
-    A deck has mechanisms in place of elements, and
-    freewheels are engaged where they hold. What the format cannot keep is listed, and
-    the exit status is 1. A deck of a case with springs, inertias or stiffnesses is not
-    written at all. Matrices are written only: two tables in CSV that show the structure of
-    planetary gear sets and nothing else, links by members of the sets and links by shift
-    elements.
+    The formats are deck (.dat), YAML, JSON, XLSX and matrices. An existing file OUT is
+    replaced. Numbers and names are kept exactly; torques and speeds with a unit are written
+    relative to the operating point of the case.
+
+    \b
+      deck      has mechanisms instead of gear sets, and freewheels are engaged
+                in the gears in which they hold. A case with springs, inertias or
+                stiffnesses has no deck.
+      xlsx      has a sheet for each kind of parts.
+      matrices  are two tables in CSV, links by members of planetary gear sets and
+                links by shift elements. They can only be written.
+
+    Everything that the format cannot keep is listed, and the exit status is 1.
 
     \b
     Examples:
-      vstatics convert gearbox.dat gearbox.yaml
-      vstatics convert gearbox.yaml - --to deck
+      vstatics convert gearbox.yaml gearbox.dat
       vstatics convert gearbox.yaml gearbox.xlsx
+      vstatics convert gearbox.xlsx - --to yaml
       vstatics convert gearbox.yaml - --to matrices
     """
     files.spare([source], target)

@@ -11,6 +11,7 @@ import click
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import gathered, refuse
@@ -31,48 +32,51 @@ class AskedExercise(NamedTuple):
     seed: int | None
 
 
-@click.command()
+@command
 @arguments.argument
 @arguments.some_gears
 @gathered(
     "asked",
     AskedExercise,
-    click.option("--worksheet", is_flag=True, help="An exercise: what is given, and blanks."),
-    click.option("--solution", is_flag=True, help="The same exercise with its numbers."),
+    click.option(
+        "--worksheet", is_flag=True, help="Write an exercise with given values and blanks."
+    ),
+    click.option("--solution", is_flag=True, help="Write the solution of the exercise."),
     click.option(
         "--seed",
         type=click.IntRange(min=0),
         metavar="N",
-        help="With other teeth, which can be assembled, and ratios; others for each N.",
+        help="Replace teeth and ratios of the exercise by random values that can be assembled.",
     ),
 )
-@formats.options(*formats.TABLES)
+@formats.options(*formats.TABLES, output_help=formats.OF_SEVERAL_CASES)
 @arguments.settings
-@arguments.language("the words, but not of names and messages")
-def explain(
+@arguments.language(arguments.WORDS)
+def explain_command(
     cases: tuple[str, ...],
     gears: tuple[str, ...],
     asked: AskedExercise,
     wanted: OutputOptions,
     settings: CaseOptions,
 ) -> int:
-    """Explain the gears of each CASE: a deck, YAML or JSON; - is standard input.
+    """Explain each gear: the equations, their solution, and the ratio as a formula.
 
-    For each gear: the structural-distribution matrix of what is engaged, the speed
-    and the torque equations in symbols and numbers with their solution, the signs of
-    the power flow and why, links that turn together, and the ratio as a formula.
+    For each gear of each CASE (- is standard input) you get the structural-distribution
+    matrix of the engaged state, the equations of speeds and torques in symbols and numbers
+    with their solution, the direction of power flow with its reason, the links that turn
+    together, and the ratio as a formula.
 
     \b
     Examples:
-      vstatics explain gearbox.dat --gear 1
+      vstatics explain gearbox.yaml --gear 1
       vstatics explain gearbox.yaml | less
       vstatics explain gearbox.yaml -f json | jq -r '.gears[].formula.text'
       vstatics explain gearbox.yaml --gear 2 --worksheet --seed 7 -o exercise.tex
       vstatics explain gearbox.yaml --gear 2 --solution --seed 7 -o solution.tex
 
-    The formula needs SymPy: pip install "vstatics[formula]".
+    The formula needs SymPy: pip install ".[formula]" in the folder of the source.
 
-    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
+    Exit status 1: a case has an error, or a gear is tied up.
     """
     to = wanted.destination(cases, several=len(cases) > 1)
     worksheet, solution, seed = asked

@@ -6,11 +6,10 @@ from collections.abc import Iterable
 from functools import partial
 from typing import TYPE_CHECKING
 
-import click
-
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.texts import Job
@@ -21,33 +20,39 @@ if TYPE_CHECKING:
     from vstatics.core.flow.answer import FlowAnswer
 
 
-@click.command()
+@command
 @arguments.argument
 @arguments.some_gears
-@formats.options(*formats.TABLES)
+@formats.options(*formats.TABLES, output_help=formats.OF_SEVERAL_CASES)
 @arguments.settings
-@arguments.language("the words, but not of names and messages")
-def flow(
+@arguments.language(arguments.WORDS)
+def flow_command(
     cases: tuple[str, ...], gears: tuple[str, ...], wanted: OutputOptions, settings: CaseOptions
 ) -> int:
-    """Show where the power goes in every gear of each CASE; - is standard input.
+    """Show the power flow, the losses and the recirculating power in every gear.
 
-    For each gear: the power through links, mechanisms and engaged shift elements,
-    without and with losses, relative to the power at the input link, and in kW if the
-    case has a load; that of the teeth, against the carrier, by mechanism, and by mesh
-    where meshes share planets; losses and their shares; the balance; power that
-    circulates, and the loop that carries it, and whether it may not be in the metal.
-    Power of a member is above 0 where it enters the mechanism; ~ marks what is divided
-    by convention.
+    For each gear of each CASE (- is standard input) you get
+
+    \b
+      - the power through links, mechanisms and engaged shift elements, with and
+        without losses, relative to the input power, and in kW if the case has an
+        operating point;
+      - the rolling (tooth) power relative to the carrier, by mechanism, and by
+        mesh where meshes share planets;
+      - the losses, their shares, and the balance of power;
+      - the recirculating power with the loop that carries it, and a note if the
+        loop can be an artefact of the model.
+
+    Power of a member is positive where it enters the mechanism. The sign ~ marks values
+    that are split by convention, because several splits are possible.
 
     \b
     Examples:
       vstatics flow gearbox.yaml --gear R
-      vstatics flow gearbox.dat -f json | jq '.gears[].lossy.circulating'
-      vstatics flow gearbox.yaml other.yaml -o power.xlsx
+      vstatics flow gearbox.yaml -f json | jq '.gears[].lossy.circulating'
+      vstatics flow gearbox.yaml -o power.xlsx
 
-    \b
-    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
+    Exit status 1: a case has an error, or a gear is tied up.
     """
     to = wanted.destination(cases, several=len(cases) > 1)
     show = partial(_shown, gears=gears, style=to.style)

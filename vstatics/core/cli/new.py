@@ -9,6 +9,7 @@ from importlib import resources
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.options import completing
 from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import ReadError, of_file
@@ -65,7 +66,7 @@ def _known(name: str) -> str:
     return name
 
 
-@click.command()
+@command
 @click.argument("target", type=click.Path(), metavar="[FILE]", default=STDOUT)
 @click.option(
     "-t",
@@ -76,27 +77,32 @@ def _known(name: str) -> str:
     show_default=True,
     callback=value(_known),
     shell_complete=completing(lambda: [*TEMPLATES, *example_files()]),
-    help=f"One of {', '.join(TEMPLATES)}; or a shipped case by its name, as zf-8hp70.",
+    help=f"Template to write: {', '.join(TEMPLATES)}; or the name of a shipped case, such as "
+    "zf-8hp70.",
 )
-def new(target: str, name: str) -> None:
-    """Write a commented case of typical elements to FILE, or to standard output.
+def new_command(target: str, name: str) -> None:
+    """Write a commented case to FILE, or to standard output.
+
+    A template is a small case that explains its keys in comments; a shipped case is a
+    gearbox from the literature. The MZKT 7922 exists also as a deck of Visual-Statics. To
+    list all names, press Tab after --template (with completion, see `vstatics --help`).
 
     \b
     Examples:
-      vstatics new gearbox.yaml --template ravigneaux
-      vstatics new gearbox.yaml --template zf-8hp70
-      vstatics run gearbox.yaml
+      vstatics new --template ravigneaux
+      vstatics new simpson.yaml --template simpson_train
+      vstatics new zf.yaml --template zf-8hp70
+      vstatics new mzkt.dat --template mzkt7922
 
-    The MZKT 7922 is there as a deck, too: vstatics new mzkt.dat -t mzkt7922.
+    Missing folders of FILE are created. An existing file is not overwritten; the exit
+    status is then 1.
 
-    Folders of FILE that are missing are made.
-
-    A file that is there already is left as it is, and the exit status is 1. A scenario, as
-    scenarios/tarasik-box, speaks of its case by ../NAME.yaml, a folder above it, which a
-    second command writes:
+    A scenario names its case, which must be written, too:
 
     \b
-      vstatics new ../tarasik-box.yaml -t tarasik-box
+      vstatics new scenarios/upshift.yaml --template scenarios/8hp70-upshift
+      vstatics new driveline-8hp70.yaml --template driveline-8hp70
+      vstatics simulate scenarios/upshift.yaml
     """
     kind = format_of_name(target)
     text = template(name, os.path.splitext(target)[1])  # noqa: PTH122

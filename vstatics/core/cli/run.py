@@ -11,6 +11,7 @@ import click
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.core.cli.shared.command import OUTPUT, PROCESSING, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import Destination, OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
@@ -30,35 +31,46 @@ MANY = 100
 """Smallest number of cases for which all cores are used by default."""
 
 
-@click.command()
+@command
 @arguments.optional_argument
-@formats.options(*FORMATS, says="Format of the results")
+@under(
+    OUTPUT,
+    click.option(
+        "--pretty",
+        is_flag=True,
+        help="Print a compact table of the gears instead of the listing, coloured on a terminal.",
+    ),
+    formats.options(*FORMATS, says="Format of the results", output_help=formats.OF_SEVERAL_CASES),
+    click.option(
+        "--own-tables",
+        is_flag=True,
+        help="Append the tables that the published listing does not have. Needs -f source.",
+    ),
+)
 @arguments.files_from
-@click.option(
-    "-j",
-    "--jobs",
-    type=click.IntRange(min=1),
-    help=f"Processes that share several cases.  [default: 1; all cores from {MANY} cases on]",
-)
-@click.option(
-    "--resume",
-    is_flag=True,
-    help="Leave out cases whose result is in the directory already, or, of a run into .jsonl or "
-    ".parquet that was stopped, beside the file.",
-)
-@click.option(
-    "--pretty", is_flag=True, help="One coloured table of the gears, for people; plain with -o."
-)
-@click.option(
-    "--own-tables",
-    is_flag=True,
-    help="With -f source: the tables of this program after those of the source.",
+@under(
+    PROCESSING,
+    click.option(
+        "-j",
+        "--jobs",
+        type=click.IntRange(min=1),
+        metavar="N",
+        help="Number of worker processes for several cases.  [default: 1, or the number of cores "
+        f"for {MANY} cases or more]",
+    ),
+    click.option(
+        "--resume",
+        is_flag=True,
+        help="Resume a stopped run: skip each case whose result exists in the directory, or in "
+        "the pieces of a .jsonl or .parquet file.",
+    ),
 )
 @arguments.settings
 @arguments.language(
-    "the words, but not of names and messages; source: alias of -f source", "source"
+    "headings and words; names and messages stay as they are. `source` is an alias of -f source",
+    "source",
 )
-def run(
+def run_command(
     cases: tuple[str, ...],
     wanted: OutputOptions,
     files_from: str | None,
@@ -67,29 +79,32 @@ def run(
     pretty: bool,
     settings: CaseOptions,
 ) -> int:
-    """Calculate every gear of each CASE: a deck, YAML, JSON or XLSX; - is standard input.
+    """Calculate every gear of each CASE: a deck, YAML, JSON or XLSX.
+
+    The results are speeds, torques with and without losses, efficiency and power flow. The
+    CASE - is standard input.
 
     \b
     Examples:
-      vstatics run gearbox.dat
       vstatics run gearbox.yaml --pretty
+      vstatics run gearbox.yaml
       vstatics run gearbox.yaml -f json | jq .ratio
+      vstatics convert gearbox.yaml gearbox.dat
       vstatics run gearbox.dat -f source
-      cat gearbox.dat | vstatics run - --coast
-      vstatics run variants/*.dat -f json -o results/ --jobs 4
-      vstatics run 'drawer/**/*.dat' -o all.parquet
-      find . -name '*.dat' | vstatics run --files-from - -f jsonl -o all.jsonl
+      cat gearbox.yaml | vstatics run - --coast
+      vstatics run *.yaml *.dat -f json -o results/ --jobs 2
+      vstatics run '**/*.yaml' -o all.parquet
+      find . -name '*.dat' | vstatics run --files-from - -o all.jsonl
 
-    -f source is the published listing of Visual-Statics, word for word.
-    Patterns in quotes are expanded here; ** stands for any folders.
-    Into a directory each case gives a file: its stem and .lst, .json or .csv. A case
-    that fails does not stop the others. After Ctrl-C, --resume goes on.
+    The default format is a listing with the tables of Visual-Statics; -f source reproduces
+    the published listing character by character. Quoted patterns are expanded by the
+    program; ** stands for any folders. In a directory, each result has the name of its case.
+    A case that fails does not stop the others.
 
     \b
-    Exit status: 0 done; 1 a case is in error, a gear is tied up or in conflict;
-    2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
-    Neutral, indeterminate, dragged and friction-locked gears are messages,
-    not errors.
+    Exit status 1: a case has an error, or a gear is tied up or in conflict.
+    Gears that are neutral, indeterminate, back-driven or self-locking only get
+    messages.
     """
     names = arguments.named(cases, files_from)
     several = len(names) > 1 or files_from is not None
@@ -104,7 +119,7 @@ def run(
     of_source = to.form == "source"
     refuse(
         (of_source and settings.coast, "--coast has no field in the published listing"),
-        (of_source and settings.idle == "exact", "-f source has the signs of --idle published"),
+        (of_source and settings.idle == "exact", "-f source has the signs of --unloaded published"),
     )
     if resume and not to.is_folder and (to.form not in formats.STREAMS or is_stream(to.output)):
         message = (

@@ -12,6 +12,7 @@ from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate, show_problems
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
 from vstatics.core.cli.shared.one_or_many import carry_out
@@ -33,36 +34,38 @@ MOST_COMBINATIONS = 10_000
 """Largest number of combinations of shift elements that are tried by default."""
 
 
-@click.command()
+@command
 @arguments.argument
-@formats.options(*formats.TABLES)
+@formats.options(*formats.TABLES, output_help=formats.OF_SEVERAL_CASES)
 @click.option(
-    "--combinations", is_flag=True, help="Also try all other combinations of shift elements."
+    "--combinations", is_flag=True, help="Try all other combinations of shift elements, too."
 )
 @click.option(
     "--at-most",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Try no more --combinations than these.  [default: 10000]",
+    help="Largest number of combinations to try.  [default: 10000]",
 )
 @provided("duty_options")
 @click.option(
     "--output-torque",
     callback=value(torque),
     metavar="TORQUE",
-    help="Outside torque on the output, for accelerations: -1200 or '-1200 N*m'.  [default: 0]",
+    help="External torque on the output for accelerations, such as -1200 or '-1200 N*m'.  "
+    "[default: 0]",
 )
 @click.option(
     "--reserve",
     type=click.FloatRange(min=0, min_open=True, max=1e6),
     callback=value(above_0),
     metavar="FACTOR",
-    help="Capacities that shift elements need: the largest torque by so much, 1.2.",
+    help="Add the torque capacity that each shift element needs: its largest torque times FACTOR, "
+    "such as 1.2.",
 )
 @provided("box_option")
 @arguments.settings
-@arguments.language("the words, but not of names and messages")
-def summary(
+@arguments.language(arguments.WORDS)
+def summary_command(
     cases: tuple[str, ...],
     wanted: OutputOptions,
     combinations: bool,
@@ -73,27 +76,29 @@ def summary(
     boxes: tuple[int, ...] = (),
     duty: CycleOptions | None = None,
 ) -> int:
-    """Ratios, steps, spread, transitions and largest values of each CASE; - is standard input.
+    """Summarize each CASE: ratios, step ratios, spread, shifts and largest values.
 
-    Steps and transitions go from a gear to the next one of the same direction. The largest
-    values are those over all gears. Sensitivities tell by how many per cent a ratio changes
-    when the internal ratio of a mechanism changes by one. Several cases stand side by
-    side, as A, B, C; in a directory (-o DIRECTORY/) each has its own summary. What `synth box
-    -f json` found may stand for cases: its Pareto list and families side by side.
+    Step ratios and shifts are between neighbouring gears of one direction. The largest
+    values are taken over all gears. A sensitivity is the change of a ratio in % when the
+    basic ratio of a mechanism changes by 1 %. Several cases are shown side by side as A, B
+    and C; -o DIRECTORY/ writes a separate summary of each. Instead of cases
+    you can give the gearboxes found by `synth box -f json`. The CASE - is standard input.
 
     \b
     Examples:
       vstatics summary gearbox.yaml
+      vstatics new other.yaml --template aisin-8speed
       vstatics summary gearbox.yaml other.yaml
-      vstatics summary boxes.json --box 1,4
       vstatics summary gearbox.yaml --combinations -o gearbox.md
-      vstatics summary gearbox.yaml --duty duty.yaml
       vstatics summary gearbox.yaml -f json | jq .spread
+      vstatics synth box --sets 1 --shift-elements 2 --engaged 1 \\
+          --ratios 3,1 -o boxes.json
+      vstatics summary boxes.json --gearbox 1
 
-    Markdown and LaTeX have the tables of the text, XLSX and CSV all digits of these. JSON
-    has an entry for each case.
+    Markdown and LaTeX have the tables of the text; XLSX and CSV have the same tables with
+    all digits. JSON has an entry for each case.
 
-    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
+    Exit status 1: a case has an error, or a gear is tied up.
     """
     refuse((at_most is not None and not combinations, "--at-most: without --combinations"))
     others = duty.files if duty else []
@@ -111,7 +116,7 @@ def summary(
         if calculated is not None:
             return _of_boxes(list(calculated), summarized, to)
     if boxes:
-        raise click.UsageError("--box: expected one document of found boxes for the case")
+        raise click.UsageError("--gearbox: expected one document of found boxes instead of cases")
     if len(cases) == 1 or to.is_folder or to.form in ("json", "jsonl"):
         show = partial(_shown, summarized=summarized)
         return carry_out(Job("summary", settings, to, show), cases, others=others)

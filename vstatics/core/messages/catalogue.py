@@ -1,10 +1,10 @@
 """Catalogue of all messages, read from the files of this folder.
 
->>> warning = explained("W318")
+>>> warning = explained("W315")
 >>> warning.severity, warning.cause
-('warning', "Equally spaced bevel pinions can't be assembled.")
+('warning', 'The tips of neighbouring planets touch.')
 >>> print(warning.remedy)
-Change teeth so that their sum is divisible by the pinions.
+Use fewer planets, or planets with fewer teeth.
 """
 
 from __future__ import annotations

@@ -12,6 +12,7 @@ from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.command import OUTPUT, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
@@ -44,18 +45,21 @@ class PageOptions(NamedTuple):
         return self.duty.files if self.duty else []
 
 
-@click.command()
+@command
 @arguments.argument
 @arguments.required_output(
-    "Write to this file, whole or not at all: a case, or two that are compared; several cases to "
-    "this directory; - is standard output.",
+    "Output file for one case, or for two cases to compare, written completely or not at all; a "
+    "directory for several cases; - is standard output.",
     unless="watch",
 )
-@click.option(
-    "--watch",
-    is_flag=True,
-    is_eager=True,
-    help="Serve the page of one case, as `vstatics serve` does, which follows its file.",
+@under(
+    OUTPUT,
+    click.option(
+        "--watch",
+        is_flag=True,
+        is_eager=True,
+        help="Serve the page and update it when its file is saved, as `vstatics serve` does.",
+    ),
 )
 @gathered(
     "page",
@@ -68,63 +72,61 @@ class PageOptions(NamedTuple):
             metavar="NAME,...",
             multiple=True,
             callback=value(each(section)),
-            help=f"These only, on the screen and in print: {', '.join(SECTIONS)}.",
+            help=f"Sections to show and to print: {', '.join(SECTIONS)}.",
         ),
         click.option(
             "--gears",
             metavar="G,...",
             multiple=True,
             callback=value(separated),
-            help="Of these gears only, by names or numbers.",
+            help="Gears to show, by names or numbers.",
         ),
-        click.option("--all", "prints_all", is_flag=True, help="Print all that the screen shows."),
+        click.option("--all", "prints_all", is_flag=True, help="Print all sections."),
         click.option(
             "--stamp",
             metavar="NAME=TEXT,...",
             multiple=True,
             callback=value(named("NAME=TEXT", str)),
-            help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
+            help="Entries for the head of the page, such as author=A. Author,project=P-7.",
         ),
     ),
     provided("duty_options"),
     formats.digits,
-    arguments.language("the words of the page, but not of names and messages"),
+    arguments.language(arguments.WORDS),
     arguments.settings,
 )
-def report(cases: tuple[str, ...], output: str | None, watch: bool, page: PageOptions) -> int:
-    """Write each CASE and its results as one page of HTML; - is standard input.
+def report_command(
+    cases: tuple[str, ...], output: str | None, watch: bool, page: PageOptions
+) -> int:
+    """Write each CASE with its results as an HTML page; - is standard input.
 
-    A scenario may stand for its case; then the page has its run, too. For what `synth box -f
-    json` found the page has all boxes, their families, and diagrams. Two cases and -o FILE give
-    a page that compares them, A and B; several cases and -o DIR/ a page each.
+    Instead of a case you can give a scenario, whose page includes the simulation, or the
+    gearboxes found by `synth box -f json`. Two cases and -o FILE give a page that compares
+    them as A and B; several cases and -o DIR/ give a page for each case.
 
-    The page has an overview with the stick diagram, the gears, power flow, levers and equations
-    of the one that is chosen, the input and all tables, which can be sorted and copied. It loads
-    nothing from elsewhere, can be printed, and carries the result as JSON.
+    The page shows an overview with the stick diagram; power flow, levers and equations of a
+    chosen gear; the input; and all tables, which you can sort and copy. It loads nothing
+    from elsewhere and contains the result as JSON. Printed, it has at most ten A4 pages:
+    overview, gears, power flow, efficiency, largest values, and vibration and simulation if
+    the case has them. --all prints everything, --sections a selection.
 
-    In print it has at most ten pages of A4: the overview, gears with their stick diagrams,
-    power flow, efficiency, largest values, and what the case has of vibration and a run;
-    --all prints all of it, --sections what it names.
+    A page of two cases has additional tools: units (rpm, N*m and kW, or US units), a filter
+    by link, and buttons that save pictures, tables and results. `vstatics serve` has them
+    for one case, with sliders for its numbers and for the time of a simulation.
 
-    A page of two cases shows numbers in rpm, N*m and kW or in US units, filters the rows by a
-    link, and saves pictures, tables and results. `vstatics serve` offers the same for one case,
-    with sliders for its numbers and a run that moves with a slider for the time.
-
-    Pictures need matplotlib, the section on vibration of a case with inertias and springs
-    scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
+    Pictures need matplotlib and networkx, the vibration section needs scipy: pip install
+    ".[plot,torsion]" in the folder of the source. Without them these parts are left out.
 
     \b
     Examples:
       vstatics report gearbox.yaml -o gearbox.html
-      vstatics report upshift.yaml -o upshift.html
-      vstatics report gearbox.yaml --duty points.csv -o gearbox.html
       vstatics report gearbox.yaml --sections gears,flow --gears 1,R -o a.html
-      vstatics report old.yaml new.yaml -o changes.html
       vstatics report gearbox.yaml --stamp author=Me,project=P-7 -o gearbox.html
-      cat gearbox.dat | vstatics report - -o - > gearbox.html
+      vstatics new other.yaml --template aisin-8speed
+      vstatics report gearbox.yaml other.yaml -o changes.html
+      cat gearbox.yaml | vstatics report - -o - > page.html
 
-    \b
-    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
+    Exit status 1: a case has an error, or a gear is tied up.
     """
     asked, settings = page.asked, page.settings
     refuse(

@@ -16,6 +16,7 @@ from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import documents, files, formats
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate_one
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.extras import higher
@@ -39,20 +40,21 @@ GARBAGE = 50_000
 """
 
 
-@click.command()
+@command
 @click.argument("case", type=click.Path())
 @click.option(
     "--port",
     type=click.IntRange(0, MOST_PORT),
     default=0,
     show_default=True,
-    help="Of 127.0.0.1; 0 takes one that is free.",
+    metavar="PORT",
+    help="Port on 127.0.0.1; 0 selects a free port.",
 )
 @click.option("--open", "opens", is_flag=True, help="Open the page in a browser.")
 @formats.digits
-@arguments.language("the words of the page, but not of names and messages")
+@arguments.language(arguments.WORDS)
 @arguments.settings
-def serve(
+def serve_command(
     case: str,
     port: int,
     opens: bool,
@@ -60,25 +62,23 @@ def serve(
     lang: Language,
     settings: CaseOptions,
 ) -> int:
-    """Serve the page of CASE to browsers of this computer, until Ctrl-C.
+    """Serve the page of CASE to browsers on this computer until Ctrl-C.
 
-    The page is that of `vstatics report`, made anew when the file of the case, or one that it
-    names, is saved. Numbers of the file have fields and sliders: what is changed there is
-    calculated at once, and written into the file when it is saved, with all else in it as it
-    was. A scenario may stand for its case. A deck is shown, but not changed.
+    The page is the page of `vstatics report`. It is updated when the case, or a file that
+    the case names, is saved. Its fields and sliders change numbers of the case: results
+    follow at once, and the numbers are written into the file when you save them, with the
+    rest of the file unchanged. CASE can also be a scenario. A deck is shown, but cannot be
+    changed.
 
-    The first line on stdout is the address. Whoever knows it can change the numbers of the case;
-    no other file is written.
+    The first line on stdout is the address of the page. Everyone who knows the address can
+    change the numbers of the case; no other file is written.
 
     \b
     Examples:
       vstatics serve gearbox.yaml --open
-      vstatics serve upshift.yaml --port 8000
-      vstatics serve gearbox.yaml --lang ru
+      vstatics serve gearbox.yaml --port 8000 --lang ru
 
-    \b
-    Exit status: 0 ended by Ctrl-C; 1 no such file, or the port is taken;
-    2 wrong use.
+    Exit status 1: the file does not exist, or the port is in use.
     """
     return serve_page(case, digits, lang, settings, port, opens=opens)
 

@@ -10,6 +10,7 @@ import click
 
 from vstatics.core.annexes import picture_kinds
 from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import command
 from vstatics.core.cli.shared.options import Option, gathered
 from vstatics.core.cli.shared.values import numbers, shown_speeds, told, value
 from vstatics.core.texts import Language
@@ -74,104 +75,135 @@ def _of_kinds(name: str, option: Option) -> Iterator[Option]:
         yield option
 
 
+_PICTURE = "Picture"
+_KINDS = "Options of some kinds"
+_COLUMNS = "Columns of a sweep"
+
 options = gathered(
     "asked",
     AskedPicture,
-    click.option(
-        "-k",
-        "--kind",
-        type=click.Choice([*picture_kinds()]),
-        metavar="KIND",
-        required=True,
-        help="What is drawn, one of the above.",
+    command.under(
+        _PICTURE,
+        click.option(
+            "-k",
+            "--kind",
+            type=click.Choice([*picture_kinds()]),
+            metavar="KIND",
+            required=True,
+            help="Kind of picture, from the list above.",
+        ),
+        arguments.some_gears,
+        click.option(
+            "--width",
+            metavar="LENGTH",
+            default="170mm",
+            show_default=True,
+            callback=value(told(page_width)),
+            help="Width of a page, 80mm to 1200mm; in mm, cm, in or pt.",
+        ),
+        click.option("--dark", is_flag=True, help="Draw light lines on a dark background."),
     ),
     arguments.required_output(
-        "SVG, PNG or PDF by the suffix; - is standard output, for SVG; two cases go to one sheet, "
-        "several to a directory, as SVG. Further pages are FILE-2.svg, FILE-3.svg, or in the same "
-        "PDF; - is one page of any height."
+        "SVG, PNG or PDF file by its suffix, for one case or for two cases to compare; a directory "
+        "for several cases; - is standard output, with one SVG page of any height."
     ),
-    arguments.some_gears,
-    click.option("--wheels", is_flag=True, help="Stick diagrams: names and teeth of wheels."),
-    click.option("--merge", is_flag=True, help="Levers: two sets with two common links are one."),
-    click.option(
-        "--order",
-        type=click.Choice(["free", "as-given"]),
-        default="free",
-        help="Order of the sets in stick diagrams. as-given keeps that of the case, also at the "
-        "cost of crossings; if no such layout is found, the title says so.",
-    ),
-    click.option(
-        "--ratios",
-        metavar="U,...",
-        callback=value(numbers("ratios of gears such as 2.6,1.7,-4", -math.inf)),
-        help="Of a plan: of these ratios alone, without a case.",
-    ),
-    *_of_kinds(
-        "columns",
-        click.option("--x", metavar="COLUMN", default="", help="Of a sweep: what is across."),
-    ),
-    *_of_kinds(
-        "columns",
+    command.under(
+        _KINDS,
         click.option(
-            "--y",
-            metavar="COLUMN",
-            multiple=True,
-            help="Of a map what is upward; of curves and histograms the columns that are drawn.",
+            "--teeth",
+            "wheels",
+            cls=command.RenamedOption,
+            former=["--wheels"],
+            is_flag=True,
+            help="Label stick diagrams with names and tooth numbers of the toothed gears.",
+        ),
+        click.option(
+            "--order",
+            type=click.Choice(["free", "as-given"]),
+            default="free",
+            help="Order of the gear sets in stick diagrams: with few crossings (free), or as in "
+            "the case even if lines cross. The title states if such a layout is not found.",
+        ),
+        click.option(
+            "--merge",
+            is_flag=True,
+            help="Draw two gear sets with two common links as one lever.",
+        ),
+        click.option(
+            "--ratios",
+            metavar="U,...",
+            callback=value(numbers("ratios of gears such as 2.6,1.7,-4", -math.inf)),
+            help="Ratios of the gears of a plan that is drawn without a case.",
+        ),
+        *_of_kinds(
+            "out",
+            click.option(
+                "--out",
+                metavar="LIST",
+                default="",
+                help="Additional panels of shift, such as heat; see `vstatics simulate --help`.",
+            ),
+        ),
+        *_of_kinds(
+            "orders",
+            click.option(
+                "--orders",
+                metavar="N,...",
+                callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
+                help="Orders of the speed for campbell and response.  [default: orders of the "
+                "engine]",
+            ),
+        ),
+        *_of_kinds(
+            "speed",
+            click.option(
+                "--speed",
+                metavar="A:B",
+                callback=value(told(shown_speeds), "--speed"),
+                help="Range of speeds for campbell and response, in rpm or with units.",
+            ),
+        ),
+        *_of_kinds(
+            "at",
+            click.option(
+                "--at",
+                metavar="LINK",
+                default="",
+                help="Link whose response is drawn.  [default: input]",
+            ),
         ),
     ),
-    *_of_kinds(
-        "columns",
-        click.option(
-            "--z", metavar="COLUMN", default="", help="Of a map: the column that has contours."
+    command.under(
+        _COLUMNS,
+        *_of_kinds(
+            "columns",
+            click.option(
+                "--x", metavar="COLUMN", default="", help="Column of the horizontal axis."
+            ),
+        ),
+        *_of_kinds(
+            "columns",
+            click.option(
+                "--y",
+                metavar="COLUMN",
+                multiple=True,
+                help="Column of the vertical axis of a map; columns of curves or histograms. "
+                "Repeatable.",
+            ),
+        ),
+        *_of_kinds(
+            "columns",
+            click.option("--z", metavar="COLUMN", default="", help="Column of the contours."),
+        ),
+        *_of_kinds(
+            "columns",
+            click.option(
+                "--by",
+                metavar="COLUMN",
+                default="",
+                help="Column with a line, a map or a histogram for each of its values; or gear.",
+            ),
         ),
     ),
-    *_of_kinds(
-        "columns",
-        click.option(
-            "--by",
-            metavar="COLUMN",
-            default="",
-            help="Of a sweep: a map, line or histogram for each value, or gear.",
-        ),
-    ),
-    *_of_kinds(
-        "out",
-        click.option(
-            "--out", metavar="LIST", default="", help="Of a shift: more columns, as of simulate."
-        ),
-    ),
-    *_of_kinds(
-        "orders",
-        click.option(
-            "--orders",
-            metavar="N,...",
-            callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
-            help="Of campbell and response: orders of the speed; else those of the engine.",
-        ),
-    ),
-    *_of_kinds(
-        "speed",
-        click.option(
-            "--speed",
-            metavar="A:B",
-            callback=value(told(shown_speeds), "--speed"),
-            help="Of campbell and response: range of speeds in rpm, or with a unit behind each.",
-        ),
-    ),
-    *_of_kinds(
-        "at",
-        click.option(
-            "--at", metavar="LINK", default="", help="Of a response: the link; else the input."
-        ),
-    ),
-    click.option(
-        "--width",
-        metavar="LENGTH",
-        default="170mm",
-        show_default=True,
-        callback=value(told(page_width)),
-        help="Of a page: 80mm to 1200mm, in mm, cm, in or pt.",
-    ),
-    click.option("--dark", is_flag=True, help="Light on dark, for a screen."),
 )
 """Decorator for all options; a command gets the arguments `asked` and `output`."""

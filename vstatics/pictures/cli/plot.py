@@ -14,6 +14,7 @@ from vstatics.core.annexes import picture_kinds
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import refuse
@@ -33,7 +34,7 @@ from vstatics.pictures.drawing.files import FORMATS, Format
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.pair import PairedCase, pair_pages
 
-_FLAGS = {"columns": "x, --y, --z, --by"}
+_FLAGS = {"columns": "x, --y, --z, --by", "wheels": "teeth"}
 """Names of options on the command line, by the option in the record of a kind."""
 
 
@@ -47,61 +48,64 @@ def _with_kinds(command: Callable[..., int]) -> Callable[..., int]:
     return command
 
 
-@click.command()
+@command
 @arguments.optional_argument
 @options
 @arguments.settings
 @arguments.language("axes and titles")
 @_with_kinds
-def plot(
+def plot_command(
     cases: tuple[str, ...],
     output: str,
     asked: AskedPicture,
     settings: CaseOptions,
     lang: Language,
 ) -> int:
-    """Draw a picture of each CASE: a deck, YAML, JSON or a scenario; - is standard input.
+    """Draw a picture of each CASE: a deck, YAML, JSON or a scenario.
 
     \b
     KINDS
 
-    \b
-    Of a scenario plan shows its run, too; other kinds show its case.
-    Two cases to one FILE are on one sheet, over one another, or beside each
-    other where there is room: panels A and B.
+    Of a scenario, `shift` and `plan` draw the simulation, all other kinds draw the case.
+    Two cases to one FILE are drawn in one picture, with common axes or as panels A and B.
+    The CASE - is standard input.
 
-    Letters keep their size of 8 pt: what is wider than a page goes on below, what is
-    higher than 240 mm on a further page.
+    Text has a size of 8 pt. A picture that is wider than the page continues below, and a
+    picture that is higher than 240 mm continues on further pages: FILE-2.svg and so on, or
+    pages of one PDF.
 
     \b
     Examples:
-      vstatics plot gearbox.yaml --kind plan -o plan.svg
-      vstatics plot --kind plan --ratios 2.6,1.7,1,-4 -o wanted.svg
+      vstatics plot gearbox.yaml --kind stick -o stick.svg
+      vstatics plot gearbox.yaml --kind flow --gear R -o flow.png
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
-      vstatics plot old.yaml new.yaml --kind efficiency -o compared.svg
-      vstatics plot upshift.yaml --kind shift -o upshift.png
-      vstatics plot upshift.yaml --kind shift --out 'vehicle_jerk, heat' -o up.png
-      vstatics plot car.yaml --kind traction -o forces.svg
-      vstatics plot loads.csv --kind map --z 'efficiency[low]' -o map.svg
-      cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
+      vstatics plot --kind plan --ratios 2.6,1.7,1,-4 -o wanted.svg
+      vstatics new other.yaml --template aisin-8speed
+      vstatics plot gearbox.yaml other.yaml --kind efficiency -o compared.svg
+      vstatics new driveline-8hp70.yaml --template driveline-8hp70
+      vstatics plot driveline-8hp70.yaml --kind traction -o forces.svg
+      vstatics new scenarios/upshift.yaml --template scenarios/8hp70-upshift
+      vstatics plot scenarios/upshift.yaml --kind shift --out heat -o upshift.png
+      vstatics sweep gearbox.yaml --vary P1.efficiency=0.9:0.99:4 \\
+          --vary P2.efficiency=0.9:0.99:4 --out 'efficiency[1]' -o losses.csv
+      vstatics plot losses.csv --kind map --z 'efficiency[1]' -o map.svg
+      cat gearbox.yaml | vstatics plot - --kind efficiency -o losses.png --dark
 
-    Needs matplotlib: pip install "vstatics[plot]"; modes, campbell,
-    response and dump need scipy too: "vstatics[plot,torsion]"; scenarios, too:
-    "vstatics[plot,simulation]".
+    Pictures need matplotlib and networkx: pip install ".[plot]" in the folder of the
+    source. The kinds modes, campbell, response and dump, and scenarios, also need scipy:
+    pip install ".[plot,torsion,simulation]".
 
-    \b
-    Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
-    nothing to draw; 2 wrong use.
+    Exit status 1: a case has an error, a gear is tied up, or there is nothing to draw.
     """
     record, ratios = picture_kinds()[asked.kind], asked.ratios
     of_case = {"columns": asked.columns, "coast": settings.coast is not None}
     refuse(
         *_misplaced(asked.kind, asked.of_kinds),
-        (cases and ratios is not None, "--ratios: without a case"),
+        (cases and ratios is not None, "--ratios: expected no case"),
         (not cases and ratios is None, "Missing argument 'CASE...'."),
         (
             (record.plots or ratios is not None) and settings[:3] != CaseOptions()[:3],
-            "--from, --coast, --idle: they are of a case",
+            "--from, --coast, --unloaded: only a case has them",
         ),
         *_misplaced(asked.kind, of_case),
     )
@@ -204,7 +208,7 @@ def _refuse_without_suffix(output: str) -> None:
     if not (is_stream(output) or output.endswith("/") or os.path.isdir(output)):  # noqa: PTH112
         expected = " ".join(known(FORMATS))
         raise click.UsageError(
-            f"can't tell the format of {output}: expected a suffix of {expected}"
+            f"{output} has no suffix that gives its format: expected one of {expected}"
         )
 
 

@@ -10,6 +10,7 @@ import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, texts
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import Destination
@@ -28,44 +29,54 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
 
 MOST_INSTANTS = 1_000_000
-"""Most additional instants, the multiples of `--step`."""
+"""Most additional instants, the multiples of `--time-step`."""
 WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
 """Output formats with the columns over time."""
 
 
-@click.command()
+@command
 @options
-def simulate(asked: SimulateOptions) -> int:
-    """Simulate what SCENARIO does to its case, or to CASE; - is standard input.
+def simulate_command(asked: SimulateOptions) -> int:
+    """Simulate a shift, a launch or another SCENARIO over time; - is standard input.
 
-    SCENARIO is YAML: the case, the duration, the start, capacities of shift elements and
-    outside torques over time, or shifts. Speeds, slips and torques over time go to the file
-    of -o; without it events, energy and largest torques are printed. A run that must stop
-    before the end tells when and why, and what was calculated is written. --out adds
-    columns: accelerations, jerks, powers of links; powers of springs; heat, slip_power,
-    temperatures of shift elements; states; vehicle_speed, vehicle_acceleration and
-    vehicle_jerk of a link with a road.
+    SCENARIO is a YAML file with a case, a duration, an initial state, and capacities of
+    shift elements and external torques over time, or shifts. CASE replaces the case of the
+    scenario. The events, the energies and the largest torques are printed; a CSV, JSON, NPZ
+    or Parquet file has the speeds, slips and torques over time. --out adds columns to it:
 
-    With --samples N numbers are drawn from the distributions that SCENARIO has in
-    `samples`; means, deviations and quantiles of torques and energies are printed, and the
-    runs themselves go to -o as a table, as those of `vstatics sweep`.
+    \b
+      accelerations, jerks, powers       of links
+      powers                             of springs
+      heat, slip_power, temperatures     of shift elements
+      states                             of the scenario
+      vehicle_speed, vehicle_acceleration, vehicle_jerk
+                                         of a link with a road
+
+    A simulation that stops early prints the time and the reason, and writes the results so
+    far. With --samples, means, standard deviations and quantiles of torques and energies
+    are printed, and the file has a row for each run.
 
     \b
     Examples:
-      vstatics simulate upshift.yaml
-      vstatics simulate upshift.yaml -o upshift.csv --step 0.01
-      vstatics simulate upshift.yaml -o up.csv --out 'accelerations[out], heat[C]'
-      vstatics simulate upshift.yaml other-box.yaml -f json | jq .energy
-      vstatics simulate start.yaml --samples 1000 --seed 1 -o starts.parquet
+      vstatics new driveline-8hp70.yaml --template driveline-8hp70
+      vstatics new scenarios/upshift.yaml --template scenarios/8hp70-upshift
+      vstatics simulate scenarios/upshift.yaml
+      vstatics simulate scenarios/upshift.yaml -o upshift.csv --time-step 0.01
+      vstatics simulate scenarios/upshift.yaml -o upshift.json \\
+          --out 'accelerations[vehicle], heat[C]'
+      vstatics simulate scenarios/upshift.yaml -f json | jq .energy
+      vstatics new moskvich-start.yaml --template moskvich-start
+      vstatics new scenarios/starts.yaml --template scenarios/moskvich-samples
+      vstatics simulate scenarios/starts.yaml --samples 10 --seed 1 -o starts.csv
 
     \b
-    Exit status: 0 done; 1 scenario or case is in error, or the run stopped, as by
-    --limit; 2 wrong use; 130 stopped by Ctrl-C, with what was calculated.
+    Exit status 1: the scenario or its case has an error, or the simulation stopped
+    early, for example by --limit.
     """
     scenario, case, telling = asked.scenario, asked.case, asked.telling
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
-    asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
+    asked.sampling.check(**{"time-step": asked.step is not None}, method=asked.method != "events")
     _check_method(asked)
     to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
@@ -127,7 +138,7 @@ def _check_format(asked: SimulateOptions, form: str) -> None:
         ),
         (
             asked.damage and form in ("csv", "npz", "parquet"),
-            "--damage is told in text and JSON: expected -o with .txt or .json.",
+            "--damage is for text and JSON: expected -o with .txt or .json.",
         ),
     )
 
@@ -136,7 +147,7 @@ def _check_step(step: float | None, duration: float) -> None:
     if step is not None and duration / step > MOST_INSTANTS:
         raise click.BadParameter(
             f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_INSTANTS:g}",
-            param_hint="--step",
+            param_hint="--time-step",
         )
 
 

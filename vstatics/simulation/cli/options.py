@@ -9,6 +9,7 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import formats
+from vstatics.core.cli.shared.command import RenamedOption, under
 from vstatics.core.cli.shared.formats import OutputOptions
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.problems import Telling
@@ -70,18 +71,26 @@ _SAMPLES = gathered(
     "sampling",
     SampleOptions,
     click.option(
-        "--samples",
-        type=click.IntRange(1),
-        metavar="N",
-        help="N runs with numbers drawn as `samples` says: their statistics; -o has the runs.",
-    ),
-    click.option("--seed", type=click.IntRange(0), metavar="S", help="Of --samples.  [default: 0]"),
-    click.option(
         "--out",
         metavar="LIST",
-        help="More columns, as accelerations[out]; what is told of --samples.",
+        help="Additional columns, such as accelerations[out]; with --samples all columns.",
     ),
-    shared("--samples that were stopped"),
+    under(
+        "Random samples",
+        click.option(
+            "--samples",
+            type=click.IntRange(1),
+            metavar="N",
+            help="Number of runs with random numbers from the distributions in `samples`.",
+        ),
+        click.option(
+            "--seed",
+            type=click.IntRange(0),
+            metavar="S",
+            help="Seed of the random numbers.  [default: 0]",
+        ),
+    ),
+    shared("stopped --samples"),
 )
 options = gathered(
     "asked",
@@ -89,11 +98,14 @@ options = gathered(
     click.argument("scenario", type=click.Path(), metavar="SCENARIO"),
     click.argument("case", type=click.Path(), metavar="[CASE]", required=False),
     click.option(
-        "--step",
+        "--time-step",
+        "step",
+        cls=RenamedOption,
+        former=["--step"],
         type=float,
         callback=value(above_0),
         metavar="S",
-        help="Also every multiple of this time, in s.",
+        help="Add a row at every multiple of this time, in s.",
     ),
     click.option(
         "--rtol",
@@ -102,17 +114,18 @@ options = gathered(
         show_default=True,
         callback=value(above_0),
         metavar="X",
-        help="Accuracy of speeds and energies, as a part of their largest.",
+        help="Tolerance of speeds and energies, relative to their largest values.",
     ),
     click.option(
         "--method",
         type=click.Choice(get_args(Method)),
         default="events",
-        help="`tarasik`: the published equations (12) to (15), for comparison.",
+        help="Method of integration. `tarasik` uses the equations (12) to (15) of the source, for "
+        "comparison.",
     ),
     arguments.limit,
     click.option(
-        "--damage", is_flag=True, help="Also what torques do to devices that have `fatigue`."
+        "--damage", is_flag=True, help="Add the fatigue damage of components with `fatigue`."
     ),
     _SAMPLES,
     formats.options(*FORMATS),

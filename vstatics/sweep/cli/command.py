@@ -11,6 +11,7 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats
+from vstatics.core.cli.shared.command import INPUT, PROCESSING, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import Command, gathered, refuse
 from vstatics.core.cli.shared.problems import Telling
@@ -48,7 +49,8 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
     }
     names = filter(None, [option.short, f"--{name}"])
     more = kinds.get(option.kind, {})
-    return click.option(*names, metavar=option.metavar, help=option.help, **more)
+    declaration = click.option(*names, metavar=option.metavar, help=option.help, **more)
+    return under(option.heading, declaration)
 
 
 def _once(_context: click.Context, option: click.Parameter, given: tuple[str, ...]) -> str | None:
@@ -70,21 +72,41 @@ class Effort(NamedTuple):
 effort = gathered(
     "effort",
     Effort,
-    click.option("--fail-empty", is_flag=True, help="No row makes the exit status 3."),
-    click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long."),
+    under(
+        PROCESSING,
+        click.option(
+            "--fail-empty", is_flag=True, help="Exit with status 3 if the table has no rows."
+        ),
+        click.option(
+            "--dry-run",
+            is_flag=True,
+            help="Print the number of variants, the size of the table and the time; do not start.",
+        ),
+    ),
     arguments.limit,
 )
 
 
-@click.command()
+@command
 @click.argument("case", required=False, type=click.Path(), metavar="[CASE]")
-@click.option("--file", "sweep_file", type=click.Path(), help="Read the sweep from this YAML file.")
+@under(
+    INPUT,
+    click.option(
+        "--file", "sweep_file", type=click.Path(), help="YAML file with the options of the sweep."
+    ),
+)
 @declared
 @shared(
     "a sweep that was stopped",
     formats.raw,
     jobs=click.option(
-        "-j", "--jobs", type=click.IntRange(1), default=1, show_default=True, help="Processes."
+        "-j",
+        "--jobs",
+        type=click.IntRange(1),
+        default=1,
+        show_default=True,
+        metavar="N",
+        help="Number of worker processes.",
     ),
 )
 @effort
@@ -92,7 +114,7 @@ effort = gathered(
 @arguments.coast
 @arguments.idle
 @arguments.telling
-def sweep(
+def sweep_command(
     sweep_file: str | None,
     sharing: Sharing,
     raw: bool,
@@ -101,41 +123,46 @@ def sweep(
     telling: Telling,
     **said: Any,
 ) -> int:
-    """Calculate variants of CASE and write a table: a row each, or the best ones.
+    """Calculate variants of CASE and write a table with a row for each variant.
 
-    CASE may be a scenario of `vstatics simulate`: then each variant is a run.
+    CASE can be a scenario of `vstatics simulate`; each variant is then a simulation.
 
-    VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
-    --sample. NAME is D1.ratio or .efficiency; of what is elastic shaft.stiffness,
-    .compliance or .damping; engine.inertia; by its path load.speed, drag.out,
-    gears.low.torques.x, with a unit on each value, '-50 N*m,50 N*m'; P1.teeth.sun,
-    C1.capacity, mesh_efficiency.friction. EXPR and LIST speak of tables by name:
-    efficiency[1], speeds[C1,1], max(abs(torques)), D1.ratio; omega[2,1] is the
-    second natural frequency in gear 1. Of a scenario NAME is any number of it or of
-    its case by its path, shifts.1.overlap, and EXPR speaks of the run: heat[F2],
-    locks[F2], max(abs(slips[F2])), peaks[shaft], speeds[out], work.
+    \b
+    NAME    is the path of a number in the case: P1.teeth.sun, P1.ratio,
+            P1.efficiency, load.speed, load.torque, gears.low.torques.x,
+            drag.out, shaft.stiffness, engine.inertia, C1.capacity,
+            mesh_efficiency.friction; in a scenario also shifts.1.overlap
+    VALUES  are LOW:HIGH:COUNT, LOW:HIGH:step=STEP, a list A,B,C, or LOW:HIGH
+            with --sample; each value can have a unit, as in '-50 N*m:50 N*m:5'
+    EXPR    and LIST use tables by name: efficiency[1], speeds[C1,1], P1.ratio,
+            max(abs(torques)); omega[2,1] is the second natural frequency in
+            gear 1. For a scenario: heat[F2], locks[F2], max(abs(slips[F2])),
+            peaks[shaft], speeds[out], work
 
     \b
     Examples:
-      vstatics sweep box.yaml --vary D1.ratio=-0.9:-0.7:201 -o out.csv
-      vstatics sweep box.yaml --vary D1.ratio=-3:-2 --vary D2.ratio=-4:-2
-                --sample 100000 --max 'min(efficiency)' --best 10
-      vstatics sweep box.yaml --vary D3.efficiency=.95,.97 --out losses[D3]
-                --where 'efficiency[1] > .95 and max(speeds) < 3'
-      vstatics sweep box.yaml --vary 'load.torque=-50 N*m:50 N*m:5' --by gear
-      vstatics sweep box.yaml --vary shaft.stiffness=1e3:1e4:91 --out omega[1]
-      vstatics sweep shift.yaml --vary shifts.1.overlap=.1:.6:26
-                --out 'heat[F2],max(abs(slips[F2]))'
-      vstatics sweep --file sweep.yaml --jobs 8 --resume
+      vstatics sweep gearbox.yaml --vary P1.efficiency=0.95:0.99:5 -o losses.csv
+      vstatics sweep gearbox.yaml --vary P4.teeth.sun=21:25:3 --by gear
+      vstatics sweep gearbox.yaml --vary P3.efficiency=0.95,0.97 \\
+          --out 'losses[P3]' --where 'efficiency[1] > 0.9 and max(speeds) < 9'
+      vstatics sweep gearbox.yaml --vary P1.teeth.ring=90:102 \\
+          --vary P2.teeth.ring=90:102 --sample 100 \\
+          --max 'min(efficiency)' --best 10
+      vstatics new car.yaml --template moskvich412
+      vstatics sweep car.yaml --vary load.torque='50 N*m:150 N*m:3' --by gear
+      vstatics sweep car.yaml --vary propshaft.stiffness=2e4:4e4:5 --out 'omega[1]'
+      vstatics new moskvich-start.yaml --template moskvich-start
+      vstatics new scenarios/start.yaml --template scenarios/moskvich-start
+      vstatics sweep scenarios/start.yaml --vary start.speeds.engine=200:260:3 \\
+          --out 'heat[clutch],peaks[propshaft]'
+
+    The suffix of -o gives the format: .csv .jsonl .ndjson .npz .parquet, and for tables
+    with few rows .md .tex .xlsx. During the run, finished pieces are kept in OUTPUT.parts;
+    --resume continues from them.
 
     \b
-    Formats by suffix: .csv .jsonl .ndjson .npz .parquet, for few rows .md .tex
-    .xlsx. While it runs, finished pieces lie in OUTPUT.parts; --resume takes
-    them up after an interruption.
-    Exit status: 0 done; 1 not finished, or no variant has a solution, with
-    --strict also if there is a warning on the case or a run;
-    2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or
-    SIGTERM.
+    Exit status 1: the sweep is not finished, no variant has a solution, or with
+    --strict there is a warning on the case or a run.
     """
     of_command = SweepOptions.of(**dict(map(_unquoted, said, said.values())))
     of_file = SweepOptions()

@@ -104,8 +104,8 @@ def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> 
     UsageError
     """
     if not isinstance(subject, Transmission) and (coast is not None or idle is not None):
-        option = "--coast" if coast else "--idle" if coast is None else "--drive"
-        raise click.UsageError(f"{option} is for a case; a scenario says itself what happens.")
+        option = "--coast" if coast else "--unloaded" if coast is None else "--drive"
+        raise click.UsageError(f"{option} is for a case: a scenario defines the operation itself.")
 
 
 def limited(subject: Subject, limit: float | None) -> Subject:

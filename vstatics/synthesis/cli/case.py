@@ -8,6 +8,7 @@ import click
 
 from vstatics.core import readers
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.values import separated, value, wrong_value
 from vstatics.core.errors import CaseError, Problem, quoted, spoken
@@ -23,25 +24,27 @@ FIRST, STEP = -2.0, -0.1
 """Default ratio of the first set, and difference to the next set, which avoids equal gears."""
 
 
-@click.command()
+@command
 @click.argument("scheme", metavar="CODE", callback=value(SetScheme.of_code))
-@click.option("--input", "input_link", required=True, metavar="LINK", help="The input, such as L0.")
 @click.option(
-    "--output", "output_link", required=True, metavar="LINK", help="The output, such as L4."
+    "--input", "input_link", required=True, metavar="LINK", help="Input link, such as L0."
+)
+@click.option(
+    "--output", "output_link", required=True, metavar="LINK", help="Output link, such as L4."
 )
 @click.option(
     "--ratios",
     multiple=True,
     metavar="R,..",
-    help="Internal ratio of each set in turn (sun to ring, the carrier held), or as P1=R; may "
-    "be repeated. Without it there are others in their place.",
+    help="Basic ratio of each gear set in turn (sun to ring, carrier held), or as P1=R. "
+    "Repeatable.  [default: chosen by the program]",
 )
 @click.option(
     "-f",
     "--format",
     "form",
     type=click.Choice([*readers.READERS]),
-    help="Format of the case; else told by the suffix of -o, else yaml.",
+    help="Format of the case.  [default: by the suffix of -o, else yaml]",
 )
 @click.option(
     "-o",
@@ -50,9 +53,9 @@ FIRST, STEP = -2.0, -0.1
     type=click.Path(),
     metavar="FILE",
     default=STDOUT,
-    help="Write to this file, whole or not at all; one that is there is replaced.",
+    help="Output file, written completely or not at all. An existing file is replaced.",
 )
-def case(
+def case_command(
     scheme: SetScheme,
     input_link: str,
     output_link: str,
@@ -60,20 +63,22 @@ def case(
     form: str | None,
     target: str,
 ) -> int:
-    """Write the scheme of CODE as a case: sets, shift elements, gears.
+    """Write the structure CODE as a case: gear sets, shift elements and gears.
 
-    Link 0 of the code is L0 of the case, 1 is L1. Every link has a brake, but input and
-    output, which a clutch joins; where that gives few combinations, clutches join the input
-    to all other links too. Gears are the combinations that give a ratio, each ratio once.
-    Input and output have inertias in place of those of engine and load, but in a deck.
+    CODE is from `vstatics synth structures`; its link 0 is L0 in the case, and so on. Each
+    link except input and output gets a brake, and a clutch connects input and output. If
+    this gives few combinations, clutches also connect the input to all other links. The
+    gears are the combinations that give a ratio, one for each ratio. Except in a deck, input
+    and output have no inertias of engine and load.
 
     \b
     Examples:
-      vstatics synth case 0-1-2-0-3-1 --input L0 --output L1 --ratios -2,-2.5 -o box.yaml
+      vstatics synth structures --sets 2 --links 4 | head -3
+      vstatics synth case 0-1-2-0-3-1 --input L0 --output L1 \\
+          --ratios -2,-2.5 -o box.yaml
       vstatics run box.yaml
 
-    \b
-    Exit status: 0 done; 1 the format can't keep all of it; 2 wrong use.
+    Exit status 1: the format cannot keep all data of the case.
     """
     form = form or ("yaml" if is_stream(target) else case_format(target, []))
     with wrong_value("--ratios"):

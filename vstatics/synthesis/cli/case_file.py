@@ -8,18 +8,22 @@ import click
 
 from vstatics.core import readers
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import OUTPUT, under
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.jobs.files import missing_folder
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.writers.saving import case_data
 
-written_case = click.option(
-    "--write",
-    "target",
-    type=click.Path(),
-    metavar="FILE",
-    help="Also write what is found as a case: YAML, JSON or deck by the suffix. A file that is "
-    "there is replaced.",
+written_case = under(
+    OUTPUT,
+    click.option(
+        "--write",
+        "target",
+        type=click.Path(),
+        metavar="FILE",
+        help="File for the solution as a case: YAML, JSON or deck by the suffix. An existing file "
+        "is replaced.",
+    ),
 )
 """Option to write a case; the command gets the argument `target`."""
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import RenamedOption, command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.one_case import OneCase, one_case, problems_of
@@ -42,7 +43,7 @@ class Trials(NamedTuple):
     dry_run: bool
 
 
-@click.command()
+@command
 @gathered(
     "trials",
     Trials,
@@ -51,26 +52,30 @@ class Trials(NamedTuple):
         multiple=True,
         callback=value(_sizes),
         metavar="K",
-        help="So many elements are engaged; several as 2,3. "
-        "[default: as many as leave one degree of freedom]",
+        help="Number of engaged shift elements, or several numbers as 2,3.  [default: the number "
+        "that leaves one degree of freedom]",
     ),
     click.option(
-        "--elements",
+        "--shift-elements",
+        "elements",
+        cls=RenamedOption,
+        former=["--elements"],
         multiple=True,
         metavar="auto|NAME,...",
-        help="auto: all clutches and brakes that the scheme may have; else these of the case only, "
-        "a name with commas in double quotes.",
+        help="Shift elements to combine; auto: all possible clutches and brakes. Repeatable.  "
+        "[default: all shift elements of the case]",
     ),
     click.option(
         "--ports",
         multiple=True,
         metavar="all|IN:OUT,...",
-        help="Between these links in place of the case's own ports; all: each ordered pair.",
+        help="Pairs of input and output; all: each ordered pair of links. Repeatable.  [default: "
+        "input and output of the case]",
     ),
     click.option(
         "--sort",
         type=click.Choice(["torques"]),
-        help="Direct drives first, then gears, each by the largest torque of an element.",
+        help="Sort by the largest torque of a shift element, direct drives before gears.",
     ),
     click.option(
         "--at-most",
@@ -78,42 +83,48 @@ class Trials(NamedTuple):
         default=1_000_000,
         show_default=True,
         metavar="N",
-        help="Try no more combinations than these.",
+        help="Largest number of combinations to try.",
     ),
-    click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long."),
+    click.option("--dry-run", is_flag=True, help="Print only estimates of number, size and time."),
 )
 @written_case
 @one_case
-def combinations(
+def combinations_command(
     request: OneCase,
     trials: Trials,
     target: str | None,
 ) -> int:
-    """Tell what each combination of shift elements of CASE does; - is standard input.
+    """Find the gears of all combinations of K engaged shift elements of CASE.
 
-    All sets of exactly K elements, by the speeds of input and output that they allow:
-    blocked, the input can't turn; parking, the output stands; neutral, both turn
-    independently; gear, a fixed ratio; direct, 1 whatever the ratios of the
-    mechanisms. Free: other links are left undetermined. A freewheel counts as one
-    that holds.
+    The combinations are listed by the motion of input and output that they allow:
 
-    With --elements auto the elements are a clutch between any two links and a brake
-    on any link but input and output; F-1-2 and T-3 are new ones, by their links.
+    \b
+      blocked  the input cannot turn
+      parking  the output cannot turn
+      neutral  input and output turn independently
+      gear     a fixed ratio
+      direct   the ratio 1, independent of the ratios of the mechanisms
+      free     a mark: the speeds of other links are indeterminate
 
-    Torques are those of the engaged elements without losses, over the input's; slip is that
-    of a direct drive by one element while the output stands: their product is 1.
+    A freewheel counts as holding. With --shift-elements auto, the shift elements are a
+    clutch between any two links, such as F-1-2, and a brake on any link except input and
+    output, such as T-3.
+
+    Torques are the torques of the engaged shift elements without losses, divided by the
+    input torque. Slip is the slip speed at a ratio of 1 when only one shift element is
+    closed and the output is at rest; the product of torque and slip is 1. The CASE - is
+    standard input.
 
     \b
     Examples:
+      vstatics new box.yaml --template simpson
       vstatics synth combinations box.yaml
       vstatics synth combinations box.yaml --engaged 1,2 -f json
-      vstatics synth combinations box.yaml --elements auto --sort torques
-      vstatics synth combinations box.yaml --elements auto --write gears.yaml
-      vstatics synth combinations box.yaml --ports all --elements auto -f json
+      vstatics synth combinations box.yaml --shift-elements auto --sort torques
+      vstatics synth combinations box.yaml --shift-elements auto --write gears.yaml
+      vstatics synth combinations box.yaml --ports all -f json
 
-    \b
-    Exit status: 0 done; 1 the case is in error, no gear is there to write;
-    2 wrong use.
+    Exit status 1: the case has an error, or no gear can be written.
     """
     to, telling = request.destination(), request.telling
     form = None if target is None else case_format(target, [request.case], to.output)
@@ -137,15 +148,19 @@ def combinations(
     with problems_of(reading):
         refuse_converters(reading.case)
     chosen = _chosen([element.name for element in reading.case.shift_elements], trials.elements)
-    with wrong_value("--elements"):
+    with wrong_value("--shift-elements"):
         if chosen != [AUTO]:
             chosen_elements(reading.case, chosen)
     with wrong_value("--ports"):
         pairs = port_pairs(reading.case, separated(trials.ports))
     cases = [between(reading.case, pair) for pair in pairs] or [reading.case]
-    with problems_of(reading), wrong_value("--engaged"), _hint("see --elements and --engaged"):
+    with (
+        problems_of(reading),
+        wrong_value("--engaged"),
+        _hint("see --shift-elements and --engaged"),
+    ):
         searches = [CombinationSearch(case, trials.engaged, chosen) for case in cases]
-    with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
+    with problems_of(reading), _hint("see --dry-run, --engaged, --shift-elements and --at-most"):
         for each_search in searches:
             each_search.check(None if trials.dry_run else trials.at_most // len(searches))
     search, is_complete, by_torque = searches[0], True, trials.sort is not None

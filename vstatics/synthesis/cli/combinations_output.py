@@ -50,7 +50,7 @@ def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -
         without = ", without --sort" if by_torque else ""
         raise click.UsageError(f"{message}: expected -f json or jsonl{without}")
     if is_streamed:
-        check_disk_room(_length(search) * search.count, to.output, "--engaged or --elements")
+        check_disk_room(_length(search) * search.count, to.output, "--engaged or --shift-elements")
 
 
 def _length(search: CombinationSearch) -> float:

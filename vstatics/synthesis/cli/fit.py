@@ -9,6 +9,7 @@ from typing import NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, one_case, warnings_of
 from vstatics.core.cli.shared.options import gathered
@@ -41,7 +42,7 @@ class FitOptions(NamedTuple):
     tolerance: float
 
 
-@click.command()
+@command
 @gathered(
     "asked",
     FitOptions,
@@ -51,24 +52,23 @@ class FitOptions(NamedTuple):
         required=True,
         metavar="GEAR=I,...",
         callback=value(named("GEAR=RATIO", number), "--ratios"),
-        help="What gears should have, by their names, such as 1=4.7,2=3.13,R=-3.3; a name with "
-        "commas in double quotes; may be given several times.",
+        help="Wanted ratios of gears, such as 1=4.7,2=3.13,R=-3.3. Repeatable.",
     ),
     click.option(
         "--bounds",
         multiple=True,
         metavar="MECHANISM=LOW:HIGH,...",
         callback=value(named("MECHANISM=LOW:HIGH", pair), "--bounds"),
-        help="Between which numbers its ratio is looked for, or the one that it has; `all` for "
-        "those that are not named. Else it keeps its sign, and its size is up to 14, between "
-        "moving links on the same side of 1.",
+        help="Range of the ratio of a mechanism, or its fixed value; `all` stands for mechanisms "
+        "without a range. Repeatable.  [default: equal sign and at most 14 in size; between moving "
+        "links on the same side of 1]",
     ),
     click.option(
         "--weights",
         multiple=True,
         metavar="GEAR=W,...",
         callback=value(named("GEAR=WEIGHT", number), "--weights"),
-        help="Weights of the squares of ln(i/wanted); 1 when not given.",
+        help="Weights of the squares of ln(i/wanted).  [default: 1]",
     ),
     click.option(
         "--tolerance",
@@ -76,29 +76,34 @@ class FitOptions(NamedTuple):
         default=TOLERANCE,
         show_default=True,
         metavar="T",
-        help="A ratio is met where |ln(i/wanted)| is no more.",
+        help="Largest |ln(i/wanted)| of a ratio that counts as met.",
     ),
 )
-@click.option("--dry-run", is_flag=True, help="Only say what is varied, and what gears can have.")
+@click.option(
+    "--dry-run",
+    is_flag=True,
+    help="Print only the varied ratios and the possible ratios of the gears.",
+)
 @written_case
 @one_case
-def fit(request: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> int:
-    """Find ratios of the mechanisms of CASE for wanted ratios of gears; - is standard input.
+def fit_command(request: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> int:
+    """Fit the ratios of the mechanisms of CASE to wanted ratios of gears.
 
-    The sum of squares of ln(i/wanted) is least, within bounds; all solutions that differ are
-    found from many starts. The ratios of the case itself matter only for their signs, and where
-    the wanted ones leave a choice. Teeth are left out of account: a drawn element has the ratio
-    of its wheels, one of shared planets several, between its central wheels.
+    The sum of squares of ln(i/wanted) is minimized within bounds, from many starting
+    points; all different solutions are listed. The ratios of CASE matter only for their
+    signs, and where the wanted ratios leave a choice. Tooth numbers are ignored: a gear set
+    has the ratio of its toothed gears, a set with shared planets several ratios between its
+    central gears. The CASE - is standard input.
 
     \b
     Examples:
-      vstatics synth fit cases/belaz7516.yaml --ratios 2=4,4=2.01,5=1.4925,R2=-5.12
-      vstatics synth fit box.yaml --ratios 1=4.7,2=3.13 --bounds P1=-4:-1.5 -f json
-      vstatics synth fit box.yaml --ratios 1=4.7 --write fitted.yaml
+      vstatics synth fit gearbox.yaml --ratios 1=4.7,2=3.13,8=0.67
+      vstatics synth fit gearbox.yaml --ratios 1=4.7 --bounds P4=-4:-3 -f json
+      vstatics synth fit gearbox.yaml --ratios 1=4.7 --write fitted.yaml
 
     \b
-    Exit status: 0 all wanted ratios are met; 1 some are not, or the case is in error;
-    2 wrong use, such as a ratio that the gear can't have.
+    Exit status 1: a wanted ratio is not met, or the case has an error.
+    A ratio that the gear cannot have is wrong use (2).
     """
     to = request.destination()
     form = "" if target is None else case_format(target, [request.case], to.output)

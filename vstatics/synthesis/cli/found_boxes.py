@@ -10,6 +10,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.command import INPUT, RenamedOption, under
 from vstatics.core.cli.shared.documents import is_a
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.formats import Destination
@@ -165,7 +166,7 @@ def _chosen_boxes(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:
     for number in asked:
         if not 1 <= number <= last:
             message = f"read {number}, but the boxes have the numbers 1 to {last}"
-            raise click.BadParameter(message, param_hint="--box")
+            raise click.BadParameter(message, param_hint="--gearbox")
     return [listing.boxes[number - 1] for number in dict.fromkeys(asked)]
 
 
@@ -184,12 +185,17 @@ def box_numbers(texts: Sequence[str]) -> tuple[int, ...]:
     return tuple(numbers)
 
 
-box_option = click.option(
-    "--box",
-    "boxes",
-    multiple=True,
-    callback=value(box_numbers),
-    metavar="N,...",
-    help="Which boxes of a document of found ones; else those that tell most.",
+box_option = under(
+    INPUT,
+    click.option(
+        "--gearbox",
+        "boxes",
+        cls=RenamedOption,
+        former=["--box"],
+        multiple=True,
+        callback=value(box_numbers),
+        metavar="N,...",
+        help="Numbers of found gearboxes to show.  [default: Pareto list and families]",
+    ),
 )
 """Option of commands that take several found boxes."""

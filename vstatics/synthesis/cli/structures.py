@@ -8,6 +8,7 @@ from typing import NamedTuple, get_args
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import OUTPUT, command, under
 from vstatics.core.cli.shared.estimates import (
     CommandEstimate,
     about,
@@ -15,6 +16,7 @@ from vstatics.core.cli.shared.estimates import (
     duration_text,
     size_text,
 )
+from vstatics.core.cli.shared.formats import WHOLE_OUTPUT
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.values import each, value, wrong_value
@@ -42,7 +44,7 @@ def _links(text: str) -> int:
     return number
 
 
-@click.command()
+@command
 @gathered(
     "asked",
     StructureSearch,
@@ -51,50 +53,63 @@ def _links(text: str) -> int:
         type=click.IntRange(1, search.MOST_SETS),
         required=True,
         metavar="N",
-        help=f"The number of planetary sets, 1 to {search.MOST_SETS}.",
+        help="Number of planetary gear sets.",
     ),
     click.option(
         "--all",
         "unsound",
         is_flag=True,
-        help="Also schemes in which some sets turn as one body whatever their ratios.",
+        help="Include structures in which some gear sets are always locked up.",
     ),
     click.option(
         "--classes",
         type=click.Choice(get_args(Classes)),
         default="none",
         show_default=True,
-        help="Which schemes are one: none; up to renaming of the sets; also with sun and ring "
-        "exchanged (members); also with the members of a set in any order.",
+        help="Kind of structures to list once: none; equal after renaming of the gear sets (sets); "
+        "also with sun and ring exchanged (members); also with the members of a set in any order "
+        "(order).",
     ),
-    click.option("--ports", is_flag=True, help="With every choice of an input and an output."),
+    click.option("--ports", is_flag=True, help="Add each choice of input and output."),
     click.option(
-        "--matrix", is_flag=True, help="With the matrix of each: which members a link joins."
+        "--matrix", is_flag=True, help="Add the matrix of links and members of each structure."
     ),
     click.option(
         "--links",
         multiple=True,
         callback=value(each(_links)),
         metavar="J",
-        help="Only schemes with so many links; may be repeated, or hold commas.",
+        help="Numbers of links of the listed structures, such as 5,6. Repeatable.",
     ),
 )
-@click.option("--count", "counted", is_flag=True, help="Only how many there are.")
-@click.option("--dry-run", is_flag=True, help="Only about how many, how large, how long.")
-@click.option(
-    "-f", "--format", "form", type=click.Choice(FORMATS), help="A list is JSON lines in both."
+@click.option("--count", "counted", is_flag=True, help="Print only the number of structures.")
+@click.option("--dry-run", is_flag=True, help="Print only estimates of number, size and time.")
+@under(
+    OUTPUT,
+    click.option(
+        "-f",
+        "--format",
+        "form",
+        type=click.Choice(FORMATS),
+        help="Format of the output. A list of structures is JSON lines in both.",
+    ),
+    click.option("-o", "--output", type=click.Path(), help=WHOLE_OUTPUT),
 )
-@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
-def structures(
+def structures_command(
     asked: StructureSearch, counted: bool, dry_run: bool, form: str | None, output: str | None
 ) -> None:
-    """List all schemes of N planetary sets, or count them.
+    """List or count all structures of N planetary gear sets.
 
-    A scheme tells which suns, carriers and rings are one link; its sets hang together, and
-    it leaves two degrees of freedom or more. A line of JSON for each has its `code` (the
-    links of sun, carrier and ring of each set in turn, from 0), its number of `links`, with
-    --ports the links of `input` and `output`, with --matrix its `matrix`: a row for each
-    link, a column for each sun, carrier and ring, 1 where the link has it, else 0.
+    A structure states which suns, carriers and rings are one link. All gear sets are
+    connected, and at least two degrees of freedom remain. The output has a line of JSON for
+    each structure with
+
+    \b
+      code     the links of sun, carrier and ring of each gear set, from 0
+      links    the number of links
+      input, output  with --ports: the links of input and output
+      matrix   with --matrix: a row for each link, a column for each sun, carrier
+               and ring; 1 where the member belongs to the link, else 0
 
     \b
     Examples:

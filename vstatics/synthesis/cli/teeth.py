@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import click
 
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, one_case, warnings_of
 from vstatics.core.cli.shared.options import gathered
@@ -62,14 +63,14 @@ def _whole_pair(text: str) -> tuple[int, int]:
     return int(low), int(high)
 
 
-@click.command()
+@command
 @click.option(
     "--ratios",
     multiple=True,
     metavar="NAME=I,...",
     callback=value(named("NAME=RATIO", number), "--ratios"),
-    help="What gears should have, such as 1=4.7,R=-3.3, or sets, such as P1=-2.03; a name with "
-    "commas in double quotes. Else what the gears of the case have.",
+    help="Wanted ratios of gears, such as 1=4.7,R=-3.3, or of gear sets, such as P1=-2.03. "
+    "Repeatable.  [default: ratios of the gears of the case]",
 )
 @gathered(
     "limits",
@@ -78,19 +79,19 @@ def _whole_pair(text: str) -> tuple[int, int]:
         "--range",
         "ranges",
         multiple=True,
-        metavar="WHEEL=LOW:HIGH,...",
-        callback=value(named("WHEEL=LOW:HIGH", _whole_pair), "--range"),
-        help="Fewest and most teeth, or the number there is to be: of the wheels of one name, "
-        "sun=17:60, of one of them, P2.ring=40:121, or of all others, all=17:90. Else 17 to 60, "
-        "rings to 121, wheels of pairs to 100, and as far as what the case has. Fewer than 17 mean "
-        "a shifted profile.",
+        metavar="NAME=LOW:HIGH,...",
+        callback=value(named("NAME=LOW:HIGH", _whole_pair), "--range"),
+        help="Range of tooth numbers, or a fixed number, of all toothed gears of a name "
+        "(sun=17:60), of one toothed gear (P2.ring=40:121), or of all others (all=17:90). Fewer "
+        "than 17 teeth need a profile shift. Repeatable.  [default: 17 to 60, ring gears to 121, "
+        "gear pairs to 100, extended to the numbers of the case]",
     ),
     click.option(
         "--planets",
         multiple=True,
         metavar="N,...",
         callback=value(_counts, "--planets"),
-        help="How many planets there may be; else as many as the case says, or 3 to 5.",
+        help="Allowed numbers of planets.  [default: as in the case, else 3 to 5]",
     ),
     click.option(
         "--clearance",
@@ -98,28 +99,30 @@ def _whole_pair(text: str) -> tuple[int, int]:
         callback=value(told(number), "--clearance"),
         default=f"{CLEARANCE:g}",
         show_default=True,
-        help="Modules between the tips of neighbouring planets.",
+        help="Smallest distance between the tips of neighbouring planets, in modules.",
     ),
     click.option(
         "--centre",
         multiple=True,
         metavar="PAIR=A,...",
         callback=value(named("PAIR=MODULES", number), "--centre"),
-        help="Distance of the axes of an external gear pair in modules, half the sum of its teeth; "
-        "pairs on the same two shafts need it, since their axes are not compared.",
+        help="Centre distance of an external gear pair, in modules (half the sum of its teeth). "
+        "Pairs on the same two shafts need it.",
     ),
     click.option(
         "--modules",
         multiple=True,
         metavar="M,...",
         callback=value(_modules, "--modules"),
-        help="Modules to choose from [mm], one for all wheels that mesh; else all have the same.",
+        help="Modules to choose from, in mm, equal for all gears in mesh.  [default: one module "
+        "for all]",
     ),
     click.option(
         "--largest-diameter",
         metavar="D",
         callback=value(told(number), "--largest-diameter"),
-        help="Of an element over its ring or planets [mm]; needs --modules.",
+        help="Largest diameter of a gear set over its ring gear or planets, in mm; needs "
+        "--modules.",
     ),
     click.option(
         "--shift",
@@ -127,8 +130,8 @@ def _whole_pair(text: str) -> tuple[int, int]:
         callback=value(_whole, "--shift"),
         default="0",
         show_default=True,
-        help="Teeth by which axes may differ, up to 2, as shifted profiles make up for it; else "
-        "they coincide. Then wheels may have 14 teeth.",
+        help="Difference of centre distances that profile shifts can compensate, in teeth, up to "
+        "2. Toothed gears can then have 14 teeth.",
     ),
 )
 @click.option(
@@ -136,14 +139,14 @@ def _whole_pair(text: str) -> tuple[int, int]:
     type=click.Choice(["ln", "absolute"]),
     default="ln",
     show_default=True,
-    help="What is least in its largest value: |ln(i/target)|, or |i - target|.",
+    help="Error whose largest value is minimized: |ln(i/target)|, or |i - target|.",
 )
 @click.option(
-    "--dry-run", is_flag=True, help="Only say which wheels of which kinds are looked for."
+    "--dry-run", is_flag=True, help="Print only the toothed gears with unknown tooth numbers."
 )
 @written_case
 @one_case
-def teeth(
+def teeth_command(
     request: OneCase,
     ratios: Mapping[str, float],
     limits: TeethLimits,
@@ -151,24 +154,26 @@ def teeth(
     dry_run: bool,
     target: str | None,
 ) -> int:
-    """Find teeth of the elements of CASE for wanted ratios; - is standard input.
+    """Find tooth numbers of the gear sets of CASE for wanted ratios.
 
-    All teeth fulfil the conditions: axes coincide, planets go in and don't touch, no wheel is
-    undercut (14 to 16 teeth, where a range has them, need a shifted profile), no tips foul one
-    another in a ring. The 20 best are given, each with other teeth, by
-    the largest error of all that is wanted; it is proven that no others are better. A mechanism
-    without teeth counts as a planetary set, or as a pair of wheels where it has two links:
-    --dry-run tells which.
+    All solutions can be built: the axes coincide, the planets can be assembled and do not
+    touch, no toothed gear is undercut (14 to 16 teeth, if a range allows them, need a
+    profile shift), and no tips interfere in a ring gear. The 20 best solutions are listed,
+    by the largest error of the wanted ratios. They are proven to be the best.
+
+    A mechanism without teeth is treated as a planetary gear set, or as a gear pair if it
+    has two links; --dry-run lists the result. The CASE - is standard input.
 
     \b
     Examples:
-      vstatics synth teeth cases/belaz7516.yaml --ratios 2=4,4=2.01,5=1.4925,R2=-5.12
-      vstatics synth teeth box.yaml --range sun=17:60,P2.ring=40:121 --planets 3,4 -f json
-      vstatics synth teeth box.yaml --ratios P1=-2.03 --write teeth.yaml
+      vstatics new truck.yaml --template belaz7516
+      vstatics synth teeth truck.yaml --ratios 2=4,4=2.01,5=1.4925,R2=-5.12
+      vstatics synth teeth gearbox.yaml --ratios P1=-2.03 \\
+          --range sun=17:60,P2.ring=40:121 --planets 3,4 --write teeth.yaml
 
     \b
-    Exit status: 0 teeth are found; 1 none fulfil the conditions, or the case is in error;
-    2 wrong use, such as a wheel that there is not.
+    Exit status 1: no solution exists, or the case has an error.
+    A toothed gear that does not exist is wrong use (2).
     """
     to = request.destination()
     form = "" if target is None else case_format(target, [request.case], to.output)

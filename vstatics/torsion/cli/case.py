@@ -33,8 +33,8 @@ static_torque = click.option(
     "static_torque",
     callback=value(torque),
     metavar="T",
-    help="Torque at the input, in N*m, under which springs with `points` have their slopes; "
-    "that of the load of CASE when not given, else 0. A given speed ratio of a converter decides.",
+    help="Input torque, in N*m, that gives the stiffness of springs with `points`. A given speed "
+    "ratio of a converter has priority.  [default: torque of the operating point, else 0]",
 )
 
 
@@ -58,8 +58,8 @@ _speed_ratios = click.option(
     multiple=True,
     callback=value(_ratios),
     metavar="TC=I",
-    help="Speed ratio of a converter, turbine by pump, in place of that of the gear; when neither "
-    "gives it that at which it takes the torque of the load.",
+    help="Speed ratio of a converter, turbine divided by pump. Repeatable.  [default: as in the "
+    "gear, else the ratio at which the converter takes the input torque]",
 )
 
 
@@ -108,7 +108,7 @@ def working_options(*between: Option) -> Callable[[Command], Command]:
 chosen_gear = click.option(
     "--gear",
     metavar="G",
-    help="The gear, by its name, or the third by '#3'; needed where the case has several.",
+    help="Gear, by its name, or by its number as '#3'; required if the case has several gears.",
 )
 
 

@@ -10,6 +10,7 @@ import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case, show
 from vstatics.core.cli.shared.options import gathered
@@ -26,13 +27,13 @@ def _rate(given: float) -> float:
     return given
 
 
-@click.command()
+@command
 @click.option(
     "--rate",
     type=float,
     callback=value(_rate),
     metavar="K",
-    help="Also the dynamic factor of a clutch whose torque grows as 1 - exp(-K t), in 1/s.",
+    help="Add the dynamic factor of a clutch whose torque grows with 1 - exp(-K t); K in 1/s.",
 )
 @arguments.some_gears
 @gathered(
@@ -42,35 +43,41 @@ def _rate(given: float) -> float:
     *of_case,
     static_torque,
 )
-def dump(request: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
-    """Tell the largest torque when the clutch is dumped; - is standard input.
+def dump_command(request: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
+    """Calculate the largest torque when the clutch is dumped; - is standard input.
 
-    FILE is YAML with inertias on one shaft, J1 (engine), J2 (disc), J3 (transmission),
-    J4 (wheels), J5 (vehicle), the compliance E between J3 and J4, the torques M_C0 at
-    which the clutch and M_phi at which the tyres break away, and omega1, the speed of
-    the engine before: in kg*m^2, rad/(N*m), N*m and rad/s, or in any one system of
-    relative units. `J4: .inf` is for clamped wheels, `M_phi: .inf` for tyres that
-    always grip.
+    FILE is a YAML file with a system on one shaft:
 
-    Or FILE is a case with inertias, springs and `dump`, where J1 to J5 are lists of its
-    links. Numbers are those of the links: M_C0 on the first of J2, omega1 of the first of
-    J1, M_phi on the first of J4, of all wheels together. In each gear all is reduced to
-    the link `to`, else the first of J2, and so are the torques that are told. E is the
-    compliance from J2 to J5 held, by all that is elastic on the way.
+    \b
+      J1 to J5  inertias of engine, disc, transmission, wheels and vehicle;
+                `J4: .inf` clamps the wheels
+      E         compliance between J3 and J4
+      M_C0      torque at which the clutch breaks away
+      M_phi     torque at which the tyres break away; `M_phi: .inf` for tyres
+                that always grip
+      omega1    initial speed of the engine
 
-    The formulas are those of Tsitovich and Algin (1981). Cases A: the clutch slips; B:
-    it grabs; V: it grabs and breaks away again.
+    The units are kg*m^2, rad/(N*m), N*m and rad/s, or any consistent relative units.
+
+    FILE can also be a case with inertias, springs and the key `dump`, in which J1 to J5 are
+    lists of links. M_C0 then acts on the first link of J2, M_phi on the first link of J4 for
+    all wheels together, and omega1 is the speed of the first link of J1. In each gear, the
+    system is reduced to the link `to` (default: the first link of J2), and so are the
+    resulting torques. E is the compliance of all springs from J2 to the fixed J5.
+
+    The formulas are from Tsitovich and Algin (1981). Case A: the clutch slips; B: it grabs;
+    V: it grabs and breaks away again.
 
     \b
     Examples:
+      vstatics new car.yaml --template moskvich412
+      vstatics torsion dump car.yaml --gear 1
+      echo '{J1: 0.15, J2: 0.005, J3: 0.01, J4: 0.1, J5: 5, E: 1e-3,
+        M_C0: 180, M_phi: 900, omega1: 600}' > dump.yaml
       vstatics torsion dump dump.yaml
       vstatics torsion dump dump.yaml --rate 50 -f json | jq .max_torque
-      vstatics torsion dump box.yaml --gear 1
 
-    \b
-    \b
-    Exit status: 0 done; 1 the file is in error, or a gear has no such torque;
-    2 wrong use.
+    Exit status 1: the file has an error, or a gear has no such torque.
     """
     to = request.destination()
     from vstatics.torsion.clutch.file import is_of_case, read_dump

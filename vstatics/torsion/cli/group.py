@@ -15,13 +15,14 @@ class TorsionCommands(LazyGroup):
 
 
 @click.group(cls=TorsionCommands)
-def torsion() -> None:
-    """Calculate a transmission as a torsional system.
+def torsion_command() -> None:
+    """Calculate the torsional vibration of a transmission, and the torque of a clutch dump.
 
     \b
     Examples:
-      vstatics torsion modes box.yaml
-      vstatics torsion reduce box.yaml --to engine
-      vstatics torsion response box.yaml --at engine --orders 2 --speed 600:3000:9
-      vstatics torsion dump dump.yaml
+      vstatics new car.yaml --template moskvich412
+      vstatics torsion modes car.yaml --gear 1
+      vstatics torsion reduce car.yaml --to engine
+      vstatics torsion response car.yaml --orders 2 --speed 600:3000:9
+      vstatics torsion dump car.yaml
     """

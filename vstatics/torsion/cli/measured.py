@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 import click
 
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import Command
@@ -27,7 +28,7 @@ def _of_one_mode(command: Command) -> Command:
             default=1,
             show_default=True,
             metavar="K",
-            help="Of those that are not rigid, the lowest is 1.",
+            help="Number of the elastic mode, from 1 for the lowest.",
         ),
         chosen_gear,
     ):
@@ -46,27 +47,29 @@ def _decrements(text: str) -> Mapping[str, float]:
     return named("NAME=NUMBER", _decrement, repr)([text])
 
 
-@click.command()
+@command
 @_of_one_mode
 @observed
-def identify(request: OneCase, gear: str | None, mode: int, observation: Observed) -> int:
-    """Correct the compliances of CASE by a measured frequency; - is standard input.
+def identify_command(request: OneCase, gear: str | None, mode: int, observation: Observed) -> int:
+    """Correct the compliances of CASE by a measured natural frequency.
 
-    All elastic devices of the gear get their compliance times (calculated/W)^2, in their
-    own twists; so the mode has the frequency W, and all shapes stay. With a decrement D
-    each gets the damping D/(pi E W) with its corrected E, so that the mode has it, too.
-    Both follow from a record, or from its extremes, where these are given in their place.
+    The compliances of all elastic components of the gear are multiplied by
+    (calculated/W)^2. The mode then has the measured frequency W, and all mode shapes stay.
+    With a logarithmic decrement D, each component also gets the damping D/(pi E W), with
+    its corrected compliance E. Instead of the two numbers you can give the record of a free
+    vibration, or its extreme values. The CASE - is standard input.
 
     \b
     Examples:
-      vstatics torsion identify box.yaml --gear 3 --omega 27.4
-      vstatics torsion identify box.yaml --gear 3 --omega 27.4 --decrement 1.06
-      vstatics torsion identify box.yaml --peaks 160,-51,109,-13 --period .23
-      vstatics torsion identify box.yaml --record test.csv --column shaft
+      vstatics new car.yaml --template moskvich412
+      vstatics torsion identify car.yaml --gear 3 --omega 27.4
+      vstatics torsion identify car.yaml --gear 3 --omega 27.4 --decrement 1.06
+      vstatics torsion identify car.yaml --gear 3 --peaks 160,-51,109,-13 \\
+          --period 0.23
 
     \b
-    Exit status: 0 done; 1 the case or the record is in error, or the gear has no
-    mode; 2 wrong use.
+    Exit status 1: the case or the record has an error, or the gear has no such
+    mode.
     """
     to = request.destination(*filter(None, [observation.record]))
 
@@ -86,42 +89,43 @@ def identify(request: OneCase, gear: str | None, mode: int, observation: Observe
     return _answer(request, gear, calculate, to)
 
 
-@click.command()
+@command
 @_of_one_mode
 @click.option(
     "--decrements",
     required=True,
     callback=value(_decrements),
-    metavar="DEVICE=D,...",
-    help="Logarithmic decrements of elastic devices; a name with commas in double quotes.",
+    metavar="NAME=D,...",
+    help="Logarithmic decrements of elastic components. Repeatable.",
 )
 @click.option(
     "--omega",
     type=float,
     callback=value(above_0),
     metavar="W",
-    help="Frequency at which the dampings hold, in rad/s; that of the mode when not given.",
+    help="Frequency for which the dampings are calculated, in rad/s.  [default: frequency of the "
+    "mode]",
 )
-def damping(
+def damping_command(
     request: OneCase,
     gear: str | None,
     mode: int,
     decrements: Mapping[str, float],
     omega: float | None,
 ) -> int:
-    """Calculate dampings of CASE from decrements of its devices; - is standard input.
+    """Calculate the dampings of CASE from decrements of its components.
 
-    A damping is D/(pi E W), with the compliance E of the device. The decrement of the mode
-    is the sum of those that are given, by their shares in its elastic energy.
+    The damping of a component is D/(pi E W), with its logarithmic decrement D, its
+    compliance E and the frequency W. The decrement of the mode is the sum of the given
+    decrements, weighted by their shares in its elastic energy. The CASE - is standard input.
 
     \b
     Examples:
-      vstatics torsion damping box.yaml --gear 1 --decrements shaft=.03,damper=.2
-      vstatics torsion damping box.yaml --gear 1 --decrements shaft=.1 --omega 83
+      vstatics new car.yaml --template moskvich412
+      vstatics torsion damping car.yaml --gear 1 --decrements propshaft=0.03,damper=0.2
+      vstatics torsion damping car.yaml --gear 1 --decrements tyres=0.4 --omega 83
 
-    \b
-    Exit status: 0 done; 1 the case is in error, or the gear has no mode;
-    2 wrong use.
+    Exit status 1: the case has an error, or the gear has no such mode.
     """
 
     def calculate(case: Transmission, chosen: str) -> CaseAnswer:

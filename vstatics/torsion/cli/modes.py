@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
@@ -16,39 +17,40 @@ from vstatics.torsion.cli.case import (
 )
 
 
-@click.command()
+@command
 @working_options(
     click.option(
         "--modes",
         "count",
         type=click.IntRange(1),
         metavar="N",
-        help="The first N modes that are not rigid; all when not given, of a case with more "
-        "than 50 links the first 20.",
+        help="Number of elastic modes, the lowest first.  [default: all, or 20 for a case with "
+        "more than 50 links]",
     )
 )
 @elastic_case
-def modes(request: OneCase, chosen: WorkingGears, count: int | None) -> int:
-    """Calculate natural frequencies and shapes of CASE in every gear; - is standard input.
+def modes_command(request: OneCase, chosen: WorkingGears, count: int | None) -> int:
+    """Calculate the natural frequencies and mode shapes of CASE in every gear.
 
-    CASE has `inertias` of links [kg*m^2], or `masses` [kg] of those that move straight,
-    and `springs`, mechanisms or shift elements with a `stiffness` [N*m/rad; straight
-    N/m]; everything else is rigid. For each mode: the frequency without
-    damping and with it, amplitudes of links (the largest is 1), torques of all devices at
-    these, shares of the energy, the number of nodes. Given speeds, losses and drag take no
-    part; freewheels hold as in `vstatics run`, and springs with `points` have their slopes
-    at what they carry there under the torque at the input. Converters are open, but in the
-    damped vibration, where they resist by their slopes at the speeds and torques of the load.
+    CASE (- is standard input) has `inertias` [kg*m^2] of links, or `masses` [kg] of links in
+    translation, and `springs`, mechanisms or shift elements with a `stiffness` [N*m/rad, or
+    N/m]. All other parts are rigid. For each mode you get the frequency with and without
+    damping, the amplitudes of the links (the largest is 1), the torques of all components
+    at these amplitudes, the shares of the energy, and the number of nodes.
+
+    Given speeds, losses and drag torques have no influence. Freewheels hold as in `vstatics
+    run`. Springs with `points` have the slope at their torque under the given input torque.
+    Converters are disengaged; only in the damped vibration they resist, by their slopes at
+    the speeds and torques of the operating point.
 
     \b
     Examples:
-      vstatics torsion modes cases/moskvich412.yaml
-      vstatics torsion modes box.yaml --gear 1 --modes 3
-      vstatics torsion modes box.yaml -f json | jq '.gears[].modes[].omega'
+      vstatics new car.yaml --template moskvich412
+      vstatics torsion modes car.yaml
+      vstatics torsion modes car.yaml --gear 1 --modes 3
+      vstatics torsion modes car.yaml -f json | jq '.gears[].modes[].omega'
 
-    \b
-    Exit status: 0 done; 1 the case is in error or in a gear nothing can move;
-    2 wrong use.
+    Exit status 1: the case has an error, or nothing can move in a gear.
     """
 
     def calculate(reading: Reading) -> CaseAnswer:

@@ -8,6 +8,7 @@ import click
 import numpy as np
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import under
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.values import above_0, from_0, numbers, value
 from vstatics.core.errors import Problem, ReadError
@@ -89,35 +90,44 @@ def _recorded(file: str, column: str) -> Decay:
 observed = gathered(
     "observation",
     Observed,
-    click.option(
-        "--omega",
-        type=float,
-        callback=value(above_0),
-        metavar="W",
-        help="Frequency of the mode that was measured, in rad/s.",
+    under(
+        "Measurement",
+        click.option(
+            "--omega",
+            type=float,
+            callback=value(above_0),
+            metavar="W",
+            help="Measured natural frequency of the mode, in rad/s.",
+        ),
+        click.option(
+            "--decrement",
+            type=float,
+            callback=value(from_0),
+            metavar="D",
+            help="Measured logarithmic decrement of the mode.",
+        ),
+        click.option(
+            "--peaks",
+            callback=value(numbers("a number", -np.inf)),
+            metavar="M,M,...",
+            help="Successive extreme values of a record, instead of --omega and --decrement.",
+        ),
+        click.option(
+            "--period",
+            type=float,
+            callback=value(above_0),
+            metavar="T",
+            help="Period of the vibration, in s; belongs to --peaks.",
+        ),
+        click.option(
+            "--record",
+            type=click.Path(),
+            metavar="F.csv",
+            help="Record of a free vibration, with a column `time` in s.",
+        ),
+        click.option(
+            "--column", metavar="C", help="Column of the record in which the mode appears."
+        ),
     ),
-    click.option(
-        "--decrement",
-        type=float,
-        callback=value(from_0),
-        metavar="D",
-        help="Its logarithmic decrement, for the dampings of all devices.",
-    ),
-    click.option(
-        "--peaks",
-        callback=value(numbers("a number", -np.inf)),
-        metavar="M,M,...",
-        help="In their place extremes of its record, one after the other.",
-    ),
-    click.option(
-        "--period", type=float, callback=value(above_0), metavar="T", help="Of these, in s."
-    ),
-    click.option(
-        "--record",
-        type=click.Path(),
-        metavar="F.csv",
-        help="Or the record itself, with a column `time` in s.",
-    ),
-    click.option("--column", metavar="C", help="Its column in which the mode is seen."),
 )
 """Options of an observation, passed to the command as `observation`."""

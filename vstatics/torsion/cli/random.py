@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.values import value
@@ -28,14 +29,14 @@ if TYPE_CHECKING:
     from vstatics.torsion.random.random_vibration import Excitation, GearRandom
 
 
-@click.command()
-@click.option("--at", required=True, metavar="LINK", help="The link that is excited, by its name.")
+@command
+@click.option("--at", required=True, metavar="LINK", help="Link that is excited, by its name.")
 @click.option(
     "--by",
     type=click.Choice(["torque", "motion"]),
     default="torque",
     show_default=True,
-    help="What the spectrum is of: a torque on LINK [N*m], or its angle [rad].",
+    help="Quantity of the spectrum: a torque on LINK [N*m], or the angle of LINK [rad].",
 )
 @click.option(
     "--input",
@@ -43,17 +44,17 @@ if TYPE_CHECKING:
     required=True,
     type=click.Path(),
     metavar="FILE",
-    help="YAML with `white`, `variance` and `correlation`, or `points`.",
+    help="YAML file of the spectrum: `white`, `variance` with `correlation`, or `points`.",
 )
 @click.option(
     "--omega",
     metavar="A:B:N",
     callback=value(speeds_of, "--omega"),
-    help="Where spectra are asked for, in rad/s: N from A to B, or a list with commas.",
+    help="Frequencies of the calculated spectra, in rad/s: N from A to B, or a list.",
 )
 @working_options()
 @gathered("request", OneCase, *CASE_OPTIONS)
-def random(
+def random_command(
     request: OneCase,
     at: str,
     by: Excitation,
@@ -63,18 +64,21 @@ def random(
 ) -> int:
     """Calculate the random vibration of CASE in every gear; - is standard input.
 
-    Standard deviations of twists, torques and links, upward crossings, half widths of the
-    peaks of modes, and the life of devices with `fatigue`. A spectrum is two-sided over
-    omega: the variance is twice its integral from 0 on. What has no variance has no value.
+    You get the standard deviations of twists, torques and links, the rates of upward
+    crossings, the half widths of the resonance peaks, and the life of components with
+    `fatigue`. Spectra are two-sided over omega: the variance is twice the integral from 0
+    to infinity. Values without a finite variance are left out.
 
     \b
     Examples:
-      vstatics torsion random box.yaml --at engine --input engine.yaml
-      vstatics torsion random box.yaml --at road --by motion --input road.yaml
+      vstatics new car.yaml --template driveline-8hp70
+      echo 'white: 0.5' > engine.yaml
+      vstatics torsion random car.yaml --at engine --input engine.yaml
+      echo '{variance: 1e-4, correlation: {rate: 2}}' > road.yaml
+      vstatics torsion random car.yaml --at vehicle --by motion --input road.yaml
 
     \b
-    Exit status: 0 done; 1 the case or FILE is in error or a gear can't be
-    excited; 2 wrong use.
+    Exit status 1: the case or FILE has an error, or a gear cannot be excited.
     """
     to = request.destination(source)
 

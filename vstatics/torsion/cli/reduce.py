@@ -7,31 +7,37 @@ from functools import partial
 import click
 
 from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import elastic_case, gear_names, gears_answer, link_name, slope_notes
 
 
-@click.command()
-@click.option("--to", required=True, metavar="LINK", help="The link, by its name or number.")
+@command
+@click.option(
+    "--to",
+    required=True,
+    metavar="LINK",
+    help="Link to which the system is reduced, by its name or number.",
+)
 @arguments.some_gears
 @elastic_case
-def reduce(request: OneCase, to: str, gears: tuple[str, ...]) -> int:
-    """Reduce inertias and compliances of CASE to one link, in every gear; - is standard input.
+def reduce_command(request: OneCase, to: str, gears: tuple[str, ...]) -> int:
+    """Reduce the inertias and compliances of CASE to one link, in every gear.
 
-    By the speeds of the rigid motion: J (w_link/w_to)^2 and E (w_to/w_link)^2. A link that
-    stands, such as a casing on its mounting, is scaled by the reaction that it takes,
-    J/(1 - i)^2 and E (1 - i)^2; where the ratio is 1 there is none. Rigidly joined links
-    are one entry under the first.
+    The factors follow from the speeds w of the rigid motion: an inertia J becomes
+    J (w_link/w_to)^2, a compliance E becomes E (w_to/w_link)^2. A link at rest, such as a
+    casing on its mounting, is scaled by its reaction torque instead, with J/(1 - i)^2 and
+    E (1 - i)^2; the value is left out for i = 1. Rigidly connected links are one entry under the
+    name of the first. The CASE - is standard input.
 
     \b
     Examples:
-      vstatics torsion reduce box.yaml --to engine
-      vstatics torsion reduce box.yaml --to propshaft --gear 1 -f json
+      vstatics new car.yaml --template moskvich412
+      vstatics torsion reduce car.yaml --to engine
+      vstatics torsion reduce car.yaml --to 'output shaft' --gear 1 -f json
 
-    \b
-    Exit status: 0 done; 1 the case is in error or a gear can't be reduced;
-    2 wrong use.
+    Exit status 1: the case has an error, or a gear cannot be reduced.
     """
 
     def calculate(reading: Reading) -> CaseAnswer:

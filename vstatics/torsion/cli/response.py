@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.values import numbers, told, value
@@ -119,11 +120,11 @@ def _unbounded(gear: GearResponse) -> str:
     )
 
 
-@click.command()
+@command
 @click.option(
     "--at",
     metavar="LINK",
-    help="The link on which the torque acts, by its name; the input when not given.",
+    help="Link on which the torque acts, by its name.  [default: input]",
 )
 @gathered(
     "exciting",
@@ -132,31 +133,33 @@ def _unbounded(gear: GearResponse) -> str:
         "--orders",
         metavar="N,...",
         callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
-        help="Orders, by revolutions of LINK: 1 N*m each, or those of the table that count.",
+        help="Orders per revolution of LINK, with 1 N*m each; with --torque a selection from the "
+        "table.",
     ),
     click.option(
         "--speed",
         required=True,
         metavar="A:B:N",
         callback=value(_rpm, "--speed"),
-        help="Speeds of LINK in rpm, or with their unit: N of them from A to B, or a list.",
+        help="Speeds of LINK, in rpm or with a unit: N speeds from A to B, or a list.",
     ),
     click.option(
         "--torque",
         type=click.Path(),
         metavar="FILE",
-        help="CSV with the columns order, amplitude [N*m] and phase [rad] or `phase [deg]`.",
+        help="CSV file with the columns `order`, `amplitude [N*m]`, and `phase [rad]` or `phase "
+        "[deg]`.",
     ),
 )
 @click.option(
     "--sum",
     "with_sum",
     is_flag=True,
-    help="All orders together: the largest value over a cycle, and the RMS.",
+    help="Add the sum of all orders: the largest value during a cycle, and the RMS value.",
 )
 @working_options()
 @gathered("request", OneCase, *CASE_OPTIONS)
-def response(
+def response_command(
     request: OneCase,
     at: str | None,
     exciting: Exciting,
@@ -166,21 +169,22 @@ def response(
 ) -> int:
     """Calculate the forced vibration of CASE in every gear; - is standard input.
 
-    A harmonic torque acts on LINK, by default the input. For each order: amplitudes of
-    links [rad] and torques of devices [N*m] over the speeds, and where an order meets a
-    natural frequency that LINK takes part in; such speeds are added. Springs with `points`
-    and converters have their slopes under the load of CASE. Text shows the largest values,
-    CSV (a line for each), XLSX and JSON all. There is no value where an undamped system is
-    hit exactly.
+    A harmonic torque acts on LINK. For each order and speed you get the amplitudes of the
+    links [rad] and the torques of the components [N*m]. The speeds at which an order
+    coincides with a natural frequency of LINK are added. Springs with `points` and
+    converters have their slopes at the operating point of CASE.
+
+    Text shows the largest values; CSV, XLSX and JSON contain all values. An undamped system
+    has no value exactly at its natural frequency.
 
     \b
     Examples:
-      vstatics torsion response box.yaml --orders 2 --speed 600:3000:9
-      vstatics torsion response box.yaml --at engine --torque m.csv --speed 900
+      vstatics new car.yaml --template moskvich412
+      vstatics torsion response car.yaml --orders 2 --speed 600:3000:9
+      printf 'order,amplitude [N*m],phase [rad]\\n2,150,0\\n4,40,0.5\\n' > engine.csv
+      vstatics torsion response car.yaml --at engine --torque engine.csv --speed 900
 
-    \b
-    Exit status: 0 done; 1 the case is in error or a gear has no response;
-    2 wrong use.
+    Exit status 1: the case has an error, or a gear has no response.
     """
     to = request.destination(*([exciting.torque] if exciting.torque else []))
     if exciting == Exciting():

@@ -10,6 +10,7 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import TABLES, OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, warnings_of
@@ -74,7 +75,7 @@ class Reducing(NamedTuple):
         return simplify(scheme, frequencies, self.rule, self.remove or ())
 
 
-@click.command()
+@command
 @chosen_gear
 @click.option(
     "--links",
@@ -82,8 +83,7 @@ class Reducing(NamedTuple):
     type=click.IntRange(1),
     required=True,
     metavar="N",
-    help="How many natural frequencies remain: in a chain as many as elastic links, one less than "
-    "masses.",
+    help="Number of natural frequencies that remain; a chain keeps one mass more.",
 )
 @gathered(
     "reducing",
@@ -91,21 +91,21 @@ class Reducing(NamedTuple):
     click.option(
         "--rule",
         type=click.Choice(RULES),
-        help="partial: by systems of one and two masses, of a chain; r, b, u: by systems of one "
-        "mass, whose inertia is shared by K, by K^2, or not at all. Else partial for a chain, r "
-        "for any other.",
+        help="Rule of removal. partial: partial systems of one and two masses, in chains only; r, "
+        "b, u: partial systems of one mass, whose inertia is distributed in proportion to the "
+        "stiffness K, to K^2, or not at all.  [default: partial for a chain, else r]",
     ),
     click.option(
         "--remove",
         metavar="A,B",
         callback=value(_names),
-        help="These masses first, in this order; a name with commas in double quotes.",
+        help="Masses to remove first, in this order.",
     ),
     click.option(
         "--merge",
         metavar="A+B,C+D",
         callback=value(_names),
-        help="Behind these, masses that turn as one, as those of equal branches do.",
+        help="Masses to merge before that, such as masses of equal branches.",
     ),
 )
 @gathered(
@@ -119,42 +119,40 @@ class Reducing(NamedTuple):
         type=click.Choice(FORMS),
         default="text",
         show_default=True,
-        help="Format of the steps.",
+        help="Format of the report on the removals.",
     ),
     click.option(
         "-o",
         "--output",
         type=click.Path(),
         metavar="FILE",
-        help="Write the scheme as a case: YAML or JSON.",
+        help="File for the simplified system as a case, YAML or JSON.",
     ),
     arguments.input_format,
     arguments.coast,
     arguments.telling,
     static_torque,
 )
-def simplify(
+def simplify_command(
     request: OneCase,
     gear: str | None,
     frequencies: int,
     reducing: Reducing,
     output: str | None,
 ) -> int:
-    """Simplify the scheme of a gear of CASE, reduced to the input; - is standard input.
+    """Simplify the torsional system of a gear of CASE, reduced to the input.
 
-    Step by step the partial system with the highest frequency is taken out, so that the
-    lowest frequencies hardly change. It warns where a kept one is above half of a partial
-    frequency.
+    The partial system with the highest frequency is removed repeatedly; the lowest natural
+    frequencies hardly change. A warning lists remaining frequencies that are above half of
+    a removed partial frequency. The CASE - is standard input.
 
     \b
     Examples:
-      vstatics torsion simplify box.yaml --gear 1 --links 3
-      vstatics torsion simplify box.yaml --gear 1 --links 3 -o simple.yaml
-      vstatics torsion simplify box.yaml --links 3 --merge 'left hub+right hub'
+      vstatics new car.yaml --template moskvich412
+      vstatics torsion simplify car.yaml --gear 1 --links 3
+      vstatics torsion simplify car.yaml --gear 1 --links 3 -o simple.yaml
 
-    \b
-    Exit status: 0 done; 1 the case is in error or has no such scheme;
-    2 wrong use.
+    Exit status 1: the case has an error, or the system cannot be simplified.
     """
     written = _format_of(output, request.case)
 

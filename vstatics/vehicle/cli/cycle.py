@@ -14,6 +14,7 @@ import click
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.command import OUTPUT, RenamedOption, command, under
 from vstatics.core.cli.shared.formats import OutputOptions
 from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import gathered
@@ -61,7 +62,7 @@ def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearC
     return GearChoice(least_speed, shifts or ())
 
 
-@click.command()
+@command
 @click.argument("case", type=click.Path())
 @click.argument("trace", type=click.Path())
 @formats.options(*formats.TABLES)
@@ -72,25 +73,31 @@ def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearC
         "--least-speed",
         callback=value(_speed),
         metavar="SPEED",
-        help="The highest gear in which the engine turns as fast, '1200 rpm'; else the first in "
-        "which it turns no faster than at its last point.",
+        help="Choose the highest gear with at least this engine speed, such as '1200 rpm', or the "
+        "first gear within the full-load curve.",
     ),
     click.option(
         "--shift",
         "shifts",
         callback=value(_shifts),
         metavar="TEXT",
-        help="Shift speeds of the vehicle, up and down: '1-2: 15 km/h/12 km/h, 2-3: ...'.",
+        help="Vehicle speeds of upshifts and downshifts, such as '1-2: 15 km/h/12 km/h'.",
     ),
 )
-@click.option(
-    "--steps",
-    type=click.Path(),
-    metavar="FILE",
-    help="Also write a CSV of all steps over time, for `plot --kind curves`.",
+@under(
+    OUTPUT,
+    click.option(
+        "--time-steps",
+        "steps",
+        cls=RenamedOption,
+        former=["--steps"],
+        type=click.Path(),
+        metavar="FILE",
+        help="CSV file for the values of each time step; `plot --kind curves` draws it.",
+    ),
 )
 @gathered("settings", CaseOptions, arguments.input_format, arguments.idle, arguments.telling)
-def cycle(
+def cycle_command(
     case: str,
     trace: str,
     wanted: OutputOptions,
@@ -98,30 +105,34 @@ def cycle(
     choice: GearChoice,
     settings: CaseOptions,
 ) -> int:
-    """Drive CASE, which has a `vehicle`, through TRACE: energies, losses, fuel.
+    """Drive the vehicle of CASE through a driving cycle: energies, losses and fuel.
 
-    TRACE is a table with the columns time [s] and speed [km/h], and optionally gear, and slope
-    (the sine of its angle) or grade (rise over horizontal distance). Published files of cycles are
-    read as they are. Between two rows speed is the mean, acceleration constant, gear and slope
-    those of the first row. Without a column gear give --least-speed or --shift.
+    TRACE is a table with the columns `time [s]` and `speed [km/h]`, and optionally `gear`,
+    and `slope` (sine of the angle) or `grade` (rise divided by horizontal distance).
+    Published files of driving cycles can be used without changes. In a time step, between
+    two rows, the speed is the mean of the rows, the acceleration is constant, and gear and
+    slope are taken from the first row. Without the column `gear`, give --least-speed or
+    --shift.
 
-    The engine gives what wheels, inertias, losses and drag take. Where it would brake more
-    than its `overrun`, brakes take the rest. Steps in which it would have to give more, or
-    turn faster, than at full load are warned of. A gear that machines drive, too, by a
-    balance, given speeds or torques, is an error. Fuel is told where the vehicle has a map,
-    `fuel: {file: fuel.csv}`.
+    The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
+    brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
+    which the engine would exceed its full load or its largest speed. In a gear that is also
+    driven by other machines, with a balance or with given speeds or torques, the result is
+    an error. Fuel needs a map in the vehicle: `fuel: {file: fuel.csv}`.
 
     \b
     Examples:
+      vstatics new car.yaml --template driveline-8hp70
+      printf 'time [s],speed [km/h]\\n0,0\\n20,50\\n30,50\\n40,0\\n' > trace.csv
       vstatics cycle car.yaml trace.csv --least-speed '1200 rpm'
       vstatics cycle car.yaml trace.csv --shift '1-2: 15 km/h/12 km/h'
-      vstatics cycle car.yaml trace.csv -f json | jq .cycle.fuel
-      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm' --steps steps.csv
+      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm' \\
+          -f json | jq .cycle.energy
+      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm' \\
+          --time-steps steps.csv
       vstatics plot steps.csv --kind curves -o cycle.svg
 
-    \b
-    Exit status: 0 done; 1 a case or the trace is in error, or a gear has no
-    torques; 2 wrong use.
+    Exit status 1: the case or the trace has an error, or a gear has no torques.
     """
     to = wanted.destination([case, trace])
     files.spare([case, trace], steps)

@@ -52,15 +52,15 @@ duty_options = gathered(
         "--duty",
         type=click.Path(),
         metavar="FILE",
-        help="A duty cycle: YAML with `energy` or `time`, and a share by gear; or CSV of points "
-        "with `time [s]` or `share`, `gear`, `speed [rpm]`, `torque [N*m]`.",
+        help="Duty cycle: a YAML file with `energy` or `time`, a share for each gear; or a CSV "
+        "file with `time [s]` or `share`, `gear`, `speed [rpm]`, `torque [N*m]`.",
     ),
     click.option(
         "--exponent",
         type=click.FloatRange(min=0, min_open=True, max=100),
         callback=value(above_0),  # FloatRange accepts NaN
         metavar="P",
-        help="Of the equivalent torque over a CSV of points.  [default: 3]",
+        help="Exponent of the equivalent torque of a duty cycle in CSV.  [default: 3]",
     ),
 )
 """Decorator that adds both options; the command receives `duty`."""

@@ -83,7 +83,7 @@ def test_failures_are_told_where_they_occur_and_summed_up_at_the_end(jobs: int) 
     assert summary == "3 of 5 cases calculated, 1 with errors, 2 failed:"
     assert first.startswith("  in/bad.yaml:3:")
     assert first.endswith(
-        ", expected a link number from 1 to 3 or `housing` [E107] ... and 1 more problem"
+        ", expected a link number from 1 to 3 or `housing` [E126] ... and 1 more problem"
     )
     assert second.startswith("  in/tied.yaml:4:")
     assert "tied up" in second

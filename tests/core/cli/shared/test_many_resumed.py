@@ -138,7 +138,7 @@ def test_a_corrected_case_counts_as_done_later() -> None:
     [
         ("--coast", "--coast was not given, is true"),
         ("--drive", "--coast was not given, is false"),
-        ("--idle exact", '--idle was not given, is "exact"'),
+        ("--unloaded exact", '--unloaded was not given, is "exact"'),
         ("--from yaml", '--from was not given, is "yaml"'),
     ],
 )

@@ -50,7 +50,7 @@ def test_a_file_stands_beside_the_case(tmp_path: Path) -> None:
         ("speed [rpm],torque [N*m]\n", "expected a point at least"),
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: expected a torque"),
-        ("x" * 1_000_001, "can't be read: larger than 1 MB"),
+        ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )
 def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, said: str) -> None:
@@ -62,7 +62,7 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
 
 
 def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
-    with pytest.raises(ReadError, match=r"read `none.csv`, which can't be read: No such file"):
+    with pytest.raises(ReadError, match=r"read `none.csv`, which cannot be read: No such file"):
         load(case_of(tmp_path, "{file: none.csv}"))
 
 

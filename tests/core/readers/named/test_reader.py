@@ -375,13 +375,13 @@ def test_what_is_no_mapping(text: str) -> None:
 def test_all_faults_are_told_in_one_run() -> None:
     text = DIFFERENTIAL.replace("-2.5", "x").replace("[F2]", "[F9]").replace("[1, 2]", "[1, 8]")
     assert [str(problem) for problem in errors("idle: x\n" + text)] == [
-        "case.yaml:1:7: error: idle: read 'x', expected `exact` or `published` [E107]",
+        "case.yaml:1:7: error: idle: read 'x', expected `exact` or `published` [E126]",
         "case.yaml:5:11: error: shift_elements.F2[2]: read '8', "
-        "expected a link number from 1 to 3 or `housing` [E107]",
+        "expected a link number from 1 to 3 or `housing` [E126]",
         "case.yaml:7:46: error: mechanisms.D1.ratio: read 'x', "
-        "expected a number or a calculation such as -96/39 [E107]",
+        "expected a number or a calculation such as -96/39 [E125]",
         "case.yaml:10:19: error: gears.2.engaged[1]: read 'F9', "
-        "expected the name of a shift element: T1, F2 [E107]",
+        "expected the name of a shift element: T1, F2 [E126]",
     ]
 
 
@@ -609,8 +609,8 @@ def test_a_document_of_another_shape_is_read_the_same_way() -> None:
     with pytest.raises(ReadError) as caught:
         read_document(b"names: a\ncount: 0", "it.yaml", shape, "a sample")
     assert [str(problem).splitlines()[0] for problem in caught.value.problems] == [
-        "it.yaml:1:8: error: names: read 'a', expected a list [E107]",
-        "it.yaml:2:8: error: count: read '0', expected a whole number from 1 [E107]",
+        "it.yaml:1:8: error: names: read 'a', expected a list [E127]",
+        "it.yaml:2:8: error: count: read '0', expected a whole number from 1 [E125]",
     ]
 
 

@@ -45,7 +45,7 @@ def program() -> Iterator[Program]:
 
 @pytest.fixture(scope="module")
 def answer() -> dict[str, Any]:
-    told = vstatics("simulate", str(SCENARIO), "--step", str(STEP), "-f", "json", "-q")
+    told = vstatics("simulate", str(SCENARIO), "--time-step", str(STEP), "-f", "json", "-q")
     made: dict[str, Any] = told.json
     return made
 
@@ -53,7 +53,7 @@ def answer() -> dict[str, Any]:
 @pytest.fixture(scope="module")
 def table() -> dict[str, list[float]]:
     """All columns of the same run as CSV."""
-    told = vstatics("simulate", str(SCENARIO), "--step", str(STEP), "-f", "csv", "-q")
+    told = vstatics("simulate", str(SCENARIO), "--time-step", str(STEP), "-f", "csv", "-q")
     head, *rows = csv.reader(io.StringIO(told.out))
     return dict(zip(head, (list(map(float, one)) for one in zip(*rows, strict=True)), strict=True))
 

@@ -29,7 +29,7 @@ from vstatics.synthesis.cli.box import run as box_run
 from vstatics.synthesis.cli.box.output import RECORD
 from vstatics.synthesis.structures.scheme import SetScheme
 
-ASKED = ("--sets", 1, "--elements", 2, "--engaged", 1, "--ratios", "3,1", "-j", 1)
+ASKED = ("--sets", 1, "--shift-elements", 2, "--engaged", 1, "--ratios", "3,1", "-j", 1)
 PIECES = 6
 LEAST = [("T-L2", "F-L0-L2"), ("T-L2", "F-L1-L2"), ("T-L2", "F-L0-L1")]
 
@@ -324,7 +324,7 @@ def test_a_search_that_is_stopped_goes_on(searched: Searched, output: str) -> No
 @pytest.mark.parametrize(
     "asked",
     [
-        ("--gears", 2, "--spread", "2:4", "--steps", "1.2:4"),
+        ("--gears", 2, "--spread", "2:4", "--step-ratios", "1.2:4"),
         ("--ratios", "3:3.5,1", "--planar", "--single", "--brakes", 1, "--bounds", "1.5:3"),
     ],
 )
@@ -389,7 +389,10 @@ Options = tuple[object, ...]
         (("--ratios", "3"), "--ratios: read 3 twice, expected gears that differ"),
         (("--ratios", ""), "--ratios: read ``, expected"),
         (("--sets", -1), "--sets: read -1, expected 1 to"),
-        (("--elements", 10**30), "--elements: read 1000000000000000000000000000000, expected 1,"),
+        (
+            ("--shift-elements", 10**30),
+            "--shift-elements: read 1000000000000000000000000000000, expected 1,",
+        ),
         (("--engaged", 2), "--engaged: read 2, but 1 set leaves 1 to be engaged"),
         (("--bounds", "2"), "--bounds: read 2:2, expected two numbers above 1"),
         (("--bounds", "1.4"), "--bounds: read 1.4:1.4"),
@@ -406,7 +409,7 @@ Options = tuple[object, ...]
         (("--ratios", "2:-3"), "--ratios: read `2:-3`, expected two different ratios of one sign"),
         (("--efficiency", 0), "--efficiency: read 0, expected a number above 0, up to 1"),
         (("--efficiency", "nan"), "--efficiency: read nan"),
-        (("--meshed", 2), "--meshed: read 2, expected 0 to 1"),
+        (("--double-pinion", 2), "--double-pinion: read 2, expected 0 to 1"),
         (("--brakes", 3), "--brakes: read `3`, expected a number from 0 to 2"),
         (("--brakes", 2, "--clutches", 1), "--clutches: read 1, but with 2 brakes these are not 2"),
         (("--limit", "torq=3"), "--limit: read `torq`, but there is no such figure; did you mean"),

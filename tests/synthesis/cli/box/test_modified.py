@@ -7,7 +7,7 @@ import pytest
 from tests.commands import vstatics
 
 KEEP = ("--keep", "cases/simpson.yaml", "--ratios", "2.48,1.48,1,-2.09")
-COUNTS = ("--sets", 2, "--elements", 4, "--engaged", 2)
+COUNTS = ("--sets", 2, "--shift-elements", 4, "--engaged", 2)
 
 
 @pytest.mark.slow
@@ -20,8 +20,8 @@ def test_the_gearbox_itself_is_found() -> None:
 @pytest.mark.parametrize(
     ("given", "status", "told"),
     [
-        ((*KEEP, "--sets", 2), 2, "--sets is told by the case of --keep"),
-        ((*KEEP, "--free", "sets=1"), 2, "read `sets`, expected elements=N"),
+        ((*KEEP, "--sets", 2), 2, "--sets follows from the case of --keep"),
+        ((*KEEP, "--free", "sets=1"), 2, "read `sets`, expected shift-elements=N"),
         ((*KEEP, "--free", "elements=x"), 2, "expected a number from 0 to 12"),
         (
             ("--free", "elements=1", *COUNTS, *KEEP[2:]),

@@ -23,13 +23,13 @@ from vstatics.synthesis.boxes.box import BoxSearch
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
 SIMPSON = (
-    *("--sets", 2, "--elements", 4, "--engaged", 2, "--own-input"),
+    *("--sets", 2, "--shift-elements", 4, "--engaged", 2, "--own-input"),
     *("--ratios", "2.45,1.45,1,-2.2", "-q", "-f", "json"),
 )
 GM = (
-    *("--sets", 3, "--elements", 5, "--engaged", 2),
+    *("--sets", 3, "--shift-elements", 5, "--engaged", 2),
     *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94", "-q"),
-    *("--meshed", 1, "--tolerance", 0.05),
+    *("--double-pinion", 1, "--tolerance", 0.05),
 )
 """Three pieces."""
 

@@ -8,12 +8,12 @@ import pytest
 
 from tests.commands import vstatics
 
-COUNTS = ("--sets", 2, "--elements", 4, "--engaged", 2, "--own-input")
+COUNTS = ("--sets", 2, "--shift-elements", 4, "--engaged", 2, "--own-input")
 
 
 @pytest.mark.slow
 def test_what_is_told_has_the_steps_that_are_wanted() -> None:
-    asked = (*COUNTS, "--gears", "3:4", "--spread", "2:4", "--steps", "1.3:1.8")
+    asked = (*COUNTS, "--gears", "3:4", "--spread", "2:4", "--step-ratios", "1.3:1.8")
     said = vstatics("synth", "box", *asked, "--ratios=-2.3:-2.1", "-f", "json", "-j", 1)
     listing = said.json
     assert listing["found"] > 0
@@ -32,8 +32,8 @@ def test_what_is_told_has_the_steps_that_are_wanted() -> None:
         (("--gears", "1"), "read 1:1, expected numbers from 2 to 24"),
         (("--gears", "7"), "read 7 gears, but 4 elements with 2 engaged give 6 gears at most"),
         (
-            ("--gears", "3", "--steps", "1.8:1.2"),
-            "--steps: read 1.8:1.2, expected two numbers from",
+            ("--gears", "3", "--step-ratios", "1.8:1.2"),
+            "--step-ratios: read 1.8:1.2, expected two numbers from",
         ),
         (("--ratios", 3, "--falling"), "say what --gears have"),
         ((), "Missing option '--ratios'"),

@@ -11,6 +11,14 @@ from click.core import ParameterSource
 
 from vstatics.core import readers
 from vstatics.core.cli.shared import documents, files
+from vstatics.core.cli.shared.command import (
+    CALCULATION,
+    INPUT,
+    MESSAGES,
+    OUTPUT,
+    RenamedOption,
+    under,
+)
 from vstatics.core.cli.shared.documents import DocumentOfCase
 from vstatics.core.cli.shared.options import Command, completing, gathered
 from vstatics.core.cli.shared.patterns import expanded
@@ -41,63 +49,93 @@ argument, optional_argument = (
     for required in (True, False)
 )
 """Arguments for one or more cases, and for any number of cases; patterns are expanded."""
-files_from = click.option(
-    "--files-from",
-    type=click.Path(),
-    metavar="FILE",
-    help="More cases: one a line, # begins a comment; or ended by NUL; - is standard input.",
+files_from = under(
+    INPUT,
+    click.option(
+        "--files-from",
+        type=click.Path(),
+        metavar="FILE",
+        help="File with names of further cases; - is standard input. Give one name "
+        "per line, where # begins a comment, or separate the names by NUL characters.",
+    ),
 )
-input_format = click.option(
-    "--from",
-    "input_format",
-    type=click.Choice(list(readers.READERS)),
-    help="Format of the input; else told by the suffix, then by the content.",
+input_format = under(
+    INPUT,
+    click.option(
+        "--from",
+        "input_format",
+        type=click.Choice(list(readers.READERS)),
+        help="Format of the input.  [default: by the suffix, then by the content]",
+    ),
 )
-coast = click.option(
-    "--coast/--drive",
-    default=None,
-    help="Power enters at the output (engine braking), or at the input; else as the case says.",
+coast = under(
+    CALCULATION,
+    click.option(
+        "--coast/--drive",
+        default=None,
+        help="Side at which power enters: the output (engine braking), or the input.  [default: "
+        "as in the case]",
+    ),
 )
-idle = click.option(
-    "--idle",
-    type=click.Choice(get_args(IdleConvention)),
-    help="Sign of idle mechanisms; else as the case says.",
+idle = under(
+    CALCULATION,
+    click.option(
+        "--unloaded",
+        "idle",
+        cls=RenamedOption,
+        former=["--idle"],
+        type=click.Choice(get_args(IdleConvention)),
+        help="Sign of the power of unloaded mechanisms.  [default: as in the case]",
+    ),
 )
-quiet = click.option(
-    "-q",
-    "--quiet",
-    is_flag=True,
-    help="Errors only: no warnings, notes, progress; no count where all is well.",
+quiet = under(
+    MESSAGES,
+    click.option(
+        "-q",
+        "--quiet",
+        is_flag=True,
+        help="Print errors only: no warnings, notes or progress.",
+    ),
 )
-strict = click.option(
-    "--strict", is_flag=True, help="Warnings make the exit status 1, too; notes do not."
+strict = under(
+    MESSAGES,
+    click.option("--strict", is_flag=True, help="Exit with status 1 if there is a warning."),
 )
-allow = click.option(
-    "--allow",
-    multiple=True,
-    metavar="ID",
-    callback=value(allowable),
-    shell_complete=completing(causes_of_allowable),
-    help="Warnings or notes that are not told, as W201 or W201,N318; may be given several times.",
+allow = under(
+    MESSAGES,
+    click.option(
+        "--allow",
+        multiple=True,
+        metavar="ID,...",
+        callback=value(allowable),
+        shell_complete=completing(causes_of_allowable),
+        help="Suppress these warnings and notes, such as W201,N318. Repeatable.",
+    ),
 )
-limit = click.option(
-    "--limit",
-    type=float,
-    callback=value(above_0),
-    metavar="SECONDS",
-    help="So long a run may take by the clock; then it stops, with what it has.",
+limit = under(
+    CALCULATION,
+    click.option(
+        "--limit",
+        type=float,
+        callback=value(above_0),
+        metavar="SECONDS",
+        help="Stop each simulation after SECONDS of wall-clock time and keep the results so far.",
+    ),
 )
 """Option that limits the computing time of a simulation."""
-some_gears = click.option(
-    "--gear",
-    "gears",
-    multiple=True,
-    metavar="G",
-    help="This gear only, by its name, or the third by '#3'; may be given several times.",
+some_gears = under(
+    INPUT,
+    click.option(
+        "--gear",
+        "gears",
+        multiple=True,
+        metavar="G",
+        help="Gear to show, by its name, or by its number as '#3'. Repeatable.  [default: all]",
+    ),
 )
 
 
-class RequiredUnless(click.Option):
+class RequiredUnless(RenamedOption):
     """Option that is required unless a second option is given."""
 
     def __init__(self, *names: Any, unless: str = "", **named: Any) -> None:
@@ -122,7 +160,7 @@ class RequiredUnless(click.Option):
             this, that = (
                 f"{option.opts[-1]} {option.metavar or ''}".rstrip() for option in (self, other)
             )
-            message = f"Expected {this}, or {that} in its place."
+            message = f"Expected {this}, or {that} instead."
             raise click.MissingParameter(message, ctx, self) from None
 
     def _other(self, ctx: click.Context) -> click.Option | None:
@@ -139,26 +177,36 @@ class RequiredUnless(click.Option):
 
 def required_output(says: str, unless: str = "") -> Callable[[Command], Command]:
     """Return the option of an output file, required unless `unless` is given."""
-    return click.option(
-        "-o",
-        "--output",
-        type=click.Path(),
-        required=True,
-        metavar="FILE",
-        help=says,
-        cls=RequiredUnless,
-        unless=unless,
+    return under(
+        OUTPUT,
+        click.option(
+            "-o",
+            "--output",
+            type=click.Path(),
+            required=True,
+            metavar="FILE",
+            help=says,
+            cls=RequiredUnless,
+            unless=unless,
+        ),
     )
+
+
+WORDS = "headings and words; names and messages stay as they are"
+"""Help of --lang of commands that print tables."""
 
 
 def language(of: str, *more: str) -> Callable[[Command], Command]:
     """Return the option --lang for the language of `of`, with further choices `more`."""
-    return click.option(
-        "--lang",
-        type=click.Choice([*get_args(Language), *more]),
-        default="en",
-        show_default=True,
-        help=f"Language of {of}.",
+    return under(
+        OUTPUT,
+        click.option(
+            "--lang",
+            type=click.Choice([*get_args(Language), *more]),
+            default="en",
+            show_default=True,
+            help=f"Language of {of}.",
+        ),
     )
 
 

@@ -10,6 +10,7 @@ from typing import Literal, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import OUTPUT, under
 from vstatics.core.cli.shared.options import Command, gathered, refuse
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.extras import missing
@@ -167,35 +168,49 @@ def each_by_itself(
     return to
 
 
-raw = click.option(
-    "--raw", is_flag=True, help="CSV without an apostrophe before = + - @ that begin a text."
+raw = under(
+    OUTPUT,
+    click.option(
+        "--raw",
+        is_flag=True,
+        help="Omit the apostrophe that keeps a spreadsheet from reading a text in CSV as a "
+        "formula.",
+    ),
 )
-digits = click.option(
-    "--digits",
-    type=click.IntRange(1, 15),
-    metavar="N",
-    help="Digits after the point, in what people read; JSON and CSV have all.",
+digits = under(
+    OUTPUT,
+    click.option(
+        "--digits",
+        type=click.IntRange(1, 15),
+        metavar="N",
+        help="Number of decimals in text. JSON and CSV have all digits.",
+    ),
 )
+WHOLE_OUTPUT = "Output file, written completely or not at all."
+"""Help of an option for a file that is replaced only when the new content is complete."""
+OF_SEVERAL_CASES = (
+    f"{WHOLE_OUTPUT} With several cases: a directory, or one file if the name has a suffix."
+)
+"""Help of the option -o of commands that take several cases."""
 
 
-def options(*formats: str, says: str = "Format of the output") -> Callable[[Command], Command]:
+def options(
+    *formats: str, says: str = "Format of the output", output_help: str = WHOLE_OUTPUT
+) -> Callable[[Command], Command]:
     """Return the decorator of -f, -o, --digits and --raw; the command gets `wanted`."""
     return gathered(
         "wanted",
         partial(OutputOptions, formats),
-        click.option(
-            "-f",
-            "--format",
-            "form",
-            type=click.Choice(formats),
-            help=f"{says}; else told by the suffix of -o, else {formats[0]}.",
+        under(
+            OUTPUT,
+            click.option(
+                "-f",
+                "--format",
+                "form",
+                type=click.Choice(formats),
+                help=f"{says}.  [default: by the suffix of -o, else {formats[0]}]",
+            ),
+            click.option("-o", "--output", type=click.Path(), help=output_help),
+            gathered("style", TextStyle, digits, raw),
         ),
-        click.option(
-            "-o",
-            "--output",
-            type=click.Path(),
-            help="Write to this file, whole or not at all; several cases to this directory, "
-            "or with a suffix to one file.",
-        ),
-        gathered("style", TextStyle, digits, raw),
     )

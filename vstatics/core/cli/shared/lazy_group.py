@@ -13,7 +13,7 @@ from vstatics.core.errors import quoted
 from vstatics.core.suggestions import nearest
 
 Modules = Mapping[str, tuple[str, str]]
-"""Module and summary of each command; the module has a function with the name of the command."""
+"""Module and summary of each command; the module defines the command as `NAME_command`."""
 
 
 class LazyGroup(click.Group):
@@ -38,7 +38,7 @@ class LazyGroup(click.Group):
         module = self.module(cmd_name)
         if not module:
             return None
-        command: click.Command = getattr(import_module(module), cmd_name)
+        command: click.Command = getattr(import_module(module), f"{cmd_name}_command")
         return command
 
     def resolve_command(

@@ -330,7 +330,7 @@ def _depends(job: Job) -> dict[str, object]:
         "command": job.command,
         "--from": job.options.input_format,
         "--coast": job.options.coast,
-        "--idle": job.options.idle,
+        "--unloaded": job.options.idle,
         "--strict": job.options.telling.strict,  # decides whether a result with warnings is done
         "--allow": sorted(set(job.options.telling.allow)) or None,
         "--lang": style.lang if job.to.is_text else None,

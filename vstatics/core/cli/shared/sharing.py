@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.command import PROCESSING, under
 from vstatics.core.cli.shared.exit_status import FAILED, stopped_by
 from vstatics.core.cli.shared.options import Command, Option, gathered
 from vstatics.core.errors import CaseError
@@ -20,7 +21,13 @@ if TYPE_CHECKING:
     from vstatics.core.jobs.finished_cases import Description
     from vstatics.core.jobs.finished_pieces import FinishedPieces
 
-JOBS = click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [default: all cores]")
+JOBS = click.option(
+    "-j",
+    "--jobs",
+    type=click.IntRange(1),
+    metavar="N",
+    help="Number of worker processes.  [default: number of cores]",
+)
 
 
 class Sharing(NamedTuple):
@@ -142,10 +149,15 @@ def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Com
     return gathered(
         "sharing",
         Sharing,
-        jobs,
-        click.option(
-            "--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://HOST:8786."
+        under(
+            PROCESSING,
+            jobs,
+            click.option(
+                "--scheduler",
+                metavar="ADDRESS",
+                help="Address of a Dask scheduler, such as tcp://HOST:8786.",
+            ),
+            *between,
+            click.option("--resume", is_flag=True, help=f"Resume {resumed}."),
         ),
-        *between,
-        click.option("--resume", is_flag=True, help=f"Go on with {resumed}."),
     )

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from types import MappingProxyType
 from typing import TypeVar
 
 import click
@@ -241,8 +242,12 @@ def named(
 
 
 @contextmanager
-def wrong_use(options: Sequence[str]) -> Iterator[None]:
+def wrong_use(
+    options: Sequence[str], spelled: Mapping[str, str] = MappingProxyType({})
+) -> Iterator[None]:
     """Report problems whose path begins with the name of an option as wrong use.
+
+    `spelled` contains the names on the command line that differ from those names.
 
     Raises
     ------
@@ -258,8 +263,10 @@ def wrong_use(options: Sequence[str]) -> Iterator[None]:
         ]
         if not of_options:
             raise
+        names = [str(problem.path[0]) for problem in of_options]
         lines = [
-            f"Invalid value for --{problem.path[0]}: {problem.message}" for problem in of_options
+            f"Invalid value for --{spelled.get(name, name)}: {problem.message}"
+            for name, problem in zip(names, of_options, strict=True)
         ]
         raise click.UsageError("\n".join(lines)) from None
 

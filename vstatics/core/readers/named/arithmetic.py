@@ -25,6 +25,7 @@ DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
 """Calculation, percentage or ratio of two numbers, as a pattern for a JSON Schema."""
 
 _GROUPED = re.compile(r"(?<![0-9.])[1-9][0-9]{0,2}( [0-9]{3})+(?![0-9])")
+_PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
 _SIGN = re.compile(r" *([-+])")
@@ -34,6 +35,10 @@ _BINDING = tuple(
     re.compile(rf" *([{signs}])(?= *[-+]? *[.0-9(])")
     for signs in ("-+", "*/")
 )
+
+
+class UnitError(ValueError):
+    """Error of the unit of a number that can be read."""
 
 
 class LeadingNumber(NamedTuple):
@@ -101,15 +106,17 @@ def expected(text: str) -> str:
 
 
 def slip(text: str) -> str:
-    """Return a hint for a number in typographic notation, or an empty text.
+    """Return a hint for a number in typographic or verbal notation, or an empty text.
 
     >>> slip("1,5"), slip("\u22122.6"), slip("x")
-    (' (with a decimal point)', ' (with `-` in place of `\u2212`)', '')
+    (' (with a decimal point)', ' (with `-` instead of `\u2212`)', '')
     """
     if "," in text:
         return " (with a decimal point)"
     if grouped := _GROUPED.search(with_plain_blanks(text)):
         return f" (digits without blanks: {grouped[0].replace(' ', '')})"
+    if _PERCENT.search(text):
+        return " (write `%`, or 0.97 for 97 %)"
     return dash_hint(text)
 
 

@@ -7,7 +7,14 @@ from typing import Any, Protocol
 
 from vstatics.core.errors import ReadError, quoted, spoken
 from vstatics.core.model.shape import ByForm, ByPoints, KeyShape, OneOrMany, Parsed, RowOf, Shape
+from vstatics.core.readers.named.arithmetic import UnitError
 from vstatics.core.readers.named.nodes import (
+    NAME,
+    NUMBER,
+    SHAPE,
+    TWICE,
+    UNIT,
+    UNKNOWN_KEY,
     Listing,
     Mapping,
     Node,
@@ -18,6 +25,7 @@ from vstatics.core.readers.named.nodes import (
     length,
     shown,
 )
+from vstatics.core.readers.named.references import UnknownNameError
 
 NO_MERGE = "merge key `<<` is not taken, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
@@ -29,13 +37,13 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
     seen: dict[str, Scalar] = {}
     for key, value in spot.node.entries:
         if is_merge(key):
-            spots.complain(spot, NO_MERGE, key)
+            spots.complain(spot, NO_MERGE, key, UNKNOWN_KEY)
         elif is_null(key) or not key.text:
-            spots.complain(spot, "an empty key, expected a name", key)
+            spots.complain(spot, "an empty key, expected a name", key, UNKNOWN_KEY)
         elif key.text in seen:
             first = seen[key.text]
             other = f"the first is on line {first.line}, column {first.column}"
-            spots.complain(spot, f"key `{shown(key.text)}` is given twice, {other}", key, "E192")
+            spots.complain(spot, f"key `{shown(key.text)}` is given twice, {other}", key, TWICE)
         else:
             seen[key.text] = key
             yield key, value
@@ -55,7 +63,7 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
             expected = hint or f", expected {spoken(map(quoted, known))}"
             if key.text.isdigit():
                 expected = f"; {NO_COMMA}"
-            spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key, "E190")
+            spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key, UNKNOWN_KEY)
             meant.update((name, value) for name in known if f"`{name}`" in hint)
         elif known[key.text].required or not is_null(value):
             given[key.text] = value
@@ -65,6 +73,17 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
 def is_merge(key: Scalar) -> bool:
     """Check whether a key is `<<`, by which YAML merges mappings."""
     return key.plain and key.text == "<<"
+
+
+def id_of(error: ValueError) -> str:
+    """Return the id of the error of a single value.
+
+    >>> id_of(UnknownNameError()), id_of(UnitError()), id_of(ValueError())
+    ('E126', 'E124', 'E125')
+    """
+    if isinstance(error, UnknownNameError):
+        return NAME
+    return UNIT if isinstance(error, UnitError) else NUMBER
 
 
 class ReadsShapes(Protocol):
@@ -78,7 +97,9 @@ class ReadsShapes(Protocol):
     def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
         """Read the items of a list of a single shape."""
 
-    def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
+    def refuse(
+        self, spot: Spot, shape: Shape, expected: object, read: str = "", identity: str = SHAPE
+    ) -> Any:
         """Report an unreadable value, and return a stand-in."""
 
 
@@ -115,11 +136,12 @@ def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
     except ReadError as error:
         for problem in error.problems:
             offset = problem.place.column - 1 if problem.place else 0
-            walk.spots.complain(spot, problem.message, _moved_by(walk, node, offset))
+            moved = _moved_by(walk, node, offset)
+            walk.spots.complain(spot, problem.message, moved, problem.id)
         walk.spots.unreadable.append(spot.path)
         return shape.stand_in
     except ValueError as error:
-        return walk.refuse(spot, shape, error)
+        return walk.refuse(spot, shape, error, identity=id_of(error))
 
 
 def _moved_by(walk: ReadsShapes, node: Scalar, offset: int) -> Scalar:

@@ -39,9 +39,9 @@ def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
         points = points_of(path)
     except OSError as error:
         why = error.strerror or str(error)
-        return walk.refuse(spot, shape, f"which can't be read: {why}", quoted(name))
+        return walk.refuse(spot, shape, f"which cannot be read: {why}", quoted(name), "E006")
     except ValueError as error:
-        return walk.refuse(spot, shape, error, quoted(name))
+        return walk.refuse(spot, shape, error, quoted(name), "E121")
     law = PointLaw(points)
     law.file = path
     return law

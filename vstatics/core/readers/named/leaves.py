@@ -69,7 +69,7 @@ def _drag(text: str) -> float:
         return units.relative(text, "torque")
     except ValueError as error:
         if not _FORMULA.search(text):
-            raise ValueError(
+            raise type(error)(
                 f"{error}; a formula of the speed `w` is allowed too, such as `1 + 0.01*w`"
             ) from None
     from vstatics.core.readers.named.drag_formulas import read_drag_formula  # costs start-up time

@@ -21,6 +21,11 @@ from vstatics.core.suggestions import nearest
 MOST_DEEP = 16
 MOST_PROBLEMS = 100
 MOST_HINTS = 20  # each hint compares a word with all known names
+UNIT, NUMBER, NAME, SHAPE, CONTRADICTION = "E124", "E125", "E126", "E127", "E107"
+"""Ids of wrong values: a unit, a number, an unknown name or word, a list or mapping that was
+expected, and keys that contradict each other."""
+TWICE, MISSING, UNKNOWN_KEY = "E192", "E191", "E190"
+"""Ids of wrong keys."""
 _NULLS = frozenset({"", "~", "null", "Null", "NULL"})
 BYTE_ORDER_MARKS = (  # UTF-32 first, as its little-endian mark begins with the mark of UTF-16
     (codecs.BOM_UTF32_LE, "utf-32", "utf-32-le"),
@@ -82,7 +87,7 @@ class DocumentText:
         return line, offset - self._starts[line - 1] + 1
 
     def add(
-        self, message: str, line: int, column: int, path: Path = (), identity: str = "E107"
+        self, message: str, line: int, column: int, path: Path = (), identity: str = SHAPE
     ) -> None:
         """Add an error; stop if there are too many."""
         self.problems.append(Problem(identity, message, path, self.source.place(line, column)))
@@ -228,16 +233,16 @@ class Spots:
         return [key.text for key, _ in node.entries] if isinstance(node, Mapping) else []
 
     def complain(
-        self, spot: Spot, message: str, node: Node | None = None, identity: str = "E107"
+        self, spot: Spot, message: str, node: Node | None = None, identity: str = SHAPE
     ) -> None:
         """Add an error at a spot, or at a `node` of the spot."""
         at = node or spot.node
         text = f"{spot.label}: {message}" if spot.label else message
         self.document.add(text, at.line, at.column, spot.path, identity)
 
-    def refuse(self, spot: Spot, message: str) -> None:
+    def refuse(self, spot: Spot, message: str, identity: str = SHAPE) -> None:
         """Add an error at an unreadable spot."""
-        self.complain(spot, message)
+        self.complain(spot, message, identity=identity)
         self.unreadable.append(spot.path)
 
     def tell(self, path: Path, message: str) -> None:
@@ -247,7 +252,7 @@ class Spots:
 
     def missing(self, spot: Spot, key: str) -> None:
         """Add an error for a missing key, at the start of the record."""
-        self.complain(self._spots[spot.path], f"`{key}` is missing", identity="E191")
+        self.complain(self._spots[spot.path], f"`{key}` is missing", identity=MISSING)
         self.unreadable.append((*spot.path, key))
 
     def place(self, path: Path) -> Place:

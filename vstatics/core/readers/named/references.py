@@ -21,6 +21,10 @@ _MOST_FACTORS = 100
 _HOUSING = ("0", "housing")
 
 
+class UnknownNameError(ValueError):
+    """Error of a name or number of a link or component that a document does not have."""
+
+
 class References:
     """Numbers of links and shift elements by the names in a document.
 
@@ -76,7 +80,7 @@ class References:
         if text in numbers:
             return numbers[text]
         article = "an" if kind == "elastic device" else "a"
-        raise ValueError(f"expected the name of {article} {kind}{self._known(text, numbers)}")
+        raise UnknownNameError(f"expected the name of {article} {kind}{self._known(text, numbers)}")
 
     def link(self, text: str) -> int:
         """Return the number of a link: 0 for the housing, `NO_LINK` if no links are known.
@@ -92,14 +96,14 @@ class References:
             if text in self._link_numbers:
                 return self._link_numbers[text]
             known = self._known(text, [*self.link_names, "housing"])
-            raise ValueError(f"expected the name of a link or `housing`{known}")
+            raise UnknownNameError(f"expected the name of a link or `housing`{known}")
         number = scalars.link_number(text)
         if number is not None and (number <= self._links or not self.links_known):
             return number
         if not self.links_known:
             return NO_LINK
         hint = self._document.hint(text, ["housing"])
-        raise ValueError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
+        raise UnknownNameError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
 
     def speed_of(self, text: str) -> SpeedOf | None:
         """Return the speed of a link, as `FL`, `1.05*FL` or `1.05*link 3`, or `None`.
@@ -126,7 +130,7 @@ class References:
         if self.links_known and behind.startswith("*") and not unit(behind)[0]:
             link = "the name of a link" if self.link_names else "`link` and its number"
             known = self._known(behind[1:].strip(), self.link_names) if self.link_names else ""
-            raise ValueError(f"expected {link} behind the `*`{known}")
+            raise UnknownNameError(f"expected {link} behind the `*`{known}")
         return None
 
     def _number(self, link: str) -> int | None:
@@ -151,9 +155,9 @@ class References:
         if not self.elements_known:
             return NO_ELEMENT
         if not numbers:
-            raise ValueError("but there are no shift elements")
+            raise UnknownNameError("but there are no shift elements")
         known = self._known(text, numbers)
-        raise ValueError(f"expected the name of a shift element{known}")
+        raise UnknownNameError(f"expected the name of a shift element{known}")
 
     def _known(self, text: str, names: Collection[str]) -> str:
         """Return a hint with the nearest name, or a short list of all names."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vstatics.core.errors import spoken
 from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
-from vstatics.core.readers.named.arithmetic import ARITHMETIC, calculated, slip
+from vstatics.core.readers.named.arithmetic import ARITHMETIC, UnitError, calculated, slip
 from vstatics.core.readers.named.units import (
     LONGEST_UNIT,
     Quantity,
@@ -132,8 +132,8 @@ def measured(text: str, measure: Measure) -> float:
             return value
     other = {forms[0]: kind for kind, forms in _dimensions().items()}.get(dimension)
     if other:
-        raise ValueError(f"{in_unit}; this is {with_article(other)}")
-    raise ValueError(in_unit + (slip(text) or usual(behind, _QUANTITIES.get(measure))))
+        raise UnitError(f"{in_unit}; this is {with_article(other)}")
+    raise UnitError(in_unit + (slip(text) or usual(behind, _QUANTITIES.get(measure))))
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
@@ -158,7 +158,7 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
             fault = str(error) if len(measures) == 1 else fault
             continue
         return InUnit(value, measure if calculated(text).behind else None)
-    raise ValueError(fault)
+    raise UnitError(fault) if has_digits(text) else ValueError(fault)
 
 
 def of_either(text: str, measure: Measure) -> InUnit:

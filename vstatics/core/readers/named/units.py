@@ -9,6 +9,7 @@ from typing import Literal, Self
 from vstatics.core.model.shape import UNITS
 from vstatics.core.readers.named.arithmetic import (
     ARITHMETIC,
+    UnitError,
     calculated,
     dimensionless,
     expected,
@@ -193,9 +194,8 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     measure, size = unit(behind)
     if measure != kind:
         other = f"; this is a {measure}" if measure else slip(text) or usual(behind, kind)
-        raise ValueError(
-            f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{or_else}{other}"
-        )
+        error = UnitError if has_digits(text) else ValueError
+        raise error(f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{or_else}{other}")
     value = number * size
     if not math.isfinite(value):
         raise ValueError(f"expected a {kind} that is not so large")

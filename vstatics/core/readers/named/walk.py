@@ -45,6 +45,13 @@ from vstatics.core.readers.named.compounds import (
 )
 from vstatics.core.readers.named.leaves import LEAVES, either_way, stand_in, values_before
 from vstatics.core.readers.named.nodes import (
+    CONTRADICTION,
+    MISSING,
+    NAME,
+    NUMBER,
+    SHAPE,
+    TWICE,
+    UNKNOWN_KEY,
     Listing,
     Mapping,
     Node,
@@ -99,9 +106,11 @@ class Walk:
         """Read the items of a list of a single shape."""
         return [self.read(spot.item(n, n, node), shape) for n, node in enumerate(nodes, 1)]
 
-    def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
+    def refuse(
+        self, spot: Spot, shape: Shape, expected: object, read: str = "", identity: str = SHAPE
+    ) -> Any:
         """Report an unreadable value, and return a stand-in."""
-        self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}")
+        self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}", identity)
         return stand_in(shape)
 
     def _by_key(self, spot: Spot, shape: ByKey) -> Any:
@@ -122,7 +131,7 @@ class Walk:
             elif key.required:
                 del values[key.name]
         if fault := shape.fault(**values):
-            self.spots.refuse(spot, fault)
+            self.spots.refuse(spot, fault, CONTRADICTION)
             return stand_in(shape)
         return shape.make(**values)
 
@@ -154,7 +163,7 @@ class Walk:
         try:
             links = scalars.link_number(node.text) if isinstance(node, Scalar) else None
         except ValueError as error:
-            return self.refuse(spot, shape, error)
+            return self.refuse(spot, shape, error, identity=NUMBER)
         if links is None:
             return self.refuse(spot, shape, "expected the number of links or a list of their names")
         self.references.set_links(links)
@@ -217,12 +226,12 @@ class Walk:
             try:
                 place = refer(key.text)
             except ValueError as error:
-                self.spots.complain(spot, f"read {what(key)}, {error}", key)
+                self.spots.complain(spot, f"read {what(key)}, {error}", key, NAME)
                 place = unknown
             inner = spot.key(place, key.text, value)
             self.spots.keep(inner, key)
             if place in values:
-                self.spots.complain(inner, f"{shape.by} {place} is given twice", key)
+                self.spots.complain(inner, f"{shape.by} {place} is given twice", key, TWICE)
             number = self.read(inner, shape.item)
             if place != unknown:
                 values[place] = number
@@ -234,7 +243,8 @@ class Walk:
         """Report a key that is the end of a decimal number, as in `{a: 0,2 kg*m^2, b: 5}`."""
         if not (is_null(value) and key.text.partition(" ")[0].isdigit()):
             return False
-        self.spots.complain(spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key)
+        message = f"read {what(key)} without a value; in a number, {NO_COMMA}"
+        self.spots.complain(spot, message, key, NUMBER)
         return True
 
     def _shares(self, spot: Spot, shape: Shares) -> Any:
@@ -249,7 +259,7 @@ class Walk:
                 path=(*spot.path, key.text), label=f"gear {shown(key.text)}", node=value
             )
             if key.text in shares:
-                self.spots.complain(spot, f"{gear.label} is given twice", key)
+                self.spots.complain(spot, f"{gear.label} is given twice", key, TWICE)
             self.spots.keep(gear, key)
             shares[key.text] = self.read(gear, Leaf("share"))
         return shares
@@ -278,7 +288,8 @@ class Walk:
             merged = next((key for key, _ in node.entries if is_merge(key)), None)
             kinds = spoken(map(quoted, known), "or")
             missing = f"{quoted(shape.key)} is missing; expected one of {kinds}"
-            self.spots.complain(spot, NO_MERGE if merged else missing, merged)
+            message, identity = (NO_MERGE, UNKNOWN_KEY) if merged else (missing, MISSING)
+            self.spots.complain(spot, message, merged, identity)
             self.spots.unreadable.append(spot.path)
             return {}
         kind = self.read(spot.key(shape.key, shape.key, given[0]), Leaf("choice", known))
@@ -293,7 +304,8 @@ class Walk:
         try:
             value = self._scalar(node, shape)
         except ValueError as error:
-            return self.refuse(spot, shape, error)
+            identity = NAME if shape.kind in ("choice", "flag") else compounds.id_of(error)
+            return self.refuse(spot, shape, error, identity=identity)
         if value == stand_in(shape) and shape.kind in ("link", "element"):
             self.spots.unreadable.append(spot.path)
         return value

@@ -126,7 +126,7 @@ class _Builder:
         tag = getattr(event, "tag", None)
         if tag and tag not in _TAGS[type(node)]:
             message = f"tag {shown(tag.replace(_STANDARD, '!!'))} is not taken, expected none"
-            self.document.add(message, line, column)
+            self.document.add(message, line, column, identity="E108")
         if anchor:
             self.anchors[anchor] = node, self.values - before
         return node

@@ -10,6 +10,7 @@ import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats
+from vstatics.core.cli.shared.command import PROCESSING, command, under
 from vstatics.core.cli.shared.estimates import CommandEstimate, about, duration_text
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
@@ -24,14 +25,21 @@ LOADING_SECONDS = 5.0
 """Time above which machine code was compiled, not just loaded from the cache. [s]"""
 
 
-@click.command()
+@command
 @options
 @formats.options(*formats.TABLES)
-@shared("a search into -o that was stopped")
-@click.option("--complete", is_flag=True, help="Fail if there may be boxes that are not found.")
-@click.option("--dry-run", is_flag=True, help="Only about how many boxes, and how long.")
+@shared("a stopped search with -o")
+@under(
+    PROCESSING,
+    click.option(
+        "--complete", is_flag=True, help="Exit with status 1 if gearboxes can be missing."
+    ),
+    click.option(
+        "--dry-run", is_flag=True, help="Print only estimates of the number of gearboxes and time."
+    ),
+)
 @arguments.quiet
-def box(
+def box_command(
     asked: BoxAsked,
     wanted: OutputOptions,
     sharing: Sharing,
@@ -39,33 +47,36 @@ def box(
     dry_run: bool,
     quiet: bool,
 ) -> int:
-    """Find all gearboxes of N planetary sets and M shift elements with wanted ratios.
+    """Find all gearboxes of N planetary gear sets and M shift elements for wanted ratios.
 
-    All schemes of the sets are tried with all inputs and outputs, and with all choices of
-    brakes (of links but input and output) and clutches (between any two links). A box is
-    found where ratios of its sets leave no gear further from the wanted one than the
-    tolerance. Found boxes are told by mean loss of the forward gears; boxes with equal ratios
-    in all gears are one family, and none of these is the best by its ratios.
+    All structures of the gear sets are tried with all inputs and outputs, all brakes on
+    links other than input and output, and all clutches between two links. A gearbox is
+    found if ratios of its gear sets exist with which every gear is within the tolerance.
+    The gearboxes are listed by the mean loss of their forward gears. Gearboxes with equal
+    ratios in all gears are a family.
 
-    -o DIR writes all of them as cases, each with a stick diagram, and tables, and a page; of
-    an earlier search there it replaces all files, and refuses if one has been edited since.
+    -o DIR writes each gearbox as a case with its stick diagram, and tables and a page for
+    all. Files of an earlier search in DIR are replaced, unless you have edited one.
 
     \b
     Examples:
-      vstatics synth box --sets 2 --elements 4 --engaged 2 --own-input
-                --ratios 2.45,1.45,1,-2.2
-      vstatics synth box --sets 4 --elements 5 --engaged 3 --tolerance .005
-                --ratios 4.70,3.13,2.10,1.67,1.28,1,.84,.67,-3.30 -o found/
-      vstatics synth box --sets 3 --meshed 1 --fixed 1 --elements 5 --engaged 2
-                --ratios 4.17,2.34,1.52,1.14,.87,.69,-3.4 --limit torque=4 -f json
+      vstatics synth box --sets 2 --shift-elements 4 --engaged 2 --own-input \\
+          --ratios 2.45,1.45,1,-2.2
+      vstatics synth box --sets 2 --shift-elements 4 --engaged 2 --own-input \\
+          --ratios 2.45,1.45,1,-2.2 --limit torque=4 -o found/
+      vstatics synth box --sets 4 --shift-elements 5 --engaged 3 \\
+          --ratios 4.70,3.13,2.10,1.67,1.28,1,0.84,0.67,-3.30 \\
+          --tolerance 0.005 --dry-run
+
+    During the search, finished pieces are kept in DIR.parts or FILE.parts; --resume
+    continues from them, also with other options of the selection.
+
+    The search needs numba and networkx, pip install ".[boxes]" in the folder of the source;
+    diagrams also need matplotlib, ".[boxes,plot]".
 
     \b
-    While it runs, finished pieces lie in DIR.parts or FILE.parts; --resume takes
-    them up after an interruption, also with other filters.
-    Needs numba and networkx: pip install "vstatics[boxes]". The diagrams of -o DIR
-    need matplotlib: "vstatics[boxes,plot]".
-    Exit status: 0 done; 1 no box is found, not finished, or not --complete; 2 wrong use;
-    130 or 143 stopped by Ctrl-C or SIGTERM.
+    Exit status 1: no gearbox is found, the search is not finished, or gearboxes
+    can be missing with --complete.
     """
     try:
         require("boxes", "synth box")

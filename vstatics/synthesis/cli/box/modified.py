@@ -15,6 +15,14 @@ from vstatics.synthesis.boxes.box import MOST_ELEMENTS, BoxSearch
 
 OF_CASE = ("sets", "engaged", "meshed", "own_input", "own_output", "shafts", "fixed")
 """Fields of a search that follow from the case, so their options are refused."""
+SPELLED = {
+    "elements": "shift-elements",
+    "meshed": "double-pinion",
+    "own_input": "own-input",
+    "own_output": "own-output",
+    "steps": "step-ratios",
+}
+"""Names of options that differ from the names of arguments."""
 
 
 def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> BoxSearch:
@@ -40,8 +48,8 @@ def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> Bo
 
     for name in OF_CASE:
         if getattr(search, name):
-            option = name.replace("_", "-")
-            raise click.UsageError(f"--{option} is told by the case of --keep: expected it alone")
+            option = SPELLED.get(name, name)
+            raise click.UsageError(f"--{option} follows from the case of --keep: expected it alone")
     data, file = files.read_input(case)
     reading = read_data(data, file, None, Telling())
     try:
@@ -54,16 +62,16 @@ def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> Bo
 
 
 def free_parts(texts: Sequence[str]) -> dict[str, int]:
-    """Read the largest number of parts that a box can lack, by kind: only `elements`.
+    """Read the largest number of parts that a box can lack, by kind: only shift elements.
 
-    >>> free_parts(["elements=2"])
-    {'elements': 2}
+    >>> free_parts(["shift-elements=2"]), free_parts(["elements=1"])
+    ({'elements': 2}, {'elements': 1})
     """
-    counts = named("elements=N", _count)(texts)
+    counts = named("shift-elements=N", _count)(texts)
     for name in counts:
-        if name != "elements":
-            raise ValueError(f"read {quoted(name)}, expected elements=N")
-    return counts
+        if name not in ("shift-elements", "elements"):
+            raise ValueError(f"read {quoted(name)}, expected shift-elements=N")
+    return {"elements": max(counts.values())} if counts else {}
 
 
 def _count(text: str) -> int:

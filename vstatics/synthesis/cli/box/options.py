@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared.cases import RequiredUnless
+from vstatics.core.cli.shared.command import RenamedOption
 from vstatics.core.cli.shared.options import Option, gathered, refuse
 from vstatics.core.cli.shared.values import (
     each,
@@ -26,7 +27,7 @@ from vstatics.core.readers.named.scalars import number
 from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, check_box_search
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO, BoxOrder, no_figure
 from vstatics.synthesis.boxes.figures.by_gear import check_search_weights
-from vstatics.synthesis.cli.box.modified import free_parts, kept_box_search
+from vstatics.synthesis.cli.box.modified import SPELLED, free_parts, kept_box_search
 from vstatics.synthesis.cli.box.ratios import (
     WantedGears,
     wanted_gears,
@@ -89,11 +90,11 @@ def _asked(
     free: Mapping[str, int],
 ) -> BoxAsked:
     search = search._replace(**gears._asdict())
-    refuse((free and keep is None, "--free says what of --keep CASE may be missing: expected it"))
+    refuse((free and keep is None, "--free applies to the case of --keep: expected --keep CASE"))
     if keep is not None:
         search = kept_box_search(search, keep, free)
     names = ("ratios", "gears", "spread", "steps", *BoxSearch._fields)
-    with wrong_use((*names, *BoxOrder._fields, "weights")):
+    with wrong_use((*names, *BoxOrder._fields, "weights"), SPELLED):
         check_box_search(search)
         order.check()
         check_search_weights(search, weights)
@@ -127,7 +128,7 @@ def _count(text: str, most: int) -> int:
         return 0
     count = typed_number(text, most)
     if count is None:
-        raise ValueError(f"expected a number from 0 to {most}, as there are so many elements")
+        raise ValueError(f"expected a number from 0 to {most}, the number of shift elements")
     return count
 
 
@@ -141,10 +142,12 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         raise ValueError(f"{message} {elements} elements together")
 
 
-def _count_option(name: str, metavar: str, text: str) -> Option:
+def _count_option(name: str, metavar: str, text: str, *former: str) -> Option:
     """Return the option of a count, required unless --keep gives the case."""
     return click.option(
+        f"--{SPELLED.get(name, name)}",
         name,
+        former=former,
         type=int,
         required=True,
         cls=RequiredUnless,
@@ -154,12 +157,21 @@ def _count_option(name: str, metavar: str, text: str) -> Option:
     )
 
 
-def _more_option(name: str, text: str) -> Option:
-    return click.option(name, type=int, default=0, metavar="K", help=text)
+def _more_option(name: str, text: str, *former: str) -> Option:
+    return click.option(
+        f"--{SPELLED.get(name, name)}",
+        name,
+        cls=RenamedOption,
+        former=former,
+        type=int,
+        default=0,
+        metavar="K",
+        help=text,
+    )
 
 
 def _own_option(port: str) -> Option:
-    text = f"The {port} is a shaft that only clutches join to the sets."
+    text = f"Make the {port} a separate shaft that only clutches connect to the gear sets."
     return click.option(f"--own-{port}", is_flag=True, help=text)
 
 
@@ -171,9 +183,9 @@ options = gathered(
     gathered(
         "search",
         partial(BoxSearch, targets=()),
-        _count_option("--sets", "N", "Planetary sets."),
-        _count_option("--elements", "M", "Brakes and clutches in all."),
-        _count_option("--engaged", "E", "So many of them are engaged in every gear."),
+        _count_option("sets", "N", "Number of planetary gear sets."),
+        _count_option("elements", "M", "Number of brakes and clutches.", "--elements"),
+        _count_option("engaged", "E", "Number of shift elements engaged in every gear."),
         gathered(
             "gears",
             wanted_gears,
@@ -186,7 +198,7 @@ options = gathered(
                 unless="gears_wanted",
                 callback=value(each(wanted_ratio), "--ratios"),
                 metavar="I,...",
-                help="Of each gear a ratio or a range, below 0 backward: 5.8:6.2,1,-4:-2.5.",
+                help="Wanted ratio or range of each gear, negative for reverse: 5.8:6.2,1,-4:-2.5.",
             ),
             click.option(
                 "--tolerance",
@@ -194,8 +206,8 @@ options = gathered(
                 default=[str(_TOLERANCE)],
                 callback=value(wanted_tolerances(_TOLERANCE), "--tolerance"),
                 metavar="T,...",
-                help="A box is found where all |ln(i/wanted)| can be no more: .01,1=.04,R=.2. "
-                " [default: .01]",
+                help="Largest |ln(i/wanted)| of all gears, or of one gear: 0.01,1=0.04,R=0.2.  "
+                "[default: 0.01]",
             ),
         ),
         gathered(
@@ -207,21 +219,26 @@ options = gathered(
                 is_eager=True,
                 callback=value(gear_counts, "--gears"),
                 metavar="A:B",
-                help="So many forward gears besides --ratios, whatever their ratios are.",
+                help="Number of further forward gears with any ratio: A, or from A to B.",
             ),
             click.option(
                 "--spread",
                 callback=value(ends, "--spread"),
                 metavar="LOW:HIGH",
-                help="Of --gears the first ratio over the last.",
+                help="Range of the spread of --gears: the first ratio divided by the last.",
             ),
             click.option(
-                "--steps",
-                callback=value(ends, "--steps"),
+                "--step-ratios",
+                "steps",
+                cls=RenamedOption,
+                former=["--steps"],
+                callback=value(ends, "--step-ratios"),
                 metavar="LOW:HIGH",
-                help="Of --gears each ratio over the next one.",
+                help="Range of the step ratios of --gears: each ratio divided by the next.",
             ),
-            click.option("--falling", is_flag=True, help="No step is larger than that below it."),
+            click.option(
+                "--falling", is_flag=True, help="Let no step ratio exceed the next lower one."
+            ),
         ),
         click.option(
             "--bounds",
@@ -229,30 +246,31 @@ options = gathered(
             show_default=True,
             callback=value(told(partial(pair, example="1.4:5")), "--bounds"),
             metavar="LOW:HIGH",
-            help="Ring teeth/sun teeth of each set.",
+            help="Range of ring teeth divided by sun teeth of each gear set.",
         ),
-        _more_option("--meshed", "So many sets have planets that mesh with each other."),
+        _more_option("meshed", "Number of double-pinion gear sets.", "--meshed"),
         _own_option("input"),
         _own_option("output"),
         _more_option(
-            "--shafts",
-            "So many further shafts no set has a member on; three elements or more join each.",
+            "shafts",
+            "Number of further shafts without gear-set members; each connects three or more shift "
+            "elements.",
         ),
-        _more_option("--fixed", "So many members of sets are held for good."),
+        _more_option("fixed", "Number of gear-set members that are always held."),
     ),
     click.option(
         "--keep",
         type=click.Path(),
         is_eager=True,
         metavar="CASE",
-        help="Boxes with the scheme, kinds of sets, ports and elements of a case.",
+        help="Case whose structure, gear sets, input, output and shift elements are kept.",
     ),
     click.option(
         "--free",
         multiple=True,
         callback=value(free_parts, "--free"),
-        metavar="elements=N",
-        help="So many of its elements may be missing.",
+        metavar="shift-elements=N",
+        help="Largest number of shift elements of that case that can be left out.",
     ),
     click.option(
         "--efficiency",
@@ -261,22 +279,31 @@ options = gathered(
         show_default=True,
         callback=value(_efficiency, "--efficiency"),
         metavar="ETA",
-        help="Of each set with its carrier held.",
+        help="Basic efficiency of each gear set, carrier held.",
     ),
     gathered(
         "figures",
         WantedFigures,
-        click.option("--single", is_flag=True, help="One element changes between neighbours."),
-        click.option("--planar", is_flag=True, help="No shafts need cross."),
-        click.option("--brakes", multiple=True, metavar="N,..", help="So many brakes: 2, or 2,3."),
-        click.option("--clutches", multiple=True, metavar="N,..", help="So many clutches."),
+        click.option(
+            "--single", is_flag=True, help="Change one shift element between neighbouring gears."
+        ),
+        click.option(
+            "--planar", is_flag=True, help="Require a stick diagram without crossing shafts."
+        ),
+        click.option(
+            "--brakes", multiple=True, metavar="N,..", help="Allowed numbers of brakes: 2, or 2,3."
+        ),
+        click.option(
+            "--clutches", multiple=True, metavar="N,..", help="Allowed numbers of clutches."
+        ),
         click.option(
             "--limit",
             "limits",
             multiple=True,
             callback=value(_limits, "--limit"),
             metavar="FIGURE=X,...",
-            help=f"No larger {spoken(LIMITED, 'or')}, such as loss=.05,torque=4.",
+            help="Largest values of figures, such as loss=0.05,torque=4. Figures are "
+            f"{spoken(LIMITED, 'and')}.",
         ),
     ),
     gathered(
@@ -287,7 +314,7 @@ options = gathered(
             multiple=True,
             callback=value(_names, "--sort"),
             metavar="FIGURE,...",
-            help="Those with less of it stand first.",
+            help="Sort by these figures, the smallest values first.",
         ),
         click.option(
             "--pareto",
@@ -295,7 +322,7 @@ options = gathered(
             default=PARETO,
             callback=value(_names, "--pareto"),
             metavar="FIGURE,...",
-            help=f"The figures of the Pareto list: {spoken(PARETO, 'and')} when not given.",
+            help=f"Figures of the Pareto list.  [default: {','.join(PARETO)}]",
         ),
     ),
     click.option(
@@ -303,7 +330,7 @@ options = gathered(
         multiple=True,
         callback=value(named("GEAR=WEIGHT", number), "--weights"),
         metavar="GEAR=WEIGHT,...",
-        help="Of forward gears in the mean of the drag, such as 1=3; else 1.",
+        help="Weights of forward gears in the mean drag torque, such as 1=3.  [default: 1]",
     ),
 )
 """Options of search, filter and order, combined into the argument `asked` of the command."""

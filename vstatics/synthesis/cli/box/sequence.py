@@ -43,7 +43,7 @@ def wanted_sequence(
     (1.0, 1000000.0)
     """
     has_details = spread is not None or steps is not None or falling
-    alone = "--spread, --steps, --falling say what --gears have: expected --gears A:B"
+    alone = "--spread, --step-ratios, --falling describe --gears: expected --gears A:B"
     refuse((has_details and gears_wanted is None, alone))
     if gears_wanted is None:
         return None

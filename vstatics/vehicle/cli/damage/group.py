@@ -21,12 +21,14 @@ class DamageCommands(LazyGroup):
 
 
 @click.group(cls=DamageCommands)
-def damage() -> None:
-    """Calculate what torques that vary do to devices: their damage, their life.
+def damage_command() -> None:
+    """Calculate fatigue damage and life under varying torque.
+
+    Without the name of a command, `vstatics damage CASE RECORD.csv` is `record`.
 
     \b
     Examples:
-      vstatics damage box.yaml record.csv
+      vstatics damage record --help
       vstatics damage rayleigh --endurance '100 MPa' --deviation '60 MPa' \\
           --exponent 3 --cycles 4e6 --per-km 100
       vstatics damage resize --diameter '42 mm' --ratio 2.9

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from vstatics.core.cli.shared import formats
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import OutputOptions
 from vstatics.core.cli.shared.options import gathered, needs, refuse
 from vstatics.core.cli.shared.values import above_0, from_0, value, wrong_value
@@ -14,9 +15,9 @@ from vstatics.vehicle.cli.damage.numbers import number, stress, write
 _strength = gathered(
     "strength",
     Fatigue,
-    stress("endurance", "That is borne for so many cycles: '100 MPa'."),
-    number("exponent", "Stress to this power by the cycles that are borne is constant."),
-    number("cycles", "That are borne at the endurance."),
+    stress("endurance", "Endurance limit, the stress amplitude at --cycles, such as '100 MPa'."),
+    number("exponent", "Exponent m of the S-N curve: stress^m * cycles is constant."),
+    number("cycles", "Number of cycles to failure at the endurance limit."),
     click.option(
         "--threshold",
         type=float,
@@ -24,35 +25,36 @@ _strength = gathered(
         show_default=True,
         callback=value(from_0),
         metavar="X",
-        help="Below this part of the endurance there is no damage.",
+        help="Stress, relative to the endurance limit, below which a cycle does no damage.",
     ),
-    number("sum", "Of damages at which the device fails.", 1.0),
+    number("sum", "Sum of damages at which the component fails.", 1.0),
 )
 
 
-@click.command()
+@command
 @_strength
-@stress("deviation", "Standard deviation of the stress: '60 MPa'.")
+@stress("deviation", "Standard deviation of the stress, such as '60 MPa'.")
 @click.option(
-    "--per-km", type=float, callback=value(above_0), metavar="N", help="Cycles a km: life in km."
+    "--per-km",
+    type=float,
+    callback=value(above_0),
+    metavar="N",
+    help="Number of cycles per km, for the life in km.",
 )
 @formats.options(*formats.TABLES)
-def rayleigh(
+def rayleigh_command(
     strength: Fatigue, deviation: float, per_km: float | None, wanted: OutputOptions
 ) -> int:
-    """Tell the life under a random stress whose amplitudes have Rayleigh's distribution.
+    """Calculate the fatigue life under a narrow-band random stress.
 
-    So they have under a stress of a narrow band of frequencies. Life is told in cycles,
-    with --per-km in km. Both stresses have their units, or both are bare numbers of one
-    unit: only their quotient counts.
+    The amplitudes of such a stress have a Rayleigh distribution. The life is given in
+    cycles, or in km with --per-km. Give both stresses with a unit, or both as numbers in
+    the same unit; only their ratio matters.
 
     \b
     Examples:
       vstatics damage rayleigh --endurance '100 MPa' --deviation '60 MPa' \\
           --exponent 3 --cycles 4e6 --per-km 100
-
-    \b
-    Exit status: 0 done; 2 wrong use.
     """
     measures = {getattr(stress, "measure", None) for stress in (strength.endurance, deviation)}
     refuse((len(measures) > 1, "--endurance, --deviation: expected a unit of both, or of none"))

@@ -6,6 +6,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import check_order
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.jobs.input_files import TABLE_BYTES
@@ -13,23 +14,28 @@ from vstatics.core.readers.reading import Reading
 from vstatics.vehicle.cli.strengths import expect_damage
 
 
-@click.command()
+@command
 @gathered("single", OneCase, click.argument("case", type=click.Path()), *of_case)
 @click.argument("recorded", type=click.Path(), metavar="RECORD.csv")
-def record(single: OneCase, recorded: str) -> int:
-    """Add up what a record of torques does to the devices of CASE that have `fatigue`.
+def record_command(single: OneCase, recorded: str) -> int:
+    """Calculate the fatigue damage of the components of CASE under recorded torques.
 
-    RECORD.csv has a column `torques[DEVICE]` for each, in N*m or in the unit that stands
-    behind it in brackets, as `vstatics simulate -o` writes it; - is standard input. Cycles
-    are counted by rainflow (ASTM E1049-85, 5.4.4), damages are added up.
+    RECORD.csv has a column `torques[COMPONENT]` for each component of CASE with `fatigue`,
+    in N*m or in the unit in brackets after it, as `vstatics simulate -o` writes it; - is
+    standard input. Cycles are counted by rainflow (ASTM E1049-85, 5.4.4), and their damages
+    are added (Miner's rule).
 
     \b
     Examples:
-      vstatics damage box.yaml record.csv
-      vstatics damage box.yaml record.csv -f json | jq .damage.shaft.repeats
+      vstatics new moskvich-start.yaml --template moskvich-start
+      echo 'fatigue: {half-shafts: {endurance: 150 MPa, exponent: 6,
+        cycles: 1e6, diameter: 30 mm}}' >> moskvich-start.yaml
+      vstatics new scenarios/start.yaml --template scenarios/moskvich-start
+      vstatics simulate scenarios/start.yaml -o record.csv
+      vstatics damage moskvich-start.yaml record.csv
+      vstatics damage moskvich-start.yaml record.csv -f json | jq .damage
 
-    \b
-    Exit status: 0 done; 1 the case or the record is in error; 2 wrong use.
+    Exit status 1: the case or the record has an error.
     """
     to = single.destination(recorded)
     check_order(single.case, recorded)

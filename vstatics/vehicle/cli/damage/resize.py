@@ -7,6 +7,7 @@ from typing import NamedTuple
 import click
 
 from vstatics.core.cli.shared import formats
+from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import OutputOptions
 from vstatics.core.cli.shared.options import Option
 from vstatics.core.cli.shared.values import above_0, told, value, wrong_value
@@ -31,20 +32,23 @@ def _part(name: str, text: str) -> Option:
     return click.option(f"--{name}", type=float, callback=value(above_0), metavar="X", help=text)
 
 
-@click.command()
+@command
 @click.option(
     "--diameter",
     required=True,
     callback=value(_diameter),
     metavar="D",
-    help="Of the shaft that lives long enough: '42 mm'.",
+    help="Diameter of the present shaft, such as '42 mm'.",
 )
-@_part("ratio", "It stands behind a reduction now: torques by X, X times fewer cycles.")
-@_part("torque", "In place of the ratio: torques by those before.")
-@_part("repeats", "Beside it: cycles by those before.")
-@number("exponent", "Stress to this power by the cycles that are borne is constant.", 6.0)
+@_part(
+    "ratio",
+    "Ratio of a reduction that the shaft moves behind: X times the torque, cycles divided by X.",
+)
+@_part("torque", "New torque divided by the present torque, instead of --ratio.")
+@_part("repeats", "New number of cycles divided by the present number; belongs to --torque.")
+@number("exponent", "Exponent m of the S-N curve: stress^m * cycles is constant.", 6.0)
 @formats.options(*formats.TABLES)
-def resize(
+def resize_command(
     diameter: _Diameter,
     ratio: float | None,
     torque: float | None,
@@ -52,18 +56,16 @@ def resize(
     exponent: float,
     wanted: OutputOptions,
 ) -> int:
-    """Tell the diameter with which a shaft lives as long as another, and its compliance.
+    """Calculate the diameter and the compliance of a shaft of equal fatigue life.
 
-    The diameter is in the unit of the one that is given, compliances are by that of the
-    shaft before; the reduced one is that on the faster shaft of the reduction.
+    The present shaft lives long enough under the present torques. The new diameter has the
+    unit of the given diameter. The compliances are relative to the present shaft; the
+    reduced compliance refers to the faster shaft of the reduction.
 
     \b
     Examples:
       vstatics damage resize --diameter '42 mm' --ratio 2.9
       vstatics damage resize --diameter 42 --torque 1.3 --repeats 2 -f json
-
-    \b
-    Exit status: 0 done; 2 wrong use.
     """
     from vstatics.vehicle.damage.resize import resized, resized_by_ratio
     from vstatics.vehicle.damage.tables import resized_grid
