@@ -66,7 +66,12 @@ def test_a_job_is_green_until_a_gear_cannot_drive_or_a_number_changes(
     (folder / "boxes").mkdir()
     box = folder / "boxes" / "box.yaml"
     shutil.copy(CASES / "simpson.yaml", box)
-    command = [str(folder / ".bin/vstatics"), "run", str(box), *"-q -o golden/ -f json".split()]
+    command = [
+        str(folder / ".bin/vstatics"),
+        "run",
+        str(box),
+        *["-q", "-o", "golden/", "-f", "json"],
+    ]
     subprocess.run(command, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)}, check=True)
     assert status(folder, system) == 0
     other = folder / "boxes" / "other.yaml"
