@@ -54,8 +54,7 @@ def test_the_numbers_are_those_of_the_result(path: Path) -> None:
 
 def shown_as(value: float) -> str:
     """Three digits after the point, or four significant ones below 0.1."""
-    text = f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
-    return text
+    return f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
 
 
 def test_steps_are_quotients_of_neighbouring_ratios() -> None:
@@ -113,7 +112,7 @@ gears:
 
 def test_states_of_gears_are_named_and_explained() -> None:
     said = vstatics("run", "--pretty", "-", stdin=STATES.encode())
-    for gear, state in (("neutral", "neutral"), ("park", "output stands"), ("tied", "tied up")):
+    for gear, state in (("neutral", "neutral"), ("park", "output at rest"), ("tied", "tied up")):
         [line] = [line for line in gear_lines(said.out) if line.startswith(f" {gear} ")]
         assert line.rstrip().endswith(f"  {state}")
         assert f"\n{state}: " in said.out

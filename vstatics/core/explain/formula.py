@@ -156,7 +156,7 @@ def formula(
         raise NoFormula("the output is held: there is no ratio")
     parts = shares(on_links, structure, given, structure.body[output])
     if not parts:
-        raise NoFormula("the output stands still: there is no ratio")
+        raise NoFormula("the output is at rest, so there is no ratio")
     speeds = {given[body]: numbers[given[body]] for body in parts}
     if not gear.speeds or list(speeds) == [names.speeds[case.gear_input(gear)]]:
         return _of_ratio(1 / next(iter(parts.values())), symbols, on_links.variators)
