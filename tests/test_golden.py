@@ -94,4 +94,4 @@ def test_rounding_is_no_change_of_json_but_a_message_is() -> None:
     ratio = json.loads(text)["ratio"][0]
     assert changes("x.json", text.replace(repr(ratio), repr(ratio + 1e-12)), text) == []
     assert changes("x.json", text.replace(repr(ratio), repr(ratio + 1e-6)), text) != []
-    assert changes("x.json", text.replace("locked by friction", "stuck"), text) != []
+    assert changes("x.json", text.replace("self-locking", "stuck"), text) != []

@@ -18,12 +18,13 @@ from tests.trains import random_train, shown
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.core.writers.named import write_json
 
-SHOWS = "the ratios are so close to a singular train that rounding shows: "
+SHOWS = "the ratios are so close to a singular gear train that rounding errors show: "
+EXACT = "; give exact ratios, for example by teeth"
 
 
 def said(results: Results, gear: str = "1") -> list[str]:
     return [
-        message.text.removeprefix(SHOWS)
+        message.text.removeprefix(SHOWS).removesuffix(EXACT)
         for message in results.messages
         if message.gear == gear and message.text.startswith(SHOWS)
     ]

@@ -90,7 +90,7 @@ def test_what_a_clutch_carries_is_measured_by_its_capacity() -> None:
 
 
 def test_a_standing_input_stays_an_error() -> None:
-    with pytest.raises(CaseError, match="speed other than 0"):
+    with pytest.raises(CaseError, match="expected the speed of an input that turns"):
         Transmission(2, [], [Mechanism(1, 2, 0, 2)], [Gear()], load=Load(0, 10))
 
 

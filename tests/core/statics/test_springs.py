@@ -154,8 +154,8 @@ def test_two_springs_between_the_same_links_share_a_torque_that_is_not_known() -
     assert np.isnan(results.torques[:, 3:5]).all()
     said = [str(message) for message in results.messages]
     assert said[0] == (
-        "warning: gear low: shaft and other say the same of the speeds: 1 condition in excess, the "
-        "torque of shaft and other is not determined [W416]"
+        "warning: gear low: shaft and other impose the same constraint on the speeds; "
+        "the torque of shaft and other is indeterminate [W416]"
     )
 
 
@@ -165,7 +165,7 @@ def test_a_spring_that_ties_a_gear_up_is_named() -> None:
     assert results.tied_up.all()
     assert "mount" in str(results.messages[0])
     assert str(results.messages[0]).endswith(
-        "can't give way here, only in `vstatics torsion` [E452]"
+        "can twist in `vstatics torsion`, but not in statics [E452]"
     )
 
 

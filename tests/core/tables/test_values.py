@@ -168,7 +168,7 @@ def test_with_a_negative_speed_the_torque_is_negative() -> None:
             "load: read speed, torque and power, expected two of them: "
             "300 N*m at 3000 rpm are 94.248 kW",
         ),
-        ("{power: 90 kW}", "load: read `power` alone, expected a speed or a torque beside it"),
+        ("{power: 90 kW}", "load: read `power` alone, expected a speed or a torque as well"),
         ("{power: 90 kW, speed: 0 rpm}", "load: read a power, speed or torque of 0, expected"),
         ("{power: 90, speed: 3000 rpm}", "load.power: read '90', expected a power with its unit"),
         ("{power: 0 kW, speed: 3 rpm}", "load: read a power, speed or torque of 0, expected"),

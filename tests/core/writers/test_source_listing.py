@@ -249,7 +249,7 @@ mechanisms:
 gears: {low: {}}
 """
     said = vstatics("run", "-f", "source", "-", stdin=case.encode())
-    told = "the signs of idle mechanisms in the published listing change the efficiency"
+    told = "the signs of unloaded mechanisms in the published listing change the efficiency"
     told += " of gear low from 0.8947 to 0.8915"
     assert f"<stdin>:5:9: warning: gears.low: {told}" in said.err
     assert said.status == 0
@@ -263,7 +263,10 @@ WITHOUT_FIELD = {
     "low: {engaged: [B], output: 2, input: 3}": (8, "outputs of single gears: low"),
     "low: {engaged: [B], coast: true}": (8, "coasting in gears: low"),
     "low: {engaged: [B], drag: {3: 1 N*m}}": (8, "drag in gears: low"),
-    "low: {engaged: [B], open_drag: {C: 1 N*m}}": (8, "the drag of open elements in gears: low"),
+    "low: {engaged: [B], open_drag: {C: 1 N*m}}": (
+        8,
+        "the drag of disengaged shift elements in gears: low",
+    ),
     "low: {engaged: [B], load: {torque: 0 N*m}}": (8, "an input torque of 0 in gears: low"),
 }
 

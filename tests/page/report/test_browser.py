@@ -210,7 +210,7 @@ def test_rows_that_are_set_in_are_sorted_below_their_own(page: Opened, clicks: i
 
 def test_a_table_is_copied_with_all_digits(page: Opened) -> None:
     page.window.locator(
-        "[aria-label^='Copy CSV: Torques of shift elements'][aria-label$='[torques]']"
+        "[aria-label^='Copy CSV: Torques without losses'][aria-label$='[torques]']"
     ).click()
     copied = page.window.evaluate("navigator.clipboard.readText()")
     head, *rows = csv.reader(io.StringIO(copied))
@@ -233,7 +233,7 @@ def test_engaged_without_torque_is_0_in_the_copy_and_open_is_blank(
 ) -> None:
     """Ford 10R80, gear 1: A, B, D, E are engaged, D carries nothing; C and F are open."""
     page = Opened(browser, reports[TEN_SPEED])
-    page.window.locator("[aria-label^='Copy CSV: Torques of shift elements']").first.click()
+    page.window.locator("[aria-label^='Copy CSV: Torques without losses']").first.click()
     copied = csv.reader(io.StringIO(page.window.evaluate("navigator.clipboard.readText()")))
     first = {name: gears[0] for name, *gears in copied}
     assert {name: first[name] for name in "CFD"} == {"C": "", "F": "", "D": "0"}

@@ -158,7 +158,7 @@ def test_the_flow_marks_what_a_convention_divides(zf: Page) -> None:
     assert {name for name, mark in marks.items() if mark} == {"ring 2", "E", "P3"}
     told = [one.text for one in zf.all("li")]
     assert not [one for one in told if one.startswith("in ")]  # the table has it
-    assert "~ by convention, as it turns as one piece: ring 2, E, P3" in told
+    assert "~ by convention, as it is locked up: ring 2, E, P3" in told
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -273,7 +273,7 @@ def test_the_same_case_gives_the_same_page(tmp_path: Path) -> None:
     [
         (NEUTRAL, 0, "there is no power to show"),
         (TIED_UP, 1, "Tied up, so there is no power to show"),
-        (LOCKED, 0, "with losses: locked by friction"),
+        (LOCKED, 0, "with losses: self-locking"),
     ],
 )
 def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, words: str) -> None:
@@ -292,7 +292,9 @@ def test_a_duty_cycle_is_on_the_page_with_what_is_doubtful_about_it(tmp_path: Pa
     case, points = write(tmp_path, DUTY), tmp_path / "points.csv"
     points.write_text("time [s],gear,speed [rpm],torque [N*m]\n9,1,2000,300\n1,1,2500,200\n")
     shown = Page(report(case, "--duty", points, "--exponent", 6))
-    said = "warning: in 1 of 2 rows B carries up to 900 of 700 N*m"
+    said = (
+        "warning: in 1 of 2 rows B carries up to 900 N*m, more than its torque capacity of 700 N*m"
+    )
     assert any(one.text.startswith(said) for one in shown.all("li"))
     table = shown.table("Largest over the duty cycle")
     members = json_answer("summary", case, "--duty", points, "--exponent", 6)["duty"]["members"]

@@ -279,9 +279,9 @@ def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
         ("--vary D.ratio=1 --file nowhere.yaml", "nowhere.yaml: error: can't be read"),
         (
             "--vary D.ratio=1 --coast -o nowhere/out.csv",
-            "can't be written: there is no directory nowhere",
+            "cannot be written: there is no directory nowhere",
         ),
-        ("--vary D.ratio=1 -o folder.csv", "folder.csv: error: can't be written: Is a directory"),
+        ("--vary D.ratio=1 -o folder.csv", "folder.csv: error: cannot be written: Is a directory"),
     ],
 )
 def test_what_is_wrong_is_1_and_is_told_with_its_place(arguments: str, words: str) -> None:
@@ -326,7 +326,7 @@ def test_rows_go_to_what_is_no_file(folder: Path) -> None:
     if Path("/dev/full").exists():
         line = f"cd {folder}; PYTHONPATH={Path(__file__).parents[3]} {sys.executable} -m vstatics "
         line += "sweep box.yaml --vary D.ratio=-4 > /dev/full"
-        full = b"<stdout>: error: can't be written: No space left on device [E030]\n"
+        full = b"<stdout>: error: cannot be written: No space left on device [E030]\n"
         assert shell(line) == (1, b"", full)
 
 
@@ -391,7 +391,7 @@ def test_a_case_that_a_sweep_file_names_and_that_is_not_there_is_told_at_its_pla
     Path("w.yaml").write_text("vary: [D.ratio=-3:-2:3]\n\ncase: nowhere.yaml\n", encoding="utf-8")
     said = vstatics("sweep", "--file", "w.yaml")
     assert said.gives_nothing()
-    assert said.err.startswith("w.yaml:3:7: error: nowhere.yaml can't be read: No such file")
+    assert said.err.startswith("w.yaml:3:7: error: nowhere.yaml cannot be read: No such file")
 
 
 @pytest.mark.parametrize("key", ["case", "variants", "output"])

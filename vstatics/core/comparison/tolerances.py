@@ -49,6 +49,6 @@ def left_out(names: str | Iterable[str]) -> frozenset[str]:
     tables = set()
     for name in given:
         if "," in name:
-            raise ReadError("E113", f"{quoted(name)} is no table: give each of them by itself")
+            raise ReadError("E113", f"{quoted(name)} is not a table: give each name separately")
         tables.add(quantity_named(name).name)
     return frozenset(tables)

@@ -169,8 +169,8 @@ def verdict(cases: Sequence[CaseVerdict]) -> Verdict:
 
 
 OTHER_ROWS = (
-    "a listing of the source has rows of mechanisms, where the other result has those of "
-    "elements: expected a listing in another language, JSON or CSV"
+    "a listing of Visual-Statics has rows for mechanisms, and the other result has rows for "
+    "gear sets: expected a listing in another format, JSON or CSV"
 )
 
 

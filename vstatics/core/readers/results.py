@@ -32,11 +32,11 @@ TAKEN = (
     "expected a result of `vstatics run` (listing, JSON, JSON lines, CSV, Parquet) or a sweep "
     "(CSV, JSON lines, NPZ, Parquet)"
 )
-CASE = "a case, of which `vstatics run CASE -f json -o RESULT.json` makes a result"
+CASE = "a case, not a result; create a result with `vstatics run CASE -f json -o RESULT.json`"
 OTHERS = {
-    "remedy": "a message that check explains",
-    "severity": "a problem that check tells",
-    "changed": "what compare told",
+    "remedy": "an explanation of `vstatics check --explain`",
+    "severity": "a problem that `vstatics check` reports",
+    "changed": "the output of `vstatics compare`",
     "gears": CASE,
 }
 """Descriptions of other documents without a format, by a key that results lack."""
@@ -98,14 +98,16 @@ def _read_lines(text: str, file: str) -> list[WrittenResult]:
 
 def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
     if isinstance(error, json.JSONDecodeError):
-        return no_result(f"no JSON: {error.msg}", file, line or error.lineno, error.colno)
+        return no_result(
+            f"the file is not JSON: {error.msg}", file, line or error.lineno, error.colno
+        )
     reason = "nested too deeply" if isinstance(error, RecursionError) else error
-    return no_result(f"no JSON that can be read: {reason}", file, line)
+    return no_result(f"the file is not JSON that can be read: {reason}", file, line)
 
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
     if not isinstance(document, dict):
-        raise no_result(f"result {number} is no JSON object; {TAKEN}", file, line)
+        raise no_result(f"result {number} is not a JSON object; {TAKEN}", file, line)
     if "errors" in document:
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
@@ -119,7 +121,7 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
                 figures = [[_from_json(value) for value in row] for row in rows_of_table]
             except (TypeError, ValueError, OverflowError):
                 raise no_result(
-                    f"{key} of result {number} is no table of numbers", file, line
+                    f"{key} of result {number} is not a table of numbers", file, line
                 ) from None
             tables[quantity.name] = figures
     if not tables:
@@ -134,7 +136,7 @@ def _no_tables(document: Mapping[str, Any], number: int) -> str:
     """Return the message for a document without tables, such as the output of `check`."""
     form = document.get("format")
     if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
-        kind = f"one of {form.removeprefix('vstatics-')}"
+        kind = f"a document of vstatics {form.removeprefix('vstatics-')}"
     else:
         kind = next((description for key, description in OTHERS.items() if key in document), "")
     if kind:
@@ -206,7 +208,8 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
                 names.setdefault(table, []).extend([name.strip()] * bool(has_name))
     if not reports:
         is_case = any(head(line) or line.startswith("gears:") for line in lines)
-        raise no_result(f"{CASE if is_case else 'no table of results found'}; {TAKEN}", file)
+        nothing = f"the file contains no table of results; {TAKEN}"
+        raise no_result(f"the file is {CASE}" if is_case else nothing, file)
     return reports
 
 

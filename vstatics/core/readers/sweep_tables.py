@@ -108,7 +108,7 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
 def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:
     text = " ".join(str(error).split()) or type(error).__name__
     return ReadError(
-        "E111", f"no table of variants: {text[:200]}", place=Source(file, "").place(line)
+        "E111", f"not a table of variants: {text[:200]}", place=Source(file, "").place(line)
     )
 
 
@@ -198,7 +198,7 @@ def _workbook(data: bytes, file: str) -> dict[str, Column]:
     wanted = SHEET if SHEET in names else names[0]
     if wanted != SHEET and len(names) > 1:
         raise ValueError(
-            f"a workbook of {len(names)} sheets, expected one, or one called `{SHEET}`"
+            f"read a workbook of {len(names)} sheets, expected one, or one called `{SHEET}`"
         )
     [rows] = (sheet.rows for sheet in read_sheets(data, file, [wanted]) if sheet.name == wanted)
     if not rows:
@@ -237,7 +237,7 @@ def read_npz(data: bytes) -> dict[str, Column]:
     for name, words_of_codes in texts.items():
         codes = arrays[name]
         if codes.dtype.kind not in "iu" or not np.isin(codes, np.arange(len(words_of_codes))).all():
-            raise ValueError(f"{quoted(name)} has other numbers than those of its texts")
+            raise ValueError(f"{quoted(name)} has other numbers than its texts")
     return {
         name: texts[name][array].tolist() if name in texts else array
         for name, array in arrays.items()

@@ -229,7 +229,9 @@ class Results(PhysicalResults):
             For arrays of variants, or if the gear does not exist.
         """
         if self.ratio.ndim != 1:
-            raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
+            raise ValueError(
+                f"results of shape {self.ratio.shape}: a gear belongs to a single case"
+            )
         return self.gear_at(self.case.gear_number(gear) - 1)
 
     def gear_at(self, index: int) -> GearState:

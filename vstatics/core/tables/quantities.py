@@ -16,7 +16,6 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.statics.results import Results
-from vstatics.core.statics.status import LOCKED
 
 KINDS: dict[type, type] = {np.float64: float, np.int16: int, np.bool_: bool}
 """Python type of the written numbers, by the data type of an array."""
@@ -196,7 +195,7 @@ RELATIVE = (
         "torques",
         "AMLG",
         "B. Torques of clutches and brakes, without losses",
-        own_title="Torques of shift elements, mechanisms and the output (Mx), without losses",
+        own_title="Torques without losses",
         members=(
             "Torques of mechanisms and output, KLG1 = KLG + 1, without losses",
             "Torques of the members of the elements and of the output, without losses",
@@ -209,7 +208,7 @@ RELATIVE = (
         "lossy_torques",
         "AMLGP",
         "C. Torques of clutches and brakes, with losses",
-        own_title="Torques of shift elements, mechanisms and the output (Mx), with losses",
+        own_title="Torques with losses",
         members=(
             "Torques of mechanisms and output, with losses",
             "Torques of the members of the elements and of the output, with losses",
@@ -223,6 +222,7 @@ RELATIVE = (
         "power_sign",
         "IX",
         "Sign of the power flow, first link drives (+1) or is driven (-1)",
+        own_title="Sign of the power flow through the first link",
         is_sign=True,
         published=True,
     ),
@@ -231,7 +231,7 @@ RELATIVE = (
         "idle",
         "IDLING",
         "Mechanisms without flow of power",
-        own_title="Mechanisms that are idle, or one piece",
+        own_title="Unloaded and locked-up mechanisms",
     ),
     Quantity(
         "losses",
@@ -243,7 +243,7 @@ RELATIVE = (
     ),
     Quantity("power_balance", "BALANCE", "Balance of power, external power less losses"),
     Quantity("consistent", "CONSISTENT", "Directions of power agree with the losses"),
-    Quantity("locked", "LOCKED", LOCKED.english.capitalize()),
+    Quantity("locked", "LOCKED", "Locked by friction", own_title="Self-locking gears"),
     Quantity(
         "dragged",
         "DRAGGED",
@@ -283,6 +283,7 @@ RELATIVE = (
         "mesh_torques",
         "MESH",
         "Torques of the meshes, on the first wheel or planet, without losses",
+        own_title="Torques of the meshes without losses",
         exists=_has_meshes,
         with_load="Nm",
         brief="Torques of the meshes without losses",

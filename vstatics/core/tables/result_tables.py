@@ -93,7 +93,7 @@ def _by_gear(lists: Sequence[Table]) -> Grid:
 
 def _of_table(table: Table) -> Grid:
     kind = table.quantity.rows
-    over = "gear" if table.quantity.columns == "gears" else "device"
+    over = "gear" if table.quantity.columns == "gears" else "component"
     columns = [text(_HEADS.get(kind, ROWS[kind].singular))]
     columns += [Column(name, over=over) for name in table.columns]
     rows = [
@@ -105,7 +105,7 @@ def _of_table(table: Table) -> Grid:
     )
 
 
-_HEADS = {"elements": "element", "torques": "torque of"}
+_HEADS = {"elements": "shift element", "torques": "torque of"}
 """Headings above the names of rows that differ from the word for such a row."""
 
 

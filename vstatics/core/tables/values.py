@@ -74,7 +74,6 @@ WORDS = {
     "KLG = KL + KG": "KLG = KL + KG + KSPR",
     "mechanisms and output": "mechanisms, springs and output",
     "the elements and of the output": "the elements, of springs and of the output",
-    "mechanisms and the output": "mechanisms, springs and the output",
 }
 """Words of headings and their replacements for a case with springs."""
 
@@ -83,13 +82,12 @@ def among_springs(quantity: Quantity) -> Quantity:
     """Return a quantity with headings that mention springs.
 
     >>> from vstatics.core.tables.quantities import BY_NAME
-    >>> among_springs(BY_NAME["torques"]).title
-    'Torques of shift elements, mechanisms, springs and the output (Mx), without losses'
+    >>> among_springs(BY_NAME["torques"]).members[0]
+    'Torques of mechanisms, springs and output, KLG1 = KLG + 1, without losses'
     """
     members = quantity.members
     return quantity._replace(
         heading=_worded(quantity.heading),
-        own_title=_worded(quantity.own_title),
         members=None if members is None else (_worded(members[0]), _worded(members[1])),
     )
 

@@ -93,7 +93,7 @@ def _circulation(material: Material) -> Iterator[tuple[str, str]]:
         share, gear = max(known, key=itemgetter(0))
         part = rounded(100 * share, 1, material.digits)
         text = _in_gear(material, tr("{part} % of the input power", part=part), gear)
-        yield tr("largest circulation"), text if share > 0 else tr("none")
+        yield tr("largest recirculating power"), text if share > 0 else tr("none")
 
 
 def _alerts(messages: Sequence[str]) -> str:

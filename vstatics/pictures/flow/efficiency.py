@@ -56,11 +56,12 @@ class _Losses(NamedTuple):
     @property
     def key(self) -> list[Meaning]:
         """Entries of the key, which explain the areas of the losses."""
-        return [(True, NameInKey(name), loss_look(row, self.style)) for row, name in self._drawn()]
-
-    def _drawn(self) -> list[tuple[int, str]]:
         seen = [np.abs(row).max(initial=0.0) > NO_LOSS_SHARE for row in self.shares]
-        return [(row, name) for row, name in enumerate(self.names) if seen[row]]
+        return [
+            (True, NameInKey(name), loss_look(row, self.style))
+            for row, name in enumerate(self.names)
+            if seen[row]
+        ]
 
     def part(self, places: Sequence[int]) -> _Losses:
         """Return the losses of a selection of gears."""
