@@ -139,7 +139,10 @@ def test_an_id_is_explained_without_a_case() -> None:
 @pytest.mark.parametrize("option", [("--explain", "all"), ("--explain",)])
 def test_all_ids_are_explained(option: tuple[str, ...]) -> None:
     said = vstatics("check", *option)
-    assert re.findall(r"^([EWN]\d{3}) \((?:error|warning|note)\)$", said.out, re.MULTILINE) == known_ids()
+    assert (
+        re.findall(r"^([EWN]\d{3}) \((?:error|warning|note)\)$", said.out, re.MULTILINE)
+        == known_ids()
+    )
 
 
 def test_all_ids_are_an_array_in_json() -> None:
