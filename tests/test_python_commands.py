@@ -155,7 +155,7 @@ for call in (
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("", 'pip install "vstatics['),
+        ("", 'pip install ".['),
         (
             "import no_such_part",
             "is installed, but cannot be imported: ModuleNotFoundError: No module",
