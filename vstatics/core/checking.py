@@ -15,6 +15,7 @@ from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed
 from vstatics.core.model.checks import hints
 from vstatics.core.readers.kinds import document_function
+from vstatics.core.statics.diagnosis import undriven_gears
 from vstatics.core.statics.solution import solution
 from vstatics.core.suggestions import why_not_allowed
 
@@ -72,5 +73,5 @@ def problems_of(data: bytes, file: str) -> list[Problem]:
     except CaseError as error:
         return [*map(reading.locate, error.problems)]
     messages = reading.located_messages(results, each_gear=True)
-    notes = map(reading.locate, hints(reading.case))
-    return not_allowed([*reading.warnings, *notes, *messages], reading.case.untold)
+    further = map(reading.locate, [*hints(reading.case), *undriven_gears(results)])
+    return not_allowed([*reading.warnings, *further, *messages], reading.case.untold)

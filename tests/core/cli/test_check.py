@@ -112,7 +112,10 @@ def test_a_note_tells_which_gear_asks_a_law_outside_its_points(tmp_path: Path) -
         "gears:\n  near: {drag: {out: [[0, 1], [110, 2]]}}\n  far: {drag: {out: [[0, 1], [100, 2]]}}\n"
     )
     said = vstatics("check", str(case)).err
-    assert "case.yaml:6:3: note: gear far: outside the points of out the last one counts" in said
+    assert (
+        "case.yaml:6:3: note: gear far: outside the points of out, the value of the nearest end point applies"
+        in said
+    )
 
 
 @pytest.mark.parametrize(

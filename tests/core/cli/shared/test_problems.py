@@ -32,7 +32,7 @@ def _here(files: Path) -> None:
 
 
 QUIET_FAILURE = (
-    "neutral.yaml: error: 1 warning (W414), which --strict makes fail; without -q it is told\n"
+    "neutral.yaml: error: 1 warning (W414), which --strict makes fail; without -q it is shown\n"
 )
 
 
@@ -48,7 +48,7 @@ def test_a_warning_is_printed_unless_quiet_and_fails_if_strict(command: str) -> 
     ):
         said = vstatics(*call, *options)
         assert said.status == status, options
-        assert ("warning: gear N: 1 condition missing" in said.err) is is_told, options
+        assert ("warning: gear N: neutral: one more shift" in said.err) is is_told, options
         assert is_told or said.err == (QUIET_FAILURE if status else "")
     assert vstatics(*call, "-q", "--strict").out == vstatics(*call).out
 
@@ -86,7 +86,7 @@ def test_commands_without_results_tell_the_warnings_of_the_input(call: list[str]
     quiet = vstatics(*call, "-q", "--strict")
     assert quiet.status == 1
     assert quiet.err.endswith(
-        ": error: 1 warning (W201), which --strict makes fail; without -q it is told\n"
+        ": error: 1 warning (W201), which --strict makes fail; without -q it is shown\n"
     )
 
 
@@ -149,7 +149,7 @@ def test_what_a_run_that_was_not_strict_has_done_is_no_proof_for_one_that_is() -
 
 def test_what_was_done_before_is_not_mentioned_quietly() -> None:
     call = ["run", "locked.yaml", "-f", "json", "-o", "out/", "--resume"]
-    assert "there is no run to go on with" in vstatics(*call).err
+    assert "there is no earlier run to resume" in vstatics(*call).err
     Path("out/.vstatics-run-json").unlink()
     assert vstatics(*call, "-q").err == ""
 
@@ -168,8 +168,8 @@ def test_one_text_about_several_gears_is_one_line_and_a_message_of_each() -> Non
     text = NEUTRAL.replace("N: {}", "N: {}, P: {}")
     said = vstatics("run", "-", "-f", "json", stdin=text.encode())
     [warning] = [line for line in said.err.splitlines() if "warning" in line]
-    assert warning.startswith("<stdin>:4:9: warning: gears N and P: 1 condition missing")
-    assert "nothing holds the torque of the input" in warning
+    assert warning.startswith("<stdin>:4:9: warning: gears N and P: neutral: one more shift")
+    assert "nothing supports the input torque" in warning
     told = [one.partition(": 1 ")[0] for one in said.json["messages"]]
     assert told == ["warning: gear N", "warning: gear P"]
 
@@ -178,8 +178,8 @@ def test_shared_torques_are_told_with_the_element_in_excess() -> None:
     said = vstatics("run", "open.yaml").err
     [warning] = [line for line in said.splitlines() if "warning" in line]
     assert warning.endswith(
-        "gear both: A and B: 1 engaged element is in excess; the speeds agree, the torque of B "
-        "and A is not determined"
+        "gear both: A and B impose the same constraint on the speeds, so one is redundant; the "
+        "torque of B and A is indeterminate, release one"
     )
 
 
