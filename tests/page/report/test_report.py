@@ -340,7 +340,7 @@ def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyP
     )
     said = vstatics("report", CASES / "differential.yaml", "-o", "-")
     assert said.status == 0
-    assert 'pip install "vstatics[plot]"' in said.err
+    assert 'pip install ".[plot]"' in said.err
     shown = Page(said.out)
     assert not shown.all("svg")
     assert any("There are no pictures" in one.text for one in shown.all("p"))

@@ -244,7 +244,7 @@ def test_without_scipy_the_command_names_the_extra(
     )
     said = vstatics("plot", CASES / "moskvich412.yaml", "-k", kind, "-o", tmp_path / "a.svg")
     assert said.status == 1
-    needs = 'a picture of natural modes needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]"'
+    needs = 'a picture of natural modes needs the package scipy: pip install ".[torsion]" in the source folder'
     assert needs in said.err
 
 
