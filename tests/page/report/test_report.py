@@ -65,7 +65,7 @@ def test_the_page_carries_the_result(zf: Page) -> None:
     ["speeds", "planet_speeds", "slip_speeds", "torques", "lossy_torques", "power_sign", "losses"],
 )
 def test_tables_show_the_numbers_of_the_result(zf: Page, name: str) -> None:
-    table = zf.table(BY_NAME[name].title)
+    table = zf.table(f"{BY_NAME[name].title} [{name}]")
     assert list(table) == zf.data["rows"][name]
     for shown, given in zip(table.values(), zf.data[name], strict=True):
         assert [value(shown[gear]) for gear in zf.data["gears"]] == given
