@@ -309,7 +309,7 @@ def test_a_package_that_is_missing_is_told_before_anything_is_calculated(
         importlib.util, "find_spec", lambda name: None if name == package else find(name)
     )
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=-4:-2", *arguments.split())
-    assert said.gives_nothing(f'needs the package {package}: pip install "vstatics[{extra}]"')
+    assert said.gives_nothing(f'needs the package {package}: pip install ".[{extra}]"')
 
 
 def test_a_reader_that_has_seen_enough_ends_the_sweep_quietly() -> None:

@@ -327,7 +327,7 @@ def test_without_scipy_it_is_refused_before_anything_is_read(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
-    message = 'vstatics torsion needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]"\n'
+    message = 'vstatics torsion needs the package scipy: pip install ".[torsion]" in the source folder, or pip install scipy\n'
     for command, *options in ALL:
         answer = vstatics("torsion", command, "nowhere.yaml", *options, "-o", "new.json")
         assert (answer.status, answer.all, names()) == (1, message, ["box.yaml"])
