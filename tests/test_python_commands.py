@@ -156,7 +156,10 @@ for call in (
     ("text", "words"),
     [
         ("", 'pip install "vstatics['),
-        ("import no_such_part", "there, but can't be imported: ModuleNotFoundError: No module"),
+        (
+            "import no_such_part",
+            "installed, but cannot be imported: ModuleNotFoundError: No module",
+        ),
     ],
 )
 def test_a_missing_or_broken_package_is_told_as_commands_tell_it(text: str, words: str) -> None:

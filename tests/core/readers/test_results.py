@@ -27,7 +27,7 @@ def where(text: str) -> tuple[int, int, str]:
         (f"\n\n{GOOD}\n{GOOD}\n{{]\n", 5, 2, "no JSON: "),
         (f"{GOOD[:-1]}\n{GOOD}\n", 1, 16, "no JSON: "),
         (f"{GOOD}\nx\n", 2, 1, "no JSON: "),
-        (f"{GOOD}\n\n7\n", 3, 1, "result 2 is no JSON object"),
+        (f"{GOOD}\n\n7\n", 3, 1, "result 2 is not a JSON object"),
         (f"{GOOD}\r\n\r\n{{}}\r\n", 3, 1, "result 2 has none of the tables"),
         (f'{GOOD}\n\n{{"ratio": 1}}\n', 3, 1, "ratio of result 2 is not a table of numbers"),
         ('{\n  "ratio": [1,]\n}\n', 2, 15, "no JSON: "),

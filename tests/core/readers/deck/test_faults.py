@@ -120,7 +120,7 @@ FAULTS = [
     ("prose", 1, 1, "no field of a deck found", "`KJG=` first"),
     ("utf-16", 1, 1, "UTF-16", "save it as UTF-8"),
     ("binary", 1, 1, "binary", "UTF-8"),
-    ("half-a-character", 1, 3, "byte 0xD0 is no UTF-8"),
+    ("half-a-character", 1, 3, "byte 0xD0 is not UTF-8"),
 ]
 
 

@@ -78,7 +78,7 @@ def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
         ("0", "{over: sped, points: [[0, 1]]}", "did you mean `speed`"),
         ("0", "{over: speed}", "`points` is missing"),
         ("0", "{over: torque, points: [[0, .9], [1, 1.1]]}", "read 1.1, expected an efficiency"),
-        ("0", "{over: torque, points: []}", "there is no point"),
+        ("0", "{over: torque, points: []}", "read no points"),
     ],
 )
 def test_a_law_that_can_not_be_is_told(

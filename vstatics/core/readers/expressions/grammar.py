@@ -352,7 +352,7 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
         return f"read `{read}`, which this language does not have"
     shown = quoted(read or source.text[at])
     expected = "expected an operator such as `+`, `<` or `and`, or an end"
-    return f"read {shown} behind {quoted(before)}, {expected}"
+    return f"read {shown} after {quoted(before)}, {expected}"
 
 
 def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) -> str:
