@@ -39,7 +39,7 @@ gears: {g: {speeds: {right: 1.05*left}}}
 def test_a_gear_locked_by_friction_has_no_solution_with_losses() -> None:
     said = vstatics("explain", "-", stdin=LOCKED.encode())
     assert said.status == 0
-    assert "locked by friction" in said.out
+    assert "self-locking" in said.out
     assert "there is no solution with losses" in said.out
     assert "1 - 1/u_D" in said.out
 

@@ -94,7 +94,9 @@ def test_what_depends_without_a_load_is_told_at_its_place(tmp_path: Path) -> Non
     file = case_of(tmp_path, "1 + w")
     text = file.read_text("utf-8").replace("load: {speed: 1000 rpm, torque: 100 N*m}\n", "")
     file.write_text(text, encoding="utf-8")
-    with pytest.raises(VstaticsError, match=r"case.yaml:2:8: error: drag.b: it depends on"):
+    with pytest.raises(
+        VstaticsError, match=r"case.yaml:2:8: error: drag.b: a drag that depends on"
+    ):
         load(file)
 
 

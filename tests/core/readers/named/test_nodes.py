@@ -171,7 +171,7 @@ def test_standard_tags_are_taken_and_quote() -> None:
 def test_yaml_nests_16_levels(opening: str) -> None:
     start = time.process_time()
     line, _, message = refusal(opening * 200_000)
-    assert (line, message) == (1, "nested deeper than 16 levels, expected at most that")
+    assert (line, message) == (1, "nested deeper than 16 levels, expected at most this depth")
     assert time.process_time() - start < 5
 
 

@@ -43,7 +43,7 @@ FAULTS = [
         7,
         "shift_elements.T1: read a list of 1, expected two links: [first, second]",
     ),
-    ("element-twice.yaml", 9, 27, "gears.2.engaged[3]: element F2 is engaged twice"),
+    ("element-twice.yaml", 9, 27, "gears.2.engaged[3]: shift element F2 is engaged twice"),
     (
         "element-unknown.yaml",
         9,
@@ -82,7 +82,12 @@ FAULTS = [
     ("key-twice.yaml", 11, 1, "key `name` is given twice, the first is on line 2, column 1"),
     ("key-unknown.yaml", 7, 1, "unknown key `gaers`; did you mean `gears`?"),
     ("link-fraction.yaml", 6, 36, "mechanisms.D1.third: read '3.5', expected a link number"),
-    ("link-name-twice.yaml", 1, 20, "links[3]: link 3 has the name `sun` of link 1"),
+    (
+        "link-name-twice.yaml",
+        1,
+        20,
+        "links[3]: link 3 has the name of link 1, expected another name",
+    ),
     (
         "link-named-housing.yaml",
         1,

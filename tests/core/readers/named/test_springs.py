@@ -214,7 +214,9 @@ elements:
 springs: {{"{other}": {{links: [a], stiffness: 8}}}}
 """
     [told] = [one for one in messages(text) if ": error: " in one]
-    assert told.startswith(f"case.yaml:7:11: error: springs.{other}: `{other}` is the name of a")
+    assert told.startswith(
+        f"case.yaml:7:11: error: springs.{other}: `{other}` is also the name of a"
+    )
 
 
 def test_an_element_has_no_name_of_a_shift_element() -> None:
@@ -240,7 +242,7 @@ def test_inertias_and_a_clutch_are_a_case() -> None:
     assert loaded(write_yaml(case)) == case
     [told] = library.solve(case).messages
     assert told.id == "N420"
-    assert "link engine turns freely: the case has no gears" in told.text
+    assert "link engine turns freely, because the case has no gears" in told.text
 
 
 def test_links_with_inertia_alone_are_a_case() -> None:

@@ -359,7 +359,7 @@ def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) 
     """Return the message for a text that was read instead of an operand.
 
     >>> no_operand(Excerpt("1 + * 2", "--where"), 4, "*", "+", "a number")
-    'read `*` behind `+`, expected a number'
+    'read `*` after `+`, expected a number'
     """
     if ELSEWHERE.get(read) in ("-", "not"):
         return f"read `{read}`, expected `{ELSEWHERE[read]}`"
