@@ -89,7 +89,7 @@ STEEL = Spring(between(1, 2), stiffness=3.0)
         (STEEL._replace(twist=between(1, 4)), "springs[1].second: read 4, expected a link number"),
         (STEEL._replace(twist=between(1, 1)), "springs[1].second: joins link 1 to itself"),
         (STEEL._replace(twist=between(0, 0)), "springs[1].second: joins link 0 (the housing) to"),
-        (STEEL._replace(name="D1"), "springs[1]: `D1` is the name of a mechanism too, expected"),
+        (STEEL._replace(name="D1"), "springs[1]: `D1` is also the name of a mechanism, expected"),
         (STEEL._replace(name="a\nb"), "expected one line of text"),
     ],
 )  # fmt: skip
@@ -131,7 +131,7 @@ def test_a_device_that_cannot_be_elastic_so_is_told(elastic: dict[str, Any], sai
 
 
 def test_two_springs_have_two_names() -> None:
-    with pytest.raises(CaseError, match="spring 2 has the name `S1` of spring 1"):
+    with pytest.raises(CaseError, match="spring 2 has the name of spring 1, expected another name"):
         made(STEEL, STEEL._replace(name="S1"))
 
 
@@ -186,13 +186,13 @@ def test_a_torque_beyond_a_flat_end_has_no_twist() -> None:
 @pytest.mark.parametrize(
     ("spring", "message"),
     [
-        ({"points": [(0, 0), (0.1, 5), (0.1, 6)]}, "3][1]: read 0.1 behind 0.1, expected twists"),
-        ({"points": [(0, 0), (0.1, 5), (0.2, 4)]}, "3][2]: read 4 behind 5, expected torques"),
+        ({"points": [(0, 0), (0.1, 5), (0.1, 6)]}, "3][1]: read 0.1 after 0.1, expected twists"),
+        ({"points": [(0, 0), (0.1, 5), (0.2, 4)]}, "3][2]: read 4 after 5, expected torques"),
         ({"points": [(0, 1), (0.1, 5)]}, "1]: read 0, 1, expected [0, 0] first"),
         ({"points": [(0, 0), (0.1, 0)]}, "expected at least two points, and a torque that rises"),
         ({"points": STAGES, "stiffness": 5}, "stiffness: read `stiffness` with `points`"),
         ({"points": STAGES, "limit": 5}, "limit: read `limit` with `points`"),
-        ({"points": STAGES, "damping": Damping(1, 0.1)}, "read a loss factor or ratio beside"),
+        ({"points": STAGES, "damping": Damping(1, 0.1)}, "read a loss factor or ratio with"),
         ({"stiffness": 5, "friction": -1}, "friction: read -1, expected a torque of 0 or more"),
     ],
 )

@@ -23,9 +23,9 @@ from vstatics.sweep.variants.targets import target
         ("1 < Ratio[2]", "Ratio[2]", "did you mean `ratio`?"),
         ("speeds[inn]", "inn]", "there is no link `inn`, expected one of вал, ring 1, in; did you"),
         ("speeds[вол,2]", "вол,2]", "did you mean `вал`?"),
-        ("speeds[in,3R]", "3R]", 'goes in quotes: "3R"'),
-        ("torques[4-5]", "4-5]", 'goes in quotes: "4-5"'),
-        ("speeds[ring 1]", "ring 1]", 'goes in quotes: "ring 1"'),
+        ("speeds[in,3R]", "3R]", 'with other characters in quotes: "3R"'),
+        ("torques[4-5]", "4-5]", 'with other characters in quotes: "4-5"'),
+        ("speeds[ring 1]", "ring 1]", 'with other characters in quotes: "ring 1"'),
         ("speeds[in,'1r']", "'1r']", "there is no gear `1r`, expected one of 2, 1R, N"),
         ("ratio[#4]", "#4]", "the number of a gear, #1 to #3"),
         ("ratio[0]", "0]", "there is no gear `0`"),
@@ -52,7 +52,7 @@ from vstatics.sweep.variants.targets import target
         ("'ok' != status", "'ok' != status", "numbers are compared, not texts"),
         ("ratio[2] # two", "# two", "read `#`"),
         ("#x.ratio", "#x.ratio", "expected `#` and a number"),
-        ("1R > 2", "1R > 2", 'goes in quotes: "1R"'),
+        ("1R > 2", "1R > 2", 'with other characters in quotes: "1R"'),
         ("1_000 + 1", "1_000 + 1", "expected a number without `_`: 1000"),
         ("0x10", "0x10", "expected a number"),
         ("1e999", "1e999", "expected a number below 1.8e308"),
@@ -73,7 +73,7 @@ from vstatics.sweep.variants.targets import target
         ("[1]", "[1]", "expected a table before it"),
         ("(ratio)[2]", "[2]", "rows and gears belong to a table"),
         ("{1}", "{1}", "read `{`"),
-        ("f'1'", "'1'", "behind `f`"),
+        ("f'1'", "'1'", "after `f`"),
         ("(1, 2)", ", 2)", "read `,`"),
         ("1, 2", ", 2", "read `,`"),
         ("1; 2", "; 2", "read `;`"),
@@ -136,7 +136,7 @@ def test_an_empty_table_is_told() -> None:
 
 def test_a_long_power_or_a_row_of_signs_is_no_danger() -> None:
     for text in ("9**" * 600 + "9", "-" * 1900 + "1", "not " * 400 + "1", "1+" * 900 + "1"):
-        assert "more than 100 operations" in problem(text).message
+        assert "more than 100 nested operations" in problem(text).message
     assert number("1<=" * 600 + "1") == 1
 
 

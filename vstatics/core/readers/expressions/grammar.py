@@ -365,6 +365,6 @@ def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) 
         return f"read `{read}`, expected `{ELSEWHERE[read]}`"
     if source.has("[", at):
         return "read `[`, expected a table before it, such as speeds[:,1]"
-    behind = f" behind {quoted(before)}" if before else ""
+    behind = f" after {quoted(before)}" if before else ""
     shown = f"read {quoted(read or source.text[at])}" if at < source.end else "the text ends"
     return f"{shown if source.part.strip() else 'read nothing'}{behind}, expected {operands}"
