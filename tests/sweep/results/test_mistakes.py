@@ -18,7 +18,7 @@ from vstatics.sweep.variants.targets import target
     ("text", "rest", "message"),
     [
         ("", "", "read nothing"),
-        ("ratio + ", "", "the text ends behind `+`"),
+        ("ratio + ", "", "the text ends after `+`"),
         ("rato[2]", "rato[2]", "there is no table `rato`; did you mean `ratio`?"),
         ("1 < Ratio[2]", "Ratio[2]", "did you mean `ratio`?"),
         ("speeds[inn]", "inn]", "there is no link `inn`, expected one of вал, ring 1, in; did you"),
@@ -52,7 +52,7 @@ from vstatics.sweep.variants.targets import target
         ("'ok' != status", "'ok' != status", "numbers are compared, not texts"),
         ("ratio[2] # two", "# two", "read `#`"),
         ("#x.ratio", "#x.ratio", "expected `#` and a number"),
-        ("1R > 2", "1R > 2", 'with other characters in quotes: "1R"'),
+        ("1R > 2", "1R > 2", 'goes in quotes: "1R"'),
         ("1_000 + 1", "1_000 + 1", "expected a number without `_`: 1000"),
         ("0x10", "0x10", "expected a number"),
         ("1e999", "1e999", "expected a number below 1.8e308"),
