@@ -133,7 +133,7 @@ def test_a_deviation_of_rounding_noise_is_none() -> None:
     file = results("x.json", "neutral.yaml")
     document = json.loads(Path(file).read_text("utf-8"))
     for name, gears in (("noise", [1e-16, 1.0]), ("actual", [0.5, 1.1])):
-        document["ETA"] = gears
+        document["efficiency"] = gears
         Path(f"{name}.json").write_text(json.dumps(document), encoding="utf-8")
     told = {line.split()[1]: line for line in lines("actual.json", "noise.json", "--all")[1:]}
     assert ("%" in told["N"], "+10.00 %" in told["low"]) == (False, True)
@@ -319,7 +319,7 @@ def test_mechanisms_of_a_deck_are_not_elements_of_a_drawing_by_their_place() -> 
     assert vstatics("convert", "box.dat", "box.yaml").status == 0
     names = results("deck.json", "box.yaml"), results("drawn.json", case)
     document = json_answer("compare", *names)
-    torques = [one for one in document["cases"][0]["numbers"] if one["table"] == "AMLG"]
+    torques = [one for one in document["cases"][0]["numbers"] if one["table"] == "torques"]
     assert torques
     assert not [one for one in torques if one["deviation"] is not None]
 
@@ -357,7 +357,7 @@ def test_a_sweep_is_no_result() -> None:
         b"table,row,gear,value\nW,1\n",
         b"table,row,gear,value\nXX,1,1,1\n",
         b"table,row,gear,value\nW,1,1,x\n",
-        b'{"W": [[1]]}\n{"W": ]}\n',
+        b'{"speeds": [[1]]}\n{"speeds": ]}\n',
     ],
 )
 def test_what_is_no_table_is_told_with_its_file(data: bytes) -> None:

@@ -151,7 +151,7 @@ def test_the_twists_of_springs_stand_in_the_listing(cases: Path) -> None:
 
 def test_rows_of_a_case_with_springs_have_names(cases: Path) -> None:
     made = json_answer("run", cases / "box.yaml")
-    assert made["rows"]["AMLG"] == ["C", "B", "set", "axle", "damper", "shaft", "mount", "Mx"]
+    assert made["rows"]["torques"] == ["C", "B", "set", "axle", "damper", "shaft", "mount", "Mx"]
     listing = vstatics("run", cases / "box.yaml").out
     assert "  3.600   1.000  | shaft\n" in listing
 

@@ -41,7 +41,10 @@ class Cluster(Workers):
             If no scheduler answers, or no worker has this build of the package.
         """
         distributed = import_module("distributed")  # costs start-up time, and may be missing
-        _silence()
+        # Failures in Dask are reported as problems instead.
+        for name in logging.root.manager.loggerDict:
+            if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
+                logging.getLogger(name).setLevel(logging.CRITICAL)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # about other Python versions on workers
             try:
@@ -159,13 +162,6 @@ class Cluster(Workers):
                 message = "several workers died on this task, one after the other"
                 raise CaseError("E029", f"{self.describe(item)}: {message}") from None
             raise failure(self.describe, item, error) from error
-
-
-def _silence() -> None:
-    """Silence the log of Dask, whose failures are reported as problems instead."""
-    for name in logging.root.manager.loggerDict:
-        if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
-            logging.getLogger(name).setLevel(logging.CRITICAL)
 
 
 async def _answers(client: Any) -> bool:

@@ -132,10 +132,10 @@ def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
     yield from _bare(case, {link: ("drag", link) for link in case.drag}, case.drag, torque)
     yield from _bare(case, paths, elements, torque)
     for number, gear in enumerate(case.gears, 1):
-        torque = case.gear_load(gear).torque
         for key, drags in (("drag", gear.drag), ("open_drag", gear.open_drag)):
-            of_gear = {part: ("gears", number, key, part) for part in drags}
-            yield from _bare(case, of_gear, drags, torque)
+            if drags:
+                of_gear = {part: ("gears", number, key, part) for part in drags}
+                yield from _bare(case, of_gear, drags, case.gear_load(gear).torque)
 
 
 def _bare(

@@ -421,7 +421,8 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
             yield Problem("E243", f"read {number!r}, expected {expected}", inner)
     yield from _speed_ratios(case, gear, path)
     if gear.kind not in GEAR_KINDS:
-        yield Problem("E232", f"read {gear.kind!r}, expected `gear` or `point`", (*path, "kind"))
+        expected = "`gear`, `neutral` or `point`"
+        yield Problem("E232", f"read {gear.kind!r}, expected {expected}", (*path, "kind"))
     if gear.speeds or gear.torques:
         yield from _sides_given(case, gear, ends, path)
 

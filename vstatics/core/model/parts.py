@@ -101,8 +101,8 @@ ElementKind = Literal["clutch", "brake", "dog_clutch", "freewheel"]
 Direction = Literal["forward", "backward"]
 """Direction of rotation of an input."""
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
-GearKind = Literal["gear", "point"]
-"""A gear of the shift pattern, or an operating point, as of a variable drive."""
+GearKind = Literal["gear", "neutral", "point"]
+"""A gear of the shift pattern, neutral on purpose, or an operating point of a variable drive."""
 GEAR_KINDS: tuple[GearKind, ...] = get_args(GearKind)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
 MechanismKind = Literal["variator", "converter"]
@@ -640,8 +640,9 @@ class Gear(NamedTuple):
     input_turns : {"forward", "backward"}, optional
         Direction of rotation of the input, on which freewheels depend since all speeds are
         relative. By default the sign of the operating point, or forward without it.
-    kind : {"gear", "point"}
-        An operating point (``point``) has no step ratio and is not part of the spread.
+    kind : {"gear", "neutral", "point"}
+        A gear that is ``neutral`` on purpose gets no warning. It has no step ratio and is not part
+        of the spread, like an operating point (``point``).
     coast : bool, optional
         Whether power enters at the output; by default as in the case, or by the sign of its
         operating point.

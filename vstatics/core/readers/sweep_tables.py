@@ -15,6 +15,7 @@ from vstatics.core.extras import missing
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Source
 from vstatics.core.tables.csv import unguarded
+from vstatics.core.tables.names import plain_names
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
 
 if TYPE_CHECKING:
@@ -303,6 +304,8 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
     for name in (NUMBER, STATUS):
         if name not in columns:
             raise ValueError(f"the column `{name}` is missing, which every sweep has")
+    columns = _plain_headings(columns)
+    names = list(columns)
     place = names.index(STATUS)
     by_gear = names[place + 1 : place + 2] == [GEAR]
     numbers = {
@@ -317,6 +320,18 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
         tuple(name for name in names[:place] if name != NUMBER),
         [str(gear) for gear in columns[GEAR]] if by_gear else (),
     )
+
+
+def _plain_headings(columns: Mapping[str, Column]) -> dict[str, Column]:
+    """Return columns with names of tables instead of deck names, which older sweeps can have.
+
+    A heading that another column has already keeps its deck name.
+    """
+    plain = {name: plain_names(name) for name in columns}
+    return {
+        plain[name] if plain[name] == name or plain[name] not in columns else name: column
+        for name, column in columns.items()
+    }
 
 
 def _numbers(name: str, column: Column) -> list[float]:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import not_allowed, path_text, spoken
+from vstatics.core.errors import Problem, not_allowed, path_text, spoken
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
 from vstatics.core.numerics import elimination
@@ -88,6 +88,7 @@ def _messages(results: Results) -> Iterator[Message]:
             *(Said("W430", text) for index, text in overloaded if index == number),
             *(Said("W431", text) for index, text in unbalanced if index == number),
             *_open_converters(case, given),
+            *(_driving_neutral(results, number) if given.kind == "neutral" else ()),
         )
         # a gear can contain several contradictions with one and the same text
         for identity, text in dict.fromkeys(remarks):
@@ -291,7 +292,7 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         what = "turns" if len(free) == 1 else "turn"
         named = f"link{_s(len(free))} {spoken(free)} {what} freely"
         yield Said("N420", f"{named}, because the case has no gears; a run calculates its speeds")
-    elif missing:
+    elif missing and not (gear.kind == "neutral" and _is_neutral(results, number)):
         yield _too_free(results, number, gear, missing)
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
@@ -311,7 +312,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
     free = _without_value(case.link_names, results.gear_at(number).speeds)
     named = f" (link{_s(len(free))} {spoken(free)} can still turn freely)" if free else ""
     links = "" if results.tied_up[number] else named
-    neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
+    neutral = _is_neutral(results, number)
     unheld = f"; {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
     over = _missed_freewheels(results, number, gear) if neutral else []
     why, exchange = _overrunning(case, results.gear_at(number), over)
@@ -346,12 +347,35 @@ def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -
 
 def _is_adrift(results: Results, number: int) -> bool:
     """Return whether a gear is neutral, with torques out of balance."""
-    return bool(
-        results.missing[number]
-        and np.isnan(results.ratio[number])
-        and not results.tied_up[number]
-        and not results.balanced[number]
-    )
+    return _is_neutral(results, number) and not results.balanced[number]
+
+
+def _is_neutral(results: Results, number: int) -> bool:
+    is_undetermined = bool(results.missing[number]) and bool(np.isnan(results.ratio[number]))
+    return is_undetermined and not results.tied_up[number] and not results.conflict[number]
+
+
+def _driving_neutral(results: Results, number: int) -> Iterator[Said]:
+    ratio = float(results.ratio[number])
+    if not math.isnan(ratio):
+        yield Said("W432", f"marked `kind: neutral`, but drives with the ratio {ratio:.4g}")
+
+
+def undriven_gears(results: Results) -> Iterator[Problem]:
+    """Yield an error for each gear that is neutral, but not marked `kind: neutral`.
+
+    `run` warns of such gears (W414) and gives the results of the others; `check` fails.
+    """
+    case = results.case
+    for number, gear in enumerate(case.gears):
+        if "W414" in case.untold or gear.kind == "neutral" or _is_for_motion(case, gear):
+            continue
+        if _is_neutral(results, number):
+            yield Problem(
+                "E453",
+                "cannot drive: expected another engaged shift element, or `kind: neutral`",
+                ("gears", number + 1),
+            )
 
 
 def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:

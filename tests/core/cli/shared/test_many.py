@@ -241,7 +241,7 @@ def test_a_list_of_one_is_a_list_and_of_none_too() -> None:
     said = vstatics("run", "--files-from", "nowhere")
     assert (said.status, said.err[:26]) == (1, "nowhere: error: cannot be ")
     said = vstatics("run", "--files-from", "-", "-f", "csv", stdin=b"nowhere.dat\nin/mzkt.dat")
-    assert (said.status, said.out.count("mzkt.dat,ETA")) == (1, 6)
+    assert (said.status, said.out.count("mzkt.dat,efficiency")) == (1, 6)
 
 
 def test_names_found_by_find_come_through_a_pipe(folder: Path) -> None:
