@@ -142,7 +142,7 @@ def test_links_stand_in_the_order_in_which_power_comes_to_them() -> None:
         ("axle", True, (2, 3)),
         ("pair", False, (1, 2)),
     ]
-    note = "amplitudes of links, the largest is 1; these stand: held; without load: loose wheel"
+    note = "amplitudes of links, the largest is 1; at rest: held; without load: loose wheel"
     assert note in texts(results, "modes")
 
 

@@ -70,7 +70,7 @@ def test_all_gears_have_one_campbell_diagram_and_each_its_modes(shown: Page) -> 
     ]
     for gear in ("low", "direct"):
         assert f"modes={gear}" in [one.attributes.get("id") for one in shown.all("div")]
-    assert list(shown.table("Where most of the energy is")) == ["1", "2"]
+    assert list(shown.table("Largest shares of energy")) == ["1", "2"]
 
 
 def test_ids_are_unique(shown: Page) -> None:
