@@ -244,7 +244,7 @@ def test_a_belt_without_an_efficiency_is_told_by_check_alone(kind: str) -> None:
     text = f"input: a\noutput: b\nelements: {{E: {element}}}\ngears: {{1: []}}\n"
     Path("drive.yaml").write_text(text, encoding="utf-8")
     said = vstatics("check", "drive.yaml").err
-    assert said.startswith("drive.yaml:3:12: note: elements.E: there is no `efficiency`")
+    assert said.startswith("drive.yaml:3:12: note: elements.E: `efficiency` is missing: belts")
     assert vstatics("run", "drive.yaml").err == ""
     Path("drive.yaml").write_text(text.replace("second: 40}", "second: 40}, efficiency: .97"))
     assert vstatics("check", "drive.yaml").err == ""

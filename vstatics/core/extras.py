@@ -200,7 +200,7 @@ def broken(error: BaseException) -> str:
         package = str(trace.tb_frame.f_globals.get("__name__")).partition(".")[0]
         if package in packages:
             why = " ".join(f"{type(error).__name__}: {error}".split())
-            return f"the package {package} is there, but can't be imported: {why}"
+            return f"the package {package} is installed, but cannot be imported: {why}"
         trace = trace.tb_next
     return ""
 

@@ -62,7 +62,8 @@ def convert_command(
     wanted = output_format or readers.format_of_name(target)
     if wanted is None:
         raise click.UsageError(
-            f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
+            f"cannot determine the format of {target}: expected a suffix such as .dat, "
+            ".yaml, .json, "
             ".xlsx, or --to"
         )
     reading = arguments.read_data(*files.read_input(source), input_format, telling)

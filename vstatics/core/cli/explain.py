@@ -116,7 +116,7 @@ def _exercise(
 
     index, *further_gears = arguments.gear_indices(results.case, gears)
     if further_gears:
-        names = listed([gear.name for gear in results.case.gears], 12)
+        names = listed(results.gears, 12)
         message = f"an exercise is of one gear, expected one of {names}"
         raise click.BadParameter(message, param_hint="--gear")
     try:

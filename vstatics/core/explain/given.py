@@ -216,14 +216,14 @@ def _rest(data: Mapping[str, Any]) -> Grid:
         for key, value in data.items()
         if key not in UNREAD | _SHOWN
     ]
-    return grid_of("Given besides", ["quantity", "value"], rows, key="rest")
+    return grid_of("Further data", ["quantity", "value"], rows, key="rest")
 
 
 def _idle(state: GearState) -> Grid:
     """Return the table of signs that follow from a convention, or from the losses."""
     signs = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
     rows = [(mechanism.name, whole(plain(sign))) for mechanism, sign, is_given in signs if is_given]
-    title = "Signs of idle mechanisms"
+    title = "Signs of unloaded mechanisms"
     if any(state.search.turned):
         title = "Signs that power without losses does not tell"
     return grid_of(title, ["mechanism", "sign"], rows, key="idle")

@@ -106,16 +106,16 @@ def sections(explanation: Explanation, digits: int | None = None) -> Iterator[Ch
 
 MATRIX = (
     "Structural-distribution matrix: torques on the links (rows) for 1 on the first link of each "
-    "device (columns)"
+    "component (columns)"
 )
 """Heading of the matrix."""
 LOSSES = (
-    "u eta^x in place of u; x = +1 where power enters a mechanism by its "
+    "u eta^x instead of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) > 0"
 )
 """Rule of the sign when driving, in the heading of torques with losses."""
 COASTING = (
-    "u eta^x in place of u; x = +1 where power enters a mechanism by its "
+    "u eta^x instead of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) < 0, as the unit of M is negative "
     "when coasting"
 )
@@ -291,7 +291,7 @@ def _together(explanation: Explanation) -> Iterator[str]:
         by = tr(" (by {names})", names=", ".join(body.elements)) if body.elements else ""
         lines.append(f"{(tr('stand still') + ': ') * body.stands}{', '.join(body.links)}{by}")
     if explanation.one_piece:
-        lines.append(tr("as one piece: {names}", names=", ".join(explanation.one_piece)))
+        lines.append(tr("locked up: {names}", names=", ".join(explanation.one_piece)))
     if explanation.standing:
         lines.append(tr("stand still as a whole: {names}", names=", ".join(explanation.standing)))
     for line in lines:

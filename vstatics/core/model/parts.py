@@ -84,7 +84,7 @@ def damping_fault(
     'read several of `viscous`, `ratio` and `loss_factor`, expected one of them'
     """
     if ratio is not None and ratio < 0:
-        return f"read a ratio of {ratio:g}, expected one of 0 or more"
+        return f"read a ratio of {ratio:g}, expected a ratio of 0 or more"
     if bool(viscous) + (ratio is not None) + bool(loss_factor) < 2:
         return ""
     return "read several of `viscous`, `ratio` and `loss_factor`, expected one of them"
@@ -374,9 +374,9 @@ def mechanism_fault(
     if kind and ratio is not None:
         return f"read `ratio` of a {kind}, expected `speed_ratio`"
     if not kind and speed_ratio is not None:
-        return "read `speed_ratio`, expected `kind: variator` or `kind: converter` beside it"
+        return "read `speed_ratio`, expected `kind: variator` or `kind: converter` as well"
     if others.get("points") and kind != "converter":
-        return "read `points`, expected `kind: converter` beside them"
+        return "read `points`, expected `kind: converter` as well"
     return ""
 
 
@@ -475,7 +475,7 @@ def load_fault(
     """Return the reason why a power does not define an operating point; empty if valid.
 
     >>> load_fault(power=90)
-    'read `power` alone, expected a speed or a torque beside it'
+    'read `power` alone, expected a speed or a torque as well'
     """
     if power is None:
         return ""
@@ -484,9 +484,9 @@ def load_fault(
         return f"read speed, torque and power, expected two of them: {given}"
     other = torque if speed is None else speed
     if other is None:
-        return "read `power` alone, expected a speed or a torque beside it"
+        return "read `power` alone, expected a speed or a torque as well"
     if power == 0 or other == 0:
-        return "read a power, speed or torque of 0, expected another one"
+        return "read a power, speed or torque of 0, expected another value"
     return ""
 
 

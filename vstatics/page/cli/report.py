@@ -149,7 +149,7 @@ def report_command(
 
         return serve_page(cases[0], page.digits, page.lang, settings)
     assert output is not None  # noqa: S101 - it is required
-    to = formats.each_by_itself(output, cases, ["html"], "a page", most=2)
+    to = formats.each_by_itself(output, cases, ["html"], "a page")
     if len(cases) == 1 and (listing := _listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")

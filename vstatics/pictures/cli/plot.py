@@ -111,7 +111,7 @@ def plot_command(
     )
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)
-    to = formats.each_by_itself(output, cases, FORMATS, "a picture", most=2)
+    to = formats.each_by_itself(output, cases, FORMATS, "a picture")
     style = asked.style(lang, math.inf if is_stream(to.output) else PAGE_HEIGHT)
     if ratios is not None:
         return _plot_ratios(ratios, asked.gears, to, style)

@@ -152,5 +152,5 @@ def _held_by(case: Transmission, names: str) -> Iterator[str]:
     """Yield the symbols of a held point, by the names of the brakes."""
     if not names:
         yield "housing"
-    kinds = [any_freewheel(case, [name]) for name in names.split(", ") if name]
-    yield from ("freewheel" if is_freewheel else "brake" for is_freewheel in kinds)
+    for name in filter(None, names.split(", ")):
+        yield "freewheel" if any_freewheel(case, [name]) else "brake"

@@ -89,7 +89,7 @@ def plan_signs(
         (True, "speed 0", {**ink, "width": 0.8}),
         (any(mark.elements for plan in shown for mark in plan.marks), element, dot_look(style)),
         (striped, TURN_TOGETHER, striped_look(style)),
-        (any(units), "all turn as one piece", unit_look(style)),
+        (any(units), "everything rotates as a block", unit_look(style)),
         (any(run.any() for run in runs), "run on the plan", ink | BROAD),
         (not all(run.all() for run in runs), "off the plan", ink | PATH),
     ]

@@ -350,7 +350,10 @@ def test_other_filters_take_up_what_is_found(searched: Searched) -> None:
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        ((), "holds 3 of 6 finished pieces of this search, which was stopped; go on with --resume"),
+        (
+            (),
+            "holds 3 of 6 finished pieces of this search, which was stopped; continue with --resume",
+        ),
         (("--resume", "--tolerance", 0.02), "of another search: tolerance changed; repeat that"),
         (("--resume", "--bounds", "2:3"), "of another search: bounds changed"),
     ],

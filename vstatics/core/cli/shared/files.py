@@ -78,7 +78,7 @@ def read_input(
         raise ReadError([unreadable(name, error)]) from None
     except ValueError as error:  # a name that contains a zero byte
         reason = str(error)
-    raise ReadError([of_file("E006", name, f"can't be read: {reason}")])
+    raise ReadError([of_file("E006", name, f"cannot be read: {reason}")])
 
 
 @contextlib.contextmanager
@@ -198,7 +198,7 @@ def refuse_existing(output: str) -> None:
     ReadError
     """
     if not is_stream(output) and os.path.lexists(output):
-        message = "is there already; expected the name of a new file"
+        message = "already exists, expected the name of a new file"
         raise ReadError([of_file("E016", output, message)])
 
 

@@ -198,7 +198,7 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
         raise error(f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{or_else}{other}")
     value = number * size
     if not math.isfinite(value):
-        raise ValueError(f"expected a {kind} that is not so large")
+        raise ValueError(f"expected a {kind} that is smaller")
     return value
 
 
@@ -268,7 +268,7 @@ def relative(text: str, kind: Quantity) -> float:
             return dimensionless(text)
     if not any(sign.isalpha() for sign in text):
         raise ValueError(expected(text))
-    return WithUnit(quantity(text, kind, f", or one relative to the input {kind}"), kind)
+    return WithUnit(quantity(text, kind, f", or a number relative to the input {kind}"), kind)
 
 
 def common_unit(text: str) -> tuple[str, str]:
