@@ -354,7 +354,7 @@ def test_fuel_is_bilinear() -> None:
     w, t = np.array([120.0, 420.0]), np.array([33.0, 71.0])
     np.testing.assert_allclose(read.at(w, t), fuel(w, t), rtol=1e-12)
     np.testing.assert_allclose(read.at(np.array([50.0]), np.array([-9.0])), fuel(100.0, 0.0))
-    with pytest.raises(ReadError, match="expected one for each pair"):
+    with pytest.raises(ReadError, match="expected one row for each pair"):
         read_fuel_map(text.encode().rsplit(b"\n", 1)[0], "fuel.csv")
 
 

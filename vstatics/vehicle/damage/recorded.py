@@ -54,8 +54,6 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
     for name, result in damage.items():
         if not math.isfinite(result.damage):
             message = f"torques of {quoted(name)} are too large for a damage; check their unit"
-                f"torques of {quoted(name)} are too large to calculate a damage; check their unit"
-            )
             raise ReadError([record.problem("E885", message)])
     return RecordedDamage(damage, problems)
 
