@@ -55,7 +55,7 @@ def main() -> None:
     peer = None
     if not set(names) <= set(WITHOUT_PEER):
         peer = given.peer.resolve() if given.peer else compiled()
-    texts = {"machine": f"{machine()}. Times are medians; what is compared alternates.\n"}
+    texts = {"machine": f"{machine()}. Times are medians of alternating runs.\n"}
     print(texts["machine"], end="", flush=True)
     failed = []
     for name in names:

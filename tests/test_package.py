@@ -115,7 +115,7 @@ def test_faults_of_plain_data_are_told_by_their_keys_without_a_place() -> None:
         Transmission.from_dict({**PAIR, "gears": {"drive": {"engaged": ["C"]}}})
     [problem] = caught.value.problems
     assert str(problem) == (
-        "gears.drive.engaged[1]: read 'C', but there are no shift elements [E126]"
+        "gears.drive.engaged[1]: read 'C', but the case has no shift elements [E126]"
     )
 
 

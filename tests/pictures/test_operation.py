@@ -49,4 +49,4 @@ mechanisms: {pair: {first: a, second: b, ratio: -2, efficiency: 0.98}}
 drag: {a: [[0, 3]]}
 gears: {idles: [], drives: {load: {torque: 30 N*m}}}
 """)
-    assert "dragged" in drawn("efficiency", case)
+    assert "back-driven" in drawn("efficiency", case)

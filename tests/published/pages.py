@@ -21,6 +21,5 @@ def rows(page: str, heading: str, number: int = 0) -> list[Row]:
 
 
 def rounded(value: float, like: str) -> str:
-    """A number with as many decimals as another that is shown, no zero before its point."""
-    shown = f"{value:.{len(like.partition('.')[2])}f}"
-    return re.sub(r"^(-?)0\.", r"\1.", shown)
+    """Return a number with as many decimals as a number that is shown."""
+    return f"{value:.{len(like.partition('.')[2])}f}"

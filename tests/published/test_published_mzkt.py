@@ -15,6 +15,7 @@ import pytest
 
 from tests.commands import CASES, MZKT, vstatics
 from tests.shipped import PRINTED
+from vstatics.core.tables.names import plain_name
 
 COUNTS = {
     "AJK": 48,
@@ -38,7 +39,7 @@ Rows = list[list[Any]]
 
 
 def rows_of(document: dict[str, Any], table: str) -> Rows:
-    """A table as rows; a list over the gears is one row."""
+    """A table of a report as rows; a list over the gears is one row."""
     found: Rows = document[table] if isinstance(document[table][0], list) else [document[table]]
     return found
 
@@ -124,7 +125,7 @@ def test_double_precision_is_within_half_a_unit(way: str) -> None:
     said = vstatics("run", "-", "-f", "json", stdin=WAYS[way]())
     document = said.json
     for table in COUNTS:
-        pairs = zip(rows_of(document, table), rows_of(PRINTED, table), strict=True)
+        pairs = zip(rows_of(document, plain_name(table)), rows_of(PRINTED, table), strict=True)
         for got, expected in pairs:
             assert got == pytest.approx(expected, rel=0, abs=HALF_A_UNIT), table
 

@@ -146,7 +146,7 @@ def test_what_is_written_is_read_again() -> None:
 @pytest.mark.parametrize(
     ("coefficient", "heat", "expected"),
     [
-        (FADING, "cooling: 0", "expected a `heat_capacity` beside it"),
+        (FADING, "cooling: 0", "expected a `heat_capacity` as well"),
         ("{columns: [], rows: [[0]]}", "heat_capacity: 900", "there is no temperature"),
         ("{columns: [30], rows: []}", "heat_capacity: 900", "there is no point, expected one"),
         ("{columns: [9, 9], rows: [[0, 1, 1]]}", "heat_capacity: 900", "read 9 behind 9, expected"),

@@ -155,7 +155,7 @@ def test_pieces_of_another_build_are_calculated_again_with_a_word(tmp_path: Path
                 opened.open(description(made, "csv"), made.pieces, resume=False)
             opened.unlock()
             without = opened.open(description(made, "csv"), made.pieces, resume=True)
-            assert without == "what is there is of another build of vstatics"
+            assert without == "the finished work belongs to another build of vstatics"
             assert opened.finished() == []
 
 

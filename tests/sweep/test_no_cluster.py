@@ -18,7 +18,7 @@ VARY = ("--vary", "D.ratio=-4:-2:1000")
     ("address", "words"),
     [
         ("tcp://127.0.0.1:1", "no Dask scheduler answers there"),
-        ("nonsense://x", "is no address of a scheduler, expected tcp://HOST:PORT"),
+        ("nonsense://x", "is not the address of a scheduler, expected tcp://HOST:PORT"),
     ],
 )
 def test_a_scheduler_that_is_not_there_is_told(address: str, words: str, tmp_path: Path) -> None:

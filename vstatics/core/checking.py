@@ -15,6 +15,7 @@ from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed
 from vstatics.core.model.checks import hints
 from vstatics.core.readers.kinds import document_function
+from vstatics.core.statics.diagnosis import undriven_gears
 from vstatics.core.statics.solution import solution
 from vstatics.core.suggestions import why_not_allowed
 
@@ -56,15 +57,15 @@ def check(
     for why in filter(None, map(why_not_allowed, allow)):
         raise ValueError(why)
     with readers.content(source) as (data, name):
-        return not_allowed(problems_of(data, name), allow)
+        return not_allowed(problems_of(data, name, allow), allow)
 
 
-def problems_of(data: bytes, file: str) -> list[Problem]:
-    """Return all problems of the content of a file."""
+def problems_of(data: bytes, file: str, allow: Sequence[str] = ()) -> list[Problem]:
+    """Return all problems of the content of a file, without suppressed ones of its gears."""
     try:
         if document_problems := document_function("document_problems", data, file):
             return [*document_problems(data, file)]
-        reading = readers.read(data, file)
+        reading = readers.read(data, file).allowing(allow)
     except ReadError as error:
         return error.problems
     try:
@@ -72,5 +73,8 @@ def problems_of(data: bytes, file: str) -> list[Problem]:
     except CaseError as error:
         return [*map(reading.locate, error.problems)]
     messages = reading.located_messages(results, each_gear=True)
-    notes = map(reading.locate, hints(reading.case))
-    return not_allowed([*reading.warnings, *notes, *messages], reading.case.untold)
+    undriven, notes = (
+        map(reading.locate, problems) for problems in (undriven_gears(results), hints(reading.case))
+    )
+    every = [*undriven, *reading.warnings, *notes, *messages]
+    return not_allowed(every, reading.case.untold)

@@ -68,13 +68,13 @@ class CellPlace(Place):
         return f"{self.file}:{self.sheet}!{letters}{self.line}"
 
 
-def excerpt(place: Place, width: int = 76) -> tuple[str, str]:
+def excerpt(place: Place) -> tuple[str, str]:
     """Return the part of a line around a place that fits on a terminal, and a caret for below.
 
     >>> excerpt(Place("a.yaml", 2, 4, "B1: [rign, housing]"))
     ('B1: [rign, housing]', '   ^')
     """
-    column = min(place.column, len(place.text) + 1)
+    width, column = 76, min(place.column, len(place.text) + 1)
     start = max(0, column - width // 2) if len(place.text) > width else 0
     part = place.text[start : start + width]
     shown = "".join(letter if letter.isprintable() else " " for letter in part)

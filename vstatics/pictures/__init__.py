@@ -117,12 +117,15 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
 
     require("plot", "a picture")
     drawing = module_of(kind)
-    least = picture_kinds()[kind].least_width * POINTS_PER_MILLIMETRE
-    style = style._replace(width=max(style.width, least))
+    record = picture_kinds()[kind]
+    style = style._replace(width=max(style.width, record.least_width * POINTS_PER_MILLIMETRE))
+    run: tuple[Any, ...] = ()
+    if "motion" in record.options:
+        run = (motion, others) if record.shows == "run" else (motion,)
     with settings_of(style):
         if hasattr(drawing, "each"):
             return list(drawing.each(results, style, shown))
-        return [drawing.draw(results, style, gears, *_run(kind, motion, others)) for gears in shown]
+        return [drawing.draw(results, style, gears, *run) for gears in shown]
 
 
 def render(  # noqa: PLR0913 - what is drawn, and how
@@ -173,16 +176,6 @@ def of_each_gear(
         files_of(figures, "svg", style, title)
         for title, figures in zip(titles, drawn_pages(results, kind, style, shown), strict=True)
     ]
-
-
-def _run(
-    kind: str, motion: PicturedRun | None, others: Sequence[tuple[Results, PicturedRun]]
-) -> tuple[Any, ...]:
-    """Return arguments of a kind that shows a run: the run, and runs that share its scales."""
-    record = picture_kinds()[kind]
-    if "motion" not in record.options:
-        return ()
-    return (motion, others) if record.shows == "run" else (motion,)
 
 
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:

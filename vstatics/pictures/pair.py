@@ -63,7 +63,7 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
 
 
 def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Figure]:
-    from vstatics.pictures.drawing.join import LetteredFigure, joined
+    from vstatics.pictures.drawing.join import LETTER_HEIGHT, LetteredFigure, joined
 
     def lettered(width: float, height: float) -> list[list[LetteredFigure]]:
         sized = style._replace(width=width, height=height)
@@ -81,19 +81,13 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Fig
             parts = [figure for figures in halves for figure in figures]
             yield joined(parts, style, side_by_side=True)
             return
-    for pages in zip_longest(*lettered(style.width, _half(style.height))):
+    half = style.height / 2 - LETTER_HEIGHT  # room for each of two pictures on a page
+    for pages in zip_longest(*lettered(style.width, half)):
         present = [page for page in pages if page]
         if sum(page.size[1] for page in present) <= style.height:
             yield joined(present, style)
         else:
             yield from (joined([page], style) for page in present)
-
-
-def _half(height: float) -> float:
-    """Return the height for each of two pictures on a page, without the line above it [pt]."""
-    from vstatics.pictures.drawing.join import LETTER_HEIGHT
-
-    return height / 2 - LETTER_HEIGHT
 
 
 def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> list[Figure]:

@@ -140,7 +140,15 @@ class Output:
             accounts = list(self._select(accounts))
         try:
             if self.task.form in ("parquet", *MOST_ROWS):
-                self._write(accounts)
+                from vstatics.sweep.formats import tables
+
+                rows = self.task.plan.output_headings, self._chunks(accounts)
+                with self.store.folder.writing(piece_file.ASSEMBLED) as file:
+                    if self.task.form == "parquet":
+                        tables.write_parquet(file, *rows, by_gear=self.task.plan.by_gear)
+                    else:
+                        by_gear = self.task.plan.by_gear
+                        file.write(tables.text(self.task.form, *rows, by_gear=by_gear))
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
@@ -148,18 +156,6 @@ class Output:
             raise
         self.store.finish()
         return SweepReport(sum(account.rows for account in accounts), *counts_and_notes)
-
-    def _write(self, accounts: Sequence[Account]) -> None:
-        """Write a file whose format requires all rows together."""
-        from vstatics.sweep.formats import tables
-
-        rows = self.task.plan.output_headings, self._chunks(accounts)
-        with self.store.folder.writing(piece_file.ASSEMBLED) as file:
-            if self.task.form == "parquet":
-                tables.write_parquet(file, *rows, by_gear=self.task.plan.by_gear)
-            else:
-                by_gear = self.task.plan.by_gear
-                file.write(tables.text(self.task.form, *rows, by_gear=by_gear))
 
     def _layout(self, accounts: Sequence[Account]) -> ArchiveLayout:
         plan, form = self.task.plan, self.task.form

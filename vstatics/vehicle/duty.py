@@ -81,7 +81,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     ([0.25, 0.75], 0.9964)
     """
     shares = {gear: share for gear, share in duty.shares.items() if share > 0}
-    gears = [gear.name for gear in results.case.gears]
+    gears = results.gears
     efficiencies = {gear: _efficiency(results, gear) for gear in gears}
     powers = dict.fromkeys(gears, 1.0 if duty.kind == "energy" else math.nan)
     if duty.kind == "time" and "kW" in known_units(results.case):

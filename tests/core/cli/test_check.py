@@ -66,11 +66,12 @@ def test_json_has_a_place_for_each_problem_and_stderr_has_none() -> None:
     assert not list(Draft202012Validator(schemas()["check"]).iter_errors(found))
     assert [(Path(one["file"]).name, one["severity"]) for one in found] == [
         ("bad.yaml", "error"),
+        ("neutral.yaml", "error"),
         ("neutral.yaml", "warning"),
         ("mzkt7922.dat", "note"),
         ("none.yaml", "error"),
     ]
-    bad, neutral, _, none = found
+    bad, neutral, _, _, none = found
     assert (bad["line"], bad["column"]) == (3, BAD.splitlines()[2].index("ratoi") + 1)
     assert bad["message"].endswith("did you mean `ratio`?")
     assert (neutral["line"], neutral["column"]) == (4, NEUTRAL.splitlines()[3].index("N:") + 1)
@@ -86,9 +87,14 @@ def test_json_has_every_gear_of_one_text() -> None:
     text = NEUTRAL.replace("N: {}", "N: {}, P: {}").encode()
     said = vstatics("check", "-", "-f", "json", "--strict", stdin=text)
     assert said.status == 1
-    assert [one["message"][:8] for one in said.json] == ["gear N: ", "gear P: "]
-    quiet = vstatics("check", "-", "-f", "json", "-q", "--strict", stdin=text)
+    assert [one["message"][:8] for one in said.json][2:] == ["gear N: ", "gear P: "]
+    allowed = text + b"allow: [W414]\n"
+    again = NEUTRAL.replace("B: [2, housing]", "B: [2, housing], A: [2, housing]").replace(
+        "N: {}", "N: {engaged: [A, B]}"
+    )
+    quiet = vstatics("check", "-", "-f", "json", "-q", "--strict", stdin=again.encode())
     assert (quiet.status, [one["id"] for one in quiet.json]) == (1, ["E013"])
+    assert vstatics("check", "-", "--strict", stdin=allowed).status == 0
 
 
 @pytest.mark.usefixtures("files")
@@ -112,7 +118,10 @@ def test_a_note_tells_which_gear_asks_a_law_outside_its_points(tmp_path: Path) -
         "gears:\n  near: {drag: {out: [[0, 1], [110, 2]]}}\n  far: {drag: {out: [[0, 1], [100, 2]]}}\n"
     )
     said = vstatics("check", str(case)).err
-    assert "case.yaml:6:3: note: gear far: outside the points of out the last one counts" in said
+    assert (
+        "case.yaml:6:3: note: gear far: outside the points of out, the value of the nearest end point applies"
+        in said
+    )
 
 
 @pytest.mark.parametrize(

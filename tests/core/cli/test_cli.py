@@ -19,16 +19,16 @@ COMMANDS = ["run", "check", "convert", "compare"]
     ("case", "status", "words"),
     [
         (CASES / "differential.yaml", 0, ""),
-        ("neutral.yaml", 0, "gear N: 1 condition missing for the speeds (neutral)"),
-        ("open.yaml", 0, "A and B: 1 engaged element is in excess"),
-        ("locked.yaml", 0, "gear 1: locked by friction"),
+        ("neutral.yaml", 0, "gear N: neutral: one more shift element must be engaged"),
+        ("open.yaml", 0, "A and B impose the same constraint"),
+        ("locked.yaml", 0, "gear 1: self-locking"),
         ("tied.yaml", 1, "gear both: tied up: C, B and the input speed"),
         ("bad.yaml", 1, "did you mean `ratio`?"),
-        ("nowhere.yaml", 1, "nowhere.yaml: error: can't be read: No such file"),
+        ("nowhere.yaml", 1, "nowhere.yaml: error: cannot be read: No such file"),
         (
             ".",
             1,
-            ".: error: can't be read: Is a directory; expected a file, or of several a pattern, "
+            ".: error: cannot be read: Is a directory; expected a file, or of several a pattern, "
             "'./**/*.yaml'",
         ),
     ],
@@ -36,7 +36,7 @@ COMMANDS = ["run", "check", "convert", "compare"]
 @pytest.mark.parametrize("command", ["run", "check"])
 def test_status_is_that_of_the_case(command: str, case: str, status: int, words: str) -> None:
     said = vstatics(command, case)
-    assert said.status == status
+    assert said.status == (status or int((command, case) == ("check", "neutral.yaml")))
     assert words in said.err
     assert bool(said.err) == bool(words)
 
@@ -87,7 +87,7 @@ def test_many_cases_go_on_after_a_bad_one() -> None:
     said = vstatics("run", MZKT, "bad.yaml", "neutral.yaml", "-f", "json")
     first, failed, last = said.json
     assert said.status == 1
-    assert first["ETA"] == pytest.approx(PRINTED["ETA"], abs=0.5e-3)
+    assert first["efficiency"] == pytest.approx(PRINTED["ETA"], abs=0.5e-3)
     assert set(failed) == {"file", "case", "errors"}
     assert failed["case"] == "bad.yaml"
     assert "bad.yaml:3:" in failed["errors"][0]

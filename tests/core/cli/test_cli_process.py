@@ -87,7 +87,7 @@ def test_a_reader_that_has_seen_enough_ends_the_program_quietly(command: str) ->
     assert (done.returncode, done.stderr) == (1, b"")
 
 
-FULL = b"<stdout>: error: can't be written: No space left on device [E030]\n"
+FULL = b"<stdout>: error: cannot be written: No space left on device [E030]\n"
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
@@ -115,14 +115,14 @@ def test_results_come_even_where_messages_cannot() -> None:
 
 
 def test_closed_streams_are_told() -> None:
-    closed = b"<stdin>: error: can't be read: it is closed [E006]\n"
+    closed = b"<stdin>: error: cannot be read: it is closed [E006]\n"
     for command in ("run -", "check -", "convert - - --to deck", f"compare - {MZKT}"):
         assert shell(f"vstatics {command} <&-") == (1, b"", closed)
     assert shell("vstatics run - 0> /dev/null")[::2] == (
         1,
         closed.replace(b"it is closed", b"Bad file descriptor"),
     )
-    line = b"<stdout>: error: can't be written: it is closed [E030]\n"
+    line = b"<stdout>: error: cannot be written: it is closed [E030]\n"
     assert shell("vstatics run cases/mzkt7922.dat >&-") == (1, b"", line)
     assert shell("vstatics run nowhere.dat 2>&-")[0] == 1
 

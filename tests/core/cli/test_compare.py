@@ -61,7 +61,7 @@ def test_a_result_that_cannot_be_read_is_told_and_counted_in_every_format(tmp_pa
         said = vstatics("compare", *both, "-f", *form.split())
         assert said.status == 1
         assert said.out.endswith("1 same, 0 changed, 0 added, 0 gone, 2 unreadable\n")
-        assert "no JSON" in next(one for one in said.out.splitlines() if "locked" in one)
+        assert "not JSON" in next(one for one in said.out.splitlines() if "locked" in one)
         assert said.err.splitlines()[-1].endswith("differ in 2 places")
     document = json_answer("compare", *both)
     assert (document["same"], document["unreadable"]) == (1, 2)
@@ -126,14 +126,14 @@ def test_a_listing_of_the_source_has_gears_by_number_and_mechanisms_for_rows() -
         for form in ("json", "csv"):
             other = results(f"x.{form}", case, "--unloaded", "published")
             said = vstatics("compare", "source.lst", other)
-            assert (said.status, "rows of mechanisms" in said.err) == (is_drawn, is_drawn)
+            assert (said.status, "rows for mechanisms" in said.err) == (is_drawn, is_drawn)
 
 
 def test_a_deviation_of_rounding_noise_is_none() -> None:
     file = results("x.json", "neutral.yaml")
     document = json.loads(Path(file).read_text("utf-8"))
     for name, gears in (("noise", [1e-16, 1.0]), ("actual", [0.5, 1.1])):
-        document["ETA"] = gears
+        document["efficiency"] = gears
         Path(f"{name}.json").write_text(json.dumps(document), encoding="utf-8")
     told = {line.split()[1]: line for line in lines("actual.json", "noise.json", "--all")[1:]}
     assert ("%" in told["N"], "+10.00 %" in told["low"]) == (False, True)
@@ -142,16 +142,18 @@ def test_a_deviation_of_rounding_noise_is_none() -> None:
 def test_a_result_of_another_command_is_named() -> None:
     Path("x.json").write_text(vstatics("summary", "neutral.yaml", "-f", "json").out, "utf-8")
     said = vstatics("compare", "x.json", "x.json")
-    assert said.fails("result 1 is one of summary; expected a result of")
+    assert said.fails("result 1 is a document of vstatics summary; expected a result of")
 
 
 def test_what_is_no_result_is_told_by_what_it_is() -> None:
     told = {
-        "a problem that check tells": vstatics("check", "open.yaml", "-f", "json").out,
-        "a message that check explains": vstatics("check", "--explain", "W201", "-f", "json").out,
-        "is a case, of which": vstatics("convert", "open.yaml", "-", "--to", "json").out,
-        "error: a case, of which": Path("open.yaml").read_text("utf-8"),
-        ": a case, of which `vstatics run": Path(MZKT).read_text("utf-8"),
+        "a problem that `vstatics check` reports": vstatics("check", "open.yaml", "-f", "json").out,
+        "an explanation of `vstatics check --explain`": vstatics(
+            "check", "--explain", "W201", "-f", "json"
+        ).out,
+        "is a case, not a result": vstatics("convert", "open.yaml", "-", "--to", "json").out,
+        "error: the file is a case, not a result": Path("open.yaml").read_text("utf-8"),
+        "the file is a case, not a result; create": Path(MZKT).read_text("utf-8"),
         "no table of results": vstatics("run", "open.yaml", "-f", "markdown").out,
         "of check where all is well": "[]",
         "has keys `a`, `b`, `c`, ..., none": '{"a": 1, "b": 2, "c": 3, "d": 4}',
@@ -159,7 +161,8 @@ def test_what_is_no_result_is_told_by_what_it_is() -> None:
     for words, text in told.items():
         Path("x.json").write_text(text, "utf-8")
         said = vstatics("compare", "x.json", "x.json")
-        assert said.fails(words, "expected a result of `vstatics run` (listing, JSON")
+        taken = "expected a result of `vstatics run` (listing, JSON"
+        assert said.fails(words, *[taken] * ("is a case" not in words))
 
 
 def test_a_case_that_is_there_again_is_named() -> None:
@@ -236,7 +239,7 @@ def test_a_table_that_is_none_gets_the_nearest_name() -> None:
     said = vstatics("compare", file, file, "--leave-out", "losess")
     assert said.is_wrong_use("did you mean `losses`?")
     said = vstatics("compare", file, file, "--leave-out", "losses,ratio")
-    assert said.is_wrong_use("give each of them by itself")
+    assert said.is_wrong_use("give each name separately")
 
 
 # sweeps
@@ -306,7 +309,7 @@ def test_one_file_that_cannot_be_read_fails_in_every_format(broken: int) -> None
     assert (document["unreadable"], document["same"]) == (1, 0)
     for form in ("text", "markdown"):
         said = vstatics("compare", *names, "-f", form)
-        assert said.fails("no JSON")
+        assert said.fails("the file is not JSON")
 
 
 def test_mechanisms_of_a_deck_are_not_elements_of_a_drawing_by_their_place() -> None:
@@ -316,7 +319,7 @@ def test_mechanisms_of_a_deck_are_not_elements_of_a_drawing_by_their_place() -> 
     assert vstatics("convert", "box.dat", "box.yaml").status == 0
     names = results("deck.json", "box.yaml"), results("drawn.json", case)
     document = json_answer("compare", *names)
-    torques = [one for one in document["cases"][0]["numbers"] if one["table"] == "AMLG"]
+    torques = [one for one in document["cases"][0]["numbers"] if one["table"] == "torques"]
     assert torques
     assert not [one for one in torques if one["deviation"] is not None]
 
@@ -339,7 +342,7 @@ def test_of_many_numbers_of_a_sweep_some_of_each_column_are_told() -> None:
 
 def test_a_sweep_is_no_result() -> None:
     said = vstatics("compare", sweep("a.csv"), results("x.csv", "neutral.yaml"))
-    assert said.is_wrong_use("a.csv is a sweep, x.csv is not: expected two of a kind")
+    assert said.is_wrong_use("a.csv is a sweep, x.csv is not: expected two sweeps or two results")
 
 
 @pytest.mark.parametrize(
@@ -354,7 +357,7 @@ def test_a_sweep_is_no_result() -> None:
         b"table,row,gear,value\nW,1\n",
         b"table,row,gear,value\nXX,1,1,1\n",
         b"table,row,gear,value\nW,1,1,x\n",
-        b'{"W": [[1]]}\n{"W": ]}\n',
+        b'{"speeds": [[1]]}\n{"speeds": ]}\n',
     ],
 )
 def test_what_is_no_table_is_told_with_its_file(data: bytes) -> None:

@@ -158,4 +158,4 @@ def test_a_pipe_on_the_command_line_is_read() -> None:
     assert (status, out.decode()) == (0, expected)
     status, _, err = process("run", "-", stdin=b"\n" * 10_000_001)
     assert status == 1
-    assert err.startswith(b"<stdin>: error: can't be read: larger than 10 MB")
+    assert err.startswith(b"<stdin>: error: cannot be read: larger than 10 MB")

@@ -24,7 +24,7 @@ from tests.core.cli.states import COMMANDS, RECORD, StatedCommand, prepare, remo
 PAGE = 4096
 COMMANDS_ONCE = {name: entry for name, entry in COMMANDS.items() if name != "record of boxes"}
 IN_A_SMALL_FILE_SYSTEM = ("run jsonl", "sweep parquet", "boxes folder")
-FULL = "can't be written: |are free there"
+FULL = "cannot be written: |are free there"
 RECORDS = (RECORD, ".vstatics-run-json")
 """Hidden files that stay in a folder of results."""
 

@@ -29,7 +29,7 @@ def test_a_bad_case_alone_prints_nothing_on_stdout(form: str) -> None:
 def test_coasting_turns_the_reverse_gears_of_the_published_train() -> None:
     """.9014 and .9212, and locked where 1/6 of the power would have to pass: the method."""
     driven = json_answer("run", MZKT, "--coast")
-    assert driven["ETA"][4:] == pytest.approx([0.9014, 0.9212], abs=5e-5)
+    assert driven["efficiency"][4:] == pytest.approx([0.9014, 0.9212], abs=5e-5)
     assert driven["case"]["coast"] is True
     said = vstatics("run", CASES / "self-locking.yaml", "--coast", "-f", "json")
     assert said.json["locked"][0] is True
@@ -43,4 +43,4 @@ def test_coasting_turns_the_reverse_gears_of_the_published_train() -> None:
 def test_idle_convention_is_overridden(idle: str, signs: list[int] | None) -> None:
     """D3 turns as one piece in gears 3, 4 and 6; `exact` has 0 there."""
     said = vstatics("run", MZKT, "--unloaded", idle, "-f", "json")
-    assert said.json["IX"][2] == (signs or [1, 1, 0, 0, 1, 0])
+    assert said.json["power_sign"][2] == (signs or [1, 1, 0, 0, 1, 0])

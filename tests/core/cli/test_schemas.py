@@ -130,9 +130,9 @@ def _of_first_gear(change: dict[str, Any]) -> Callable[[Any], None]:
     ("command", "spoil"),
     [
         ("run", lambda document: document.update(case={"links": 3, "ratoi": 1})),
-        ("run", lambda document: document.update(ETA=["1"])),
-        ("run", lambda document: document.pop("W")),
-        ("run", lambda document: document.update(version=2)),
+        ("run", lambda document: document.update(efficiency=["1"])),
+        ("run", lambda document: document.pop("speeds")),
+        ("run", lambda document: document.update(version=1)),
         ("flow", _of_first_gear({"gear": 1})),
         ("flow", _of_first_gear({"lossy": {}})),
         ("flow", _of_first_gear({"more": 1})),

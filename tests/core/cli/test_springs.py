@@ -151,7 +151,7 @@ def test_the_twists_of_springs_stand_in_the_listing(cases: Path) -> None:
 
 def test_rows_of_a_case_with_springs_have_names(cases: Path) -> None:
     made = json_answer("run", cases / "box.yaml")
-    assert made["rows"]["AMLG"] == ["C", "B", "set", "axle", "damper", "shaft", "mount", "Mx"]
+    assert made["rows"]["torques"] == ["C", "B", "set", "axle", "damper", "shaft", "mount", "Mx"]
     listing = vstatics("run", cases / "box.yaml").out
     assert "  3.600   1.000  | shaft\n" in listing
 
@@ -163,7 +163,7 @@ def test_a_deck_is_refused_what_it_cannot_hold(target: str, cases: Path) -> None
     assert (said.status, said.out, (cases / target).exists()) == (1, "", False)
     [told] = [line for line in said.err.splitlines() if "error" in line]
     assert told.endswith(
-        "box.yaml: error: a deck can't hold the springs damper, shaft, mount, the inertia of engine, "
+        "box.yaml: error: a deck cannot hold the springs damper, shaft, mount, the inertia of engine, "
         "wheel, the stiffness of C, the damping of C; expected YAML or JSON, which hold them"
     )
     said = vstatics("convert", cases / "drawn.yaml", path, "--to", "deck")

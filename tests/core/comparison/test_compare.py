@@ -19,23 +19,23 @@ BAD_INPUT = [
     b"",
     b"words only",
     b"{",
-    b'{"W": [[1, 2]',
+    b'{"speeds": [[1, 2]',
     b"[" * 200_000,
     b"null",
     b"[]",
     b"3",
     b'["x"]',
     b"{}",
-    b'{"ETA": {"1": 1}}',
-    b'{"ETA": "0.9"}',
-    b'{"ETA": ["0.9"]}',
-    b'{"W": 3}',
-    b'{"W": [3]}',
-    b'{"W": {"1": [2]}}',
-    b'{"ETA": [1' + b"0" * 400 + b"]}",
-    b'{"ETA": [1' + b"0" * 5000 + b"]}",
-    b'{"ETA": [1e999]}',
-    b'{"ETA": [NaN]}',
+    b'{"efficiency": {"1": 1}}',
+    b'{"efficiency": "0.9"}',
+    b'{"efficiency": ["0.9"]}',
+    b'{"speeds": 3}',
+    b'{"speeds": [3]}',
+    b'{"speeds": {"1": [2]}}',
+    b'{"efficiency": [1' + b"0" * 400 + b"]}",
+    b'{"efficiency": [1' + b"0" * 5000 + b"]}",
+    b'{"efficiency": [1e999]}',
+    b'{"efficiency": [NaN]}',
     b"\x00\x01\x02",
     b"\xff\xfe1\x00",
     NEUTRAL.encode(),
@@ -109,12 +109,12 @@ def test_standard_input_is_either_of_them(written: Callable[..., Path]) -> None:
     ("old", "new", "told"),
     [
         ("6.230   3.461   1.800   1.000  -5.538", "6.230   3.462   1.800   1.000  -5.538",
-         ("AMLG", "Mx", "2", 3.461, 3.462)),
-        (".395    .711", ".395    .811", ("WFRI", "F5", "2", 0.711, 0.811)),
-        (".161", ".162", ("W", "6", "1", 0.161, 0.162)),
+         ("torques", "Mx", "2", 3.461, 3.462)),
+        (".395    .711", ".395    .811", ("slip_speeds", "F5", "2", 0.711, 0.811)),
+        (".161", ".162", ("speeds", "6", "1", 0.161, 0.162)),
         (".953    .979", ".953 *******", ("efficiency", None, "2", 0.979, None)),
-        ("  1  -1   1", "  1   1   1", ("IX", "D1", "2", -1.0, 1.0)),
-        (".800    .000", ".900    .000", ("AJK", "2", "D1", 0.8, 0.9)),
+        ("  1  -1   1", "  1   1   1", ("power_sign", "D1", "2", -1.0, 1.0)),
+        (".800    .000", ".900    .000", ("distribution_matrix", "2", "D1", 0.8, 0.9)),
     ],
 )  # fmt: skip
 def test_a_difference_is_named_by_table_row_and_gear(
@@ -129,14 +129,14 @@ def test_a_difference_is_named_by_table_row_and_gear(
 
 def test_names_of_the_case_are_those_of_the_message(written: Callable[..., Path]) -> None:
     changed = document(SPLIT)
-    changed["W"][2][0] += 1
-    changed["AMWZ"][1][1] = None
+    changed["speeds"][2][0] += 1
+    changed["holding_torques"][1][1] = None
     text = json.dumps(changed, ensure_ascii=False)
     said = vstatics("compare", written(text), written(result(SPLIT)))
     lines = [re.split("  +", line.strip()) for line in said.out.splitlines()[1:]]
     assert [line[:2] for line in lines] == [
-        ["W", "MG2, hybrid"],
-        ["AMWZ", "MG1, mechanical point"],
+        ["speeds", "MG2, hybrid"],
+        ["holding_torques", "MG1, mechanical point"],
     ]
     assert lines[1][2] == "-0.278 -> no value"
 
@@ -146,7 +146,7 @@ def test_half_of_the_last_digit_is_the_limit(written: Callable[..., Path]) -> No
     listing = written(result(MZKT))
     for value, same in ((0.9525, True), (0.9535, True), (0.95249, False), (0.95351, False)):
         changed = document()
-        changed["ETA"][0] = value
+        changed["efficiency"][0] = value
         said = vstatics("compare", written(json.dumps(changed)), listing)
         assert (said.status == 0) == same, value
         assert (vstatics("compare", listing, written(json.dumps(changed))).status == 0) == same
@@ -175,19 +175,19 @@ def test_tolerances_are_absolute_and_relative(
 
 def test_tables_of_other_shapes_are_named(written: Callable[..., Path]) -> None:
     changed = document()
-    changed["W"].pop()
-    changed["WSAT"][1].pop()
-    del changed["IX"]
+    changed["speeds"].pop()
+    changed["planet_speeds"][1].pop()
+    del changed["power_sign"]
     said = vstatics("compare", written(json.dumps(changed)), written(result(MZKT)))
     told = [re.split("  +", line.strip()) for line in said.out.splitlines()[1:]]
     assert told == [
-        ["W", "6 rows -> 5 rows"],
-        ["WSAT", "D2", "6 columns -> 5 columns"],
-        ["IX", "there -> not there"],
+        ["speeds", "6 rows -> 5 rows"],
+        ["planet_speeds", "D2", "6 columns -> 5 columns"],
+        ["power_sign", "there -> not there"],
     ]
     said = vstatics("compare", written(result(MZKT)), written(result(SPLIT)), "-f", "json")
     assert said.status == 1
-    assert ("AMWZ", None, None, "there", "not there") in numbers(said)
+    assert ("holding_torques", None, None, "there", "not there") in numbers(said)
 
 
 @pytest.mark.parametrize("form", ["json", "listing", "csv"])
@@ -204,8 +204,8 @@ def test_rows_of_an_element_of_another_name_are_the_same_where_the_case_tells_it
     if form != "csv":
         assert (said.status, found) == (0, [])
         return
-    assert ("AMLG", f"{name}.sun", None, "not there", "there") in found
-    assert ("AMLG", "other.sun", None, "there", "not there") in found
+    assert ("torques", f"{name}.sun", None, "not there", "there") in found
+    assert ("torques", "other.sun", None, "there", "not there") in found
     assert "Mx" not in [row for _, row, *_ in found]
 
 
@@ -216,7 +216,7 @@ def test_several_results_are_compared_in_their_order(written: Callable[..., Path
     said = vstatics("compare", written(listings, ("  1  -1   1", "  1   1   1")), written(both))
     first, second, tally = said.out.splitlines()
     assert first.endswith(": 1 other number differs")
-    assert second.split() == ["IX", "D1,", "2", "-1.000", "->", "1.000", "+200.00", "%"]
+    assert second.split() == ["power_sign", "D1,", "2", "-1.000", "->", "1.000", "+200.00", "%"]
     assert tally == "1 same, 1 changed, 0 added, 0 gone"
     said = vstatics("compare", written(both), written(result(MZKT)))
     assert (said.status, said.out) == (
@@ -249,7 +249,7 @@ def test_a_listing_of_the_source_has_its_tables_only(written: Callable[..., Path
     assert vstatics("compare", written(changed), written(text)).all == ""
     changed = re.sub(r"(?m)^ +\.161 .*\n", "", tables, count=1)
     said = vstatics("compare", written(changed), written(text), "-f", "json")
-    assert numbers(said) == [("W", None, None, "6 rows", "5 rows")]
+    assert numbers(said) == [("speeds", None, None, "6 rows", "5 rows")]
     without = tables[: tables.index("Efficiency")] + tables[tables.index("Sign of") :]
     said = vstatics("compare", written(without), written(text), "-f", "json")
     assert numbers(said) == [("efficiency", None, None, "there", "not there")]

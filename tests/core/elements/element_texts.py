@@ -39,7 +39,7 @@ def loaded(text: str) -> library.Transmission:
 
 def shown(text: str) -> dict[str, Table]:
     """The tables of a case by their names."""
-    return {table.quantity.key: table for table in tables(library.solve(loaded(text)))}
+    return {table.quantity.name: table for table in tables(library.solve(loaded(text)))}
 
 
 def problems(text: str) -> list[str]:

@@ -133,7 +133,7 @@ def test_masses_that_cannot_be_are_told(before: str, after: str, said: str) -> N
     [
         ("stiffness: 9e4", "stiffness: 0", "P1.stiffness: read 0, expected a stiffness above 0"),
         ("stiffness: 9e4", "stiffness: -9e4", "read -90000, expected a stiffness above 0"),
-        ("stiffness: 9e4, ", "", "there is a damping without `stiffness`"),
+        ("stiffness: 9e4, ", "", "read a damping without `stiffness`"),
         ("damping: 12", "damping: -1", "P1.damping: read -1, expected a damping of 0 or more"),
         ("stiffness: 9e4", "stiffness: 3 rpm", "expected a stiffness in N*m/rad"),
     ],
@@ -145,17 +145,22 @@ def test_stiffnesses_that_cannot_be_are_told(before: str, after: str, said: str)
 
 def test_an_element_of_several_rows_has_no_stiffness() -> None:
     [told] = problems(RAVIGNEAUX % ", stiffness: 9e4")
-    assert told.startswith("case.yaml:6:78: error: elements.R.stiffness: the element has 4 rows")
-    assert told.endswith("put springs beside the element [E317]")
+    assert told.startswith(
+        "case.yaml:6:78: error: elements.R.stiffness: the gear set has 4 mechanisms"
+    )
+    assert told.endswith("add springs to the links of the gear set [E317]")
     reduced = "losses: reduced" + RAVIGNEAUX % ", stiffness: 9e4"
-    assert "the element has 2 rows" in problems(reduced)[0]
-    assert "the element has 2 rows" in problems("losses: meshes" + ELASTIC)[0]
+    assert "the gear set has 2 mechanisms" in problems(reduced)[0]
+    assert "the gear set has 2 mechanisms" in problems("losses: meshes" + ELASTIC)[0]
 
 
 def test_planets_without_teeth_have_no_speed_and_so_no_inertia() -> None:
     text = (RAVIGNEAUX % ", planet: {short: {inertia: 1e-5}}").replace(", short: 20", "")
     [told] = problems(text)
-    assert "elements.R.planet: the speed of planet short is not known, expected its teeth" in told
+    assert (
+        "elements.R.planet: the speed of planet short is unknown, expected the teeth of the gear set"
+        in told
+    )
     loaded(text.replace("inertia: 1e-5", "mass: 1, radius: .1"))  # its pin is with the carrier
 
 

@@ -65,12 +65,14 @@ def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
         " teeth: {sun: 27, ring: 75}}\nshift_elements:",
     )
     told = [str(p) for p in read(two.encode(), "case.yaml").warnings if p.severity == "note"]
-    assert sum("P2: has a wheel and the carrier in common with P1" in one for one in told) == 1
+    assert sum("P2: shares a central gear and the carrier with P1" in one for one in told) == 1
 
 
 def test_a_planet_and_a_link_of_one_name_are_told() -> None:
     text = AOD.replace("reverse sun", "set.long")
-    assert any("planet long is called `set.long`, as a link is" in told for told in problems(text))
+    assert any(
+        "planet long has the name `set.long`, like a link" in told for told in problems(text)
+    )
 
 
 def test_ratio_is_the_exact_fraction_rounded_once() -> None:
@@ -139,7 +141,7 @@ FAULTS = {
     "two efficiencies": (
         "ring: 75}}",
         "ring: 75}, efficiency: .97, mesh_efficiency: {internal: 1}}",
-        "`efficiency` is that of the whole element",
+        "`efficiency` is the efficiency of the whole gear set",
     ),
     "too many teeth": (
         "ring: 75}}",
@@ -178,22 +180,22 @@ gears: {all: {}}
         (
             "rim: A1}]\n    rings",
             "rim: A3}]\n    rings",
-            "elements.G.suns[1].rim: read `A3`, expected the name of a rim: A1, A2, B1",
+            "elements.G.suns[1].rim: read `A3`, expected the name of a planet gear: A1, A2, B1",
         ),
         (
             "meshes: [[A2, B1]]",
             "meshes: [[A2, B2]]",
-            "read `B2`, expected the name of a rim: A1, A2, B1",
+            "read `B2`, expected the name of a planet gear: A1, A2, B1",
         ),
-        ("meshes: [[A2, B1]]", "meshes: [[A2, A1]]", "are on one planet"),
-        ("meshes: [[A2, B1]]", "meshes: [[A2, B1], [A1, B1]]", "block one another"),
+        ("meshes: [[A2, B1]]", "meshes: [[A2, A1]]", "are on the same planet"),
+        ("meshes: [[A2, B1]]", "meshes: [[A2, B1], [A1, B1]]", "block each other"),
         ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),
-        ("B: {B1: 20}", "B: {A1: 20}", "rim `A1` is there already"),
+        ("B: {B1: 20}", "B: {A1: 20}", "the name `A1` appears twice"),
         ("meshes: [[A2, B1]]", "meshes: [A2, B1]", "expected two: [rim, rim]"),
-        ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several paths"),
+        ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several power paths"),
         ("link: b, teeth: 70", "link: h, teeth: 70", "is on the link of the carrier"),
         ("link: b, teeth: 70", "link: b, teeth: 30", "expected more teeth than the 30 of a"),
-        ("link: b, teeth: 70", "link: a, teeth: 70", "they would lock"),
+        ("link: b, teeth: 70", "link: a, teeth: 70", "would block them"),
         ("teeth: 80", "teeth: 80000000", "expected fewer than 1000000 teeth"),
     ],
 )
@@ -321,8 +323,8 @@ def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
     text = changed("B: [ring, housing]", "B: [rign, housing]")
     told = read(text.encode(), "case.yaml").warnings
     assert [str(problem) for problem in told if problem.severity == "warning"] == [
-        "case.yaml:5:41: warning: link `ring` is joined to nothing else; did you mean `rign`? [W102]",
-        "case.yaml:7:7: warning: link `rign` is joined to nothing else; did you mean `ring`? [W102]",
+        "case.yaml:5:41: warning: link `ring` appears only once, so it is connected to nothing; did you mean `rign`? [W102]",
+        "case.yaml:7:7: warning: link `rign` appears only once, so it is connected to nothing; did you mean `ring`? [W102]",
     ]
 
 

@@ -23,11 +23,11 @@ def test_a_ring_holds_the_sun_and_two_planets() -> None:
 
 
 def test_half_a_tooth_is_left_for_planets_between_odd_wheels() -> None:
-    assert not told(element("planetary", sun=48, ring=96), "standard planet")
-    (problem,) = told(element("planetary", sun=48, ring=97), "no standard planet fits between")
+    assert not told(element("planetary", sun=48, ring=96), "would need")
+    (problem,) = told(element("planetary", sun=48, ring=97), "would need")
     assert problem.severity == "note"
-    assert (
-        "(ring - sun)/2 = 24.5 is not whole; speeds of planets take it as it is" in problem.message
+    assert problem.message.startswith(
+        "the planet would need 24.5 teeth ((ring - sun)/2); its speed"
     )
 
 
@@ -55,7 +55,7 @@ def test_rims_of_different_radius_need_different_modules() -> None:
     assert not told(element("stepped", sun=30, planet=20, planet2=25, ring2=75), "module")
     # 25 + 20 = 45 and 61 - 25 = 36; 45/36 = 1.25
     (problem,) = told(element("stepped", sun=25, planet=20, planet2=25, ring2=61), "module")
-    assert "that of planet2 is 1.25 times that of planet (5/4)" in problem.message
+    assert "the module of planet2 is 1.25 times the module of planet (5/4)" in problem.message
     assert problem.severity == "note"
     assert problem.path == ("elements", 1, "teeth", "planet2")
 
@@ -71,10 +71,10 @@ def test_rims_of_almost_one_radius_need_shifted_profiles() -> None:
 
 
 def test_meshed_planets_reach_one_another() -> None:
-    assert not told(element("double_planet", sun=30, inner=20, outer=20, ring=90), "can't mesh")
+    assert not told(element("double_planet", sun=30, inner=20, outer=20, ring=90), "cannot mesh")
     # Radii (30 + 20)/2 = 25 and (120 - 20)/2 = 50 leave 25 between, planets make 20.
-    (problem,) = told(element("double_planet", sun=30, inner=20, outer=20, ring=120), "can't mesh")
-    assert "distance 20 would have to lie between 25 and 75" in problem.message
+    (problem,) = told(element("double_planet", sun=30, inner=20, outer=20, ring=120), "cannot mesh")
+    assert "distance 20 would have to be between 25 and 75" in problem.message
     assert problem.path == ("elements", 1, "teeth", "inner")
 
 

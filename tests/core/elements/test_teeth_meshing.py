@@ -35,7 +35,7 @@ def test_tips_interfere_in_a_ring_that_is_hardly_larger() -> None:
     assert told(element("planetary", sun=5, planet=40, ring=45), "interfere")
     assert told(
         element("stepped", sun=20, planet=40, planet2=30, ring2=30),
-        "planet2 30 doesn't fit into ring2 30",
+        "planet2 30 does not fit into ring2 30",
     )
 
 
@@ -57,7 +57,7 @@ def test_teeth_meet_again_after_as_many_turns_as_is_told(first: int, second: int
 def test_common_divisors_of_an_element_are_told_together() -> None:
     (problem,) = told(element("planetary", 3, sun=48, ring=96, planet=24), "common divisor")
     assert "sun 48 and planet 24 have the common divisor 24" in problem.message
-    assert "likewise ring 96 and planet 24 (24)" in problem.message
+    assert "also ring 96 and planet 24 (24)" in problem.message
     assert (
         "nearest without a common divisor: sun 49, ring 95, planet 23 (ratio -1.9388)"
         in problem.message

@@ -71,11 +71,11 @@ def rows_of(case: Any) -> dict[str, list[str]]:
     elements = [one.name for one in case.shift_elements]
     torques = [*devices, "Mx"]
     return {
-        "W": case.link_names,
-        "WFRI": elements,
-        "AMLG": torques,
-        "AMLGP": torques,
-        **dict.fromkeys(("WSAT", "IX", "losses"), mechanisms),
+        "speeds": case.link_names,
+        "slip_speeds": elements,
+        "torques": torques,
+        "lossy_torques": torques,
+        **dict.fromkeys(("planet_speeds", "power_sign", "losses"), mechanisms),
     }
 
 
@@ -247,5 +247,5 @@ def test_a_gear_without_numbers_is_no_exercise(tmp_path: Path) -> None:
 
 def test_an_exercise_speaks_the_language() -> None:
     text = vstatics("explain", SHOWN[0], "--gear", "1", "--worksheet", "--lang", "ru").out
-    assert "Скорости звеньев [W]" in text
+    assert "Скорости звеньев [speeds]" in text
     assert "передаточное отношение" in text

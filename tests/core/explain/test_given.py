@@ -109,7 +109,9 @@ def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
     file = tmp_path / "laws.yaml"
     file.write_text(LAWFUL, encoding="utf-8")
     case = load(file)
-    assert {"AMLGP", "losses", "ETA"} <= {one.table for one in worksheet(solve(case), 0).blanks}
+    assert {"lossy_torques", "losses", "efficiency"} <= {
+        one.table for one in worksheet(solve(case), 0).blanks
+    }
     assert unsaid(case, seeded(1), 99) == []
     random = seeded(2)
     for path in random.sample(shipped(), 12):
@@ -128,13 +130,15 @@ def test_what_is_given_is_not_asked() -> None:
     """Speeds of links, and signs that a convention sets."""
     case = load(CASES / "toyota-p410.yaml")
     asked = {(one.table, one.row) for one in worksheet(solve(case), 0).blanks}
-    assert {row for table, row in asked if table == "W"} == set(case.link_names) - {
+    assert {row for table, row in asked if table == "speeds"} == set(case.link_names) - {
         *("engine", "MG1", "right wheel")
     }
     case = load(CASES / "mzkt7922.yaml")
     results = solve(case)
     assert results.idle[0].tolist() == [False, True, False]
-    assert ("IX", "D2") not in {(one.table, one.row) for one in worksheet(results, 0).blanks}
+    assert ("power_sign", "D2") not in {
+        (one.table, one.row) for one in worksheet(results, 0).blanks
+    }
 
 
 def test_a_converter_is_solved_from_its_sheet() -> None:
@@ -153,7 +157,7 @@ def test_a_converter_is_solved_from_its_sheet() -> None:
     assert "Losses, third link held" not in told
     k = 2.2 + (1 - 2.2) * 0.3 / 0.6
     blanks = {(one.table, one.row): one.value for one in sheet.blanks}
-    assert blanks["AMLGP", "Mx"] == pytest.approx(k)
+    assert blanks["lossy_torques", "Mx"] == pytest.approx(k)
     assert blanks["losses", "TC"] == pytest.approx(1 - k * 0.3)
     with pytest.raises(CaseError, match="gear g: TC is a converter"):
         explain_gear(solve(case), "g")
@@ -187,10 +191,10 @@ def test_a_gear_of_drag_alone_asks_for_torques_in_newton_metres() -> None:
     )
     sheet = worksheet(solve(case), 0)
     asked = {(one.table, one.row): one.value for one in sheet.blanks}
-    assert ("W", "in") not in asked
-    assert asked["AMLGP_Nm", "Mx"] == pytest.approx(-6 / 0.97)
-    assert asked["IX", "Q"] == -1
-    assert asked["AMLGP_Nm", "Q"] == pytest.approx(2)
+    assert ("speeds", "in") not in asked
+    assert asked["lossy_torques_Nm", "Mx"] == pytest.approx(-6 / 0.97)
+    assert asked["power_sign", "Q"] == -1
+    assert asked["lossy_torques_Nm", "Q"] == pytest.approx(2)
     assert "M (w_first - w_third) > 0, M with drag" in sheet.worksheet()
 
 
@@ -210,7 +214,7 @@ def test_teeth_of_planets_that_fill_a_gap_are_told() -> None:
     )
     sheet = worksheet(solve(case), 0)
     asked = {(one.table, one.row): one.value for one in sheet.blanks}
-    assert asked["WSAT", "set.long"] == pytest.approx(asked["W", "ring"] * 84 / 21)
+    assert asked["planet_speeds", "set.long"] == pytest.approx(asked["speeds", "ring"] * 84 / 21)
     rule = "A planet between a sun and a ring has (ring - sun)/2 teeth"
     assert rule in sheet.worksheet()
     assert rule not in worksheet(shipped_results("simpson.yaml"), 0).worksheet()

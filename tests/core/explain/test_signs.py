@@ -26,9 +26,9 @@ def test_signs_have_a_reason() -> None:
     signs = explained("mzkt7922.dat", "6").signs
     assert [sign.sign for sign in signs] == [1, 1, 1]
     assert [sign.why for sign in signs] == [
-        "idle: no torque; x by the convention `published`",
+        "unloaded: no torque; x by the convention `published`",
         "power enters by the first link",
-        "idle: no torque; x by the convention `published`",
+        "unloaded: no torque; x by the convention `published`",
     ]
 
 

@@ -35,7 +35,7 @@ def test_a_set_and_the_clutch_beside_it_are_marked_and_what_stands_in_series_is_
     assert marked(flow) == {"set", "direct", "sun", "carrier"}
     lines = text(flow).splitlines()
     assert [line.split()[1] for line in lines if line[:6] in ("  set ", "  dire")] == ["~", "~"]
-    assert "~ by convention, as it turns as one piece: sun, carrier, direct, set" in lines
+    assert "~ by convention, as it is locked up: sun, carrier, direct, set" in lines
     grid = power_grid(flow)
     assert grid.columns[-1].heading == "by convention"
     signs = {row[0].strip(): row[-1] for row in grid.texts}

@@ -23,8 +23,8 @@ def test_a_gear_without_power_says_why(tmp_path: Path) -> None:
     assert (neutral.ideal, neutral.note) == (None, "torques do not balance")
     locked = only(read_yaml(LOCKED.encode(), "x").case)
     assert locked.ideal is not None
-    assert (locked.lossy, locked.note) == (None, "locked by friction")
-    assert "with losses: locked by friction" in text(locked)
+    assert (locked.lossy, locked.note) == (None, "self-locking")
+    assert "with losses: self-locking" in text(locked)
     (tmp_path / "tied.yaml").write_text(TIED_UP, encoding="utf-8")
     said = vstatics("flow", tmp_path / "tied.yaml")
     assert said.status == 1

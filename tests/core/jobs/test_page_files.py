@@ -40,7 +40,7 @@ def test_a_file_that_is_no_further_page_is_kept(tmp_path: Path) -> None:
     path = str(tmp_path / "box.svg")
     for own in (page(1, 'data-page="2"'), b"mine", page(3)):
         (tmp_path / "box-2.svg").write_bytes(own)
-        with pytest.raises(ReadError, match=r"is there, and would be page 2 of .*box\.svg"):
+        with pytest.raises(ReadError, match=r"exists already and would be page 2 of .*box\.svg"):
             replace_pages(path, pages(2))
         replace_pages(path, pages(1))
         assert held(tmp_path) == {"box.svg": page(1), "box-2.svg": own}
@@ -58,7 +58,7 @@ def test_a_picture_does_not_take_the_place_of_a_page_of_another(tmp_path: Path) 
 
 def test_a_fifo_with_the_name_of_a_page_is_kept_and_nobody_waits_for_it(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "box-2.svg")
-    with pytest.raises(ReadError, match="is there, and would be page 2"):
+    with pytest.raises(ReadError, match="exists already and would be page 2"):
         replace_pages(str(tmp_path / "box.svg"), pages(2))
     assert (tmp_path / "box-2.svg").is_fifo()
 

@@ -84,7 +84,7 @@ def test_commands_warn_with_the_place_and_the_torque(command: tuple[str, ...]) -
     said = vstatics(*command, "-", stdin=BARE.encode())
     assert said.status == 0
     assert said.err.count("3:25: warning: drag.b: the drag of b has no unit") == 1
-    assert "0.3 of the input torque, 60 N*m; if it is in newton metres, write `0.3 N*m`" in said.err
+    assert "0.3 of the input torque, 60 N*m; if it is meant in N*m, write `0.3 N*m`" in said.err
     allowed = vstatics(*command, "-", "--allow", "W440", stdin=BARE.encode())
     assert "W440" not in allowed.all
     assert "has no unit" not in allowed.all

@@ -27,9 +27,9 @@ def test_there_may_be_no_more_than_eight() -> None:
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"outputs": [3, 3]}, "outputs[2]: link 3 is an output twice"),
+        ({"outputs": [3, 3]}, "outputs[2]: link 3 is listed twice, expected each output once"),
         ({"outputs": [3, 9]}, "outputs[2]: read 9, expected a link number from 1 to 3"),
-        ({"outputs": [3, 1]}, "outputs[2]: link 1 is the input, expected another"),
+        ({"outputs": [3, 1]}, "outputs[2]: link 1 is the input, expected another link"),
         ({"outputs": [2, 3], "output": 3}, "outputs: the first output is 2, but `output` is 3"),
     ],
 )

@@ -117,7 +117,7 @@ def test_an_inertia_that_cannot_be_is_told(inertias: dict[int, float], said: str
     [
         ({"stiffness": 0}, "stiffness: read 0, expected a stiffness above 0"),
         ({"stiffness": 3, "damping": -1}, "damping.viscous: read -1, expected a damping of 0 or more"),
-        ({"damping": 1}, "damping: there is a damping without `stiffness`"),
+        ({"damping": 1}, "damping: read a damping without `stiffness`"),
     ],
 )  # fmt: skip
 def test_a_device_that_cannot_be_elastic_so_is_told(elastic: dict[str, Any], said: str) -> None:
@@ -187,9 +187,9 @@ def test_a_torque_beyond_a_flat_end_has_no_twist() -> None:
         ({"points": [(0, 0), (0.1, 5), (0.1, 6)]}, "3][1]: read 0.1 behind 0.1, expected twists"),
         ({"points": [(0, 0), (0.1, 5), (0.2, 4)]}, "3][2]: read 4 behind 5, expected torques"),
         ({"points": [(0, 1), (0.1, 5)]}, "1]: read 0, 1, expected [0, 0] first"),
-        ({"points": [(0, 0), (0.1, 0)]}, "expected two points at least, and a torque that rises"),
-        ({"points": STAGES, "stiffness": 5}, "stiffness: read `stiffness` beside `points`"),
-        ({"points": STAGES, "limit": 5}, "limit: read `limit` beside `points`"),
+        ({"points": [(0, 0), (0.1, 0)]}, "expected at least two points, and a torque that rises"),
+        ({"points": STAGES, "stiffness": 5}, "stiffness: read `stiffness` with `points`"),
+        ({"points": STAGES, "limit": 5}, "limit: read `limit` with `points`"),
         ({"points": STAGES, "damping": Damping(1, 0.1)}, "read a loss factor or ratio beside"),
         ({"stiffness": 5, "friction": -1}, "friction: read -1, expected a torque of 0 or more"),
     ],

@@ -29,7 +29,7 @@ def where(text: str) -> tuple[int, int, str]:
         (f"{GOOD}\nx\n", 2, 1, "no JSON: "),
         (f"{GOOD}\n\n7\n", 3, 1, "result 2 is no JSON object"),
         (f"{GOOD}\r\n\r\n{{}}\r\n", 3, 1, "result 2 has none of the tables"),
-        (f'{GOOD}\n\n{{"ratio": 1}}\n', 3, 1, "ratio of result 2 is no table of numbers"),
+        (f'{GOOD}\n\n{{"ratio": 1}}\n', 3, 1, "ratio of result 2 is not a table of numbers"),
         ('{\n  "ratio": [1,]\n}\n', 2, 15, "no JSON: "),
         ('{\n  "ratio": [1]\n}\nx\n', 4, 1, "no JSON: "),
     ],

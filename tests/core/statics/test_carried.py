@@ -39,5 +39,5 @@ def test_a_gear_with_a_load_of_its_own_is_held_against_that() -> None:
     (one,) = solve(case).messages
     assert (one.gear, one.text) == (
         "b",
-        "B carries 650 of 600 N*m, more than its capacity",  # 2.5 * 260, 3 * 200
+        "B carries 650 N*m, more than its torque capacity of 600 N*m",  # 2.5 * 260, 3 * 200
     )

@@ -152,8 +152,8 @@ def test_drag_at_a_speed_that_is_not_determined_is_left_out() -> None:
     results = solved(case)
     assert only(results.efficiency) == pytest.approx(1 - D)
     assert [str(m) for m in results.messages if "drag" in m.text] == [
-        "warning: gear 1: the drag of 3 and B is left out, as statics does not determine a speed "
-        "there [W412]"
+        "warning: gear 1: the drag of 3 and B is ignored, because the speed there is "
+        "indeterminate; give this speed in the gear [W412]"
     ]
 
 
@@ -335,7 +335,7 @@ def test_the_table_stands_only_where_there_is_drag() -> None:
     ("before", "after", "line", "words"),
     [
         ("drag: 0.02", "drag: -0.02", 3, "C.drag: read -0.02, expected a torque of 0 or more"),
-        ("kind: clutch", "kind: dog_clutch", 3, "C.drag: a dog clutch does not drag"),
+        ("kind: clutch", "kind: dog_clutch", 3, "C.drag: a disengaged dog clutch has no drag"),
         ("{out: 0.01}", "{out: -1}", 8, "drag.out: read -1, expected a torque of 0 or more"),
         ("{out: 0.01}", "{outt: 1}", 8, "did you mean `out`"),
         ("{out: 0.01}", "{housing: 1}", 8, "the housing does not turn, expected a link"),

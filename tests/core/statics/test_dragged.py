@@ -102,16 +102,16 @@ gears:
 
 def test_every_answer_says_that_it_is_dragged() -> None:
     said = json_answer("run", "-", "--from", "yaml", stdin=CASE)
-    assert (said["dragged"], said["locked"], said["ETA"]) == ([True], [False], [None])
-    assert [text.count("dragged") for text in said["messages"]] == [1]
-    assert said["AMLGP_Nm"][-1] == pytest.approx([-6.0927835], rel=1e-7)
+    assert (said["dragged"], said["locked"], said["efficiency"]) == ([True], [False], [None])
+    assert [text.count("back-driven") for text in said["messages"]] == [1]
+    assert said["lossy_torques_Nm"][-1] == pytest.approx([-6.0927835], rel=1e-7)
     asked = ("--vary", "P1.efficiency=0.9:1:30", "--out", "dragged,ETA,MxP_Nm")
     rows = vstatics("sweep", "-", "--from", "yaml", *asked, stdin=CASE).out.splitlines()[1:]
     assert {row.split(",")[2] for row in rows} == {"dragged"}
     assert {row.split(",")[3] + row.split(",")[4] for row in rows} == {"1"}
     pretty = vstatics("run", "-", "--from", "yaml", "--pretty", stdin=CASE).out
     assert "-6.1" in pretty
-    assert "dragged" in pretty
+    assert "back-driven" in pretty
 
 
 def much_drag(seed: int) -> Transmission:

@@ -54,7 +54,7 @@ def test_a_self_locking_worm_gear_can_be_driven_by_the_worm_only() -> None:
     assert np.isnan(results.efficiency[1])
     assert np.isnan(results.lossy_torques[1]).all()
     assert [str(message) for message in results.messages] == [
-        "warning: gear 2: locked by friction: no directions of power agree with the losses [W421]"
+        "warning: gear 2: self-locking: no direction of power flow is consistent with the losses [W421]"
     ]
     coasting = solve(worm(0), coast=True)
     assert list(coasting.locked) == [True, False]

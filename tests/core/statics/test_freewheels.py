@@ -81,7 +81,7 @@ def test_coasting_in_first_gear_is_a_neutral() -> None:
     assert not results.holds[0, 3]
     assert np.isnan([results.ratio[0], results.efficiency[0], results.slip_speeds[0, 3]]).all()
     assert texts(results, "1")[0].startswith(
-        "warning: 1 condition missing for the speeds (neutral, as freewheel D overruns): "
+        "warning: neutral, because freewheel D overruns: one more shift element must be engaged"
     )
     assert results.ratio[1] == pytest.approx(1 - 1 / U)
     assert not results.failed
@@ -131,7 +131,7 @@ def test_two_freewheels() -> None:
     assert texts(results, "1") == []
     coasting = solved(simpson(TWO), coast=True)
     assert not coasting.holds[0, [0, 3]].any()
-    assert "as freewheels A and D overrun" in texts(coasting, "1")[0]
+    assert "because freewheels A and D overrun" in texts(coasting, "1")[0]
 
 
 def test_one_of_two_freewheels_takes_over_from_the_other() -> None:
@@ -170,8 +170,8 @@ def test_a_freewheel_that_is_driven_backward_is_a_conflict() -> None:
     assert np.isnan([*results.speeds[0], *results.torques[0], *results.ratio]).all()
     assert texts(results, "1") == [
         "error: conflict: freewheel L can neither overrun (its slip would be -1, below 0) nor "
-        "hold (the gear would be tied up); release one of the engaged elements, or exchange the "
-        "links of the freewheel if it stands the wrong way round"
+        "hold (the gear would be tied up); release one of the engaged shift elements, or exchange "
+        "the links of the freewheel if its direction is wrong"
     ]
     turned = solved(pair(first=0, second=2))
     assert turned.ratio == pytest.approx(-1)
@@ -186,8 +186,8 @@ def test_freewheels_that_could_hold_in_place_of_each_other_are_told() -> None:
     results = solved(Transmission(3, elements, sets, [Gear()], input=1, output=3))
     assert results.ratio == pytest.approx([1])
     assert texts(results, "1") == [
-        "warning: freewheel F2 could hold in place of F1: the torques that they share are not "
-        "determined, those with F1 are given"
+        "warning: freewheel F2 could hold instead of F1, so their torques are indeterminate; "
+        "the torques with F1 are shown"
     ]
     assert texts(solved(simpson()), "1") == []
 
@@ -226,7 +226,7 @@ def test_a_gear_that_no_freewheel_holds_says_so() -> None:
     """m2 pushes the carrier the other way, in which it is free."""
     results = solved(simpson(TWO_MOTORS.replace("{m2: -1}", "{m2: 1}")))
     assert not results.holds.any()
-    said = "nothing holds the torque of m2, as freewheel F overruns"
+    said = "nothing supports the torque of m2, because freewheel F overruns"
     assert said in texts(results, "both")[-1]
     assert results.ratio == pytest.approx([-3])
 
@@ -283,8 +283,8 @@ def test_a_load_that_contradicts_the_gear_is_refused() -> None:
         simpson(text + "load: {speed: 900 rpm}\n")
     (problem,) = refused.value.problems
     assert problem.message == (
-        "gears.both.input_turns: read `backward`, but by the load of this gear the input turns "
-        "forward; expected a load of its own whose signs agree, or this left out"
+        "gears.both.input_turns: read `backward`, but with the operating point of this gear the "
+        "input turns forward; expected an operating point with other signs, or no `input_turns`"
     )
     assert problem.place is not None
     assert problem.place[1] == 7
@@ -303,7 +303,7 @@ def test_an_input_of_a_gears_own_that_says_neither_gets_a_note() -> None:
         return [one.message for one in hints(simpson(text.replace("torques: {m2: -1}", given)))]
 
     assert notes("input: m2") == [
-        "the input, link m2, is taken to turn forward, on which freewheels depend; say "
+        "the input, link m2, is assumed to turn forward, which affects the freewheels; write "
         "`input_turns: forward` or `backward`"
     ]
     for given in (
@@ -315,7 +315,7 @@ def test_an_input_of_a_gears_own_that_says_neither_gets_a_note() -> None:
     checked = vstatics(
         "check", "-", stdin=TWO_MOTORS.replace("torques: {m2: -1}", "input: m2").encode()
     )
-    assert "7:3: note: gears.both: the input, link m2, is taken to turn forward" in checked.err
+    assert "7:3: note: gears.both: the input, link m2, is assumed to turn forward" in checked.err
 
 
 def test_a_conflict_of_a_backward_input_says_so() -> None:
@@ -543,7 +543,7 @@ def test_the_table_stands_only_where_there_are_freewheels() -> None:
 @pytest.mark.parametrize(
     ("before", "after", "line", "words"),
     [
-        ('"1": {engaged: [A]}', '"1": {engaged: [A, D]}', 12, "leave it out"),
+        ('"1": {engaged: [A]}', '"1": {engaged: [A, D]}', 12, "remove it from the gear"),
         (
             "{kind: brake, links: [carrier 2]}",
             "{kind: brake, links: [sun, output]}",

@@ -93,7 +93,9 @@ def test_a_locked_up_converter_needs_no_speed_ratio_and_has_no_other_than_1() ->
     given = "{{engaged: [B, LU], speed_ratios: {{TC: {}}}}}"
     same = solve(loads(BOX.format(**CONVERTER, locked=given.format(1))))
     assert same.lossy_torques.tolist() == results.lossy_torques.tolist()
-    with pytest.raises(CaseError, match="it turns as one: expected 1, or none") as caught:
+    with pytest.raises(
+        CaseError, match="its speed ratio is 1: release its lock-up clutch"
+    ) as caught:
         loads(BOX.format(**CONVERTER, locked=given.format(0.9)))
     assert caught.value.problems[0].id == "E455"
 

@@ -33,10 +33,10 @@ OUT = -2 * 2 / 0.97 - 5
 
 def test_the_output_gives_all_drag() -> None:
     said = json_answer("run", "-", "--from", "yaml", stdin=CASE)
-    assert (said["dragged"], said["ETA"], said["power_balance"]) == ([True], [None], [None])
-    assert said["AMLGP"] == [[None]] * 3
+    assert (said["dragged"], said["efficiency"], said["power_balance"]) == ([True], [None], [None])
+    assert said["lossy_torques"] == [[None]] * 3
     assert said["losses"] == [[None]] * 2
-    assert [row[0] for row in said["AMLGP_Nm"]] == pytest.approx([0, 2, OUT])
+    assert [row[0] for row in said["lossy_torques_Nm"]] == pytest.approx([0, 2, OUT])
     lost = sum(row[0] for row in said["losses_kW"]) + said["drag_losses_kW"][0]
     assert said["input_power_kW"][0] - said["output_power_kW"][0] == pytest.approx(lost)
     asked = ("--vary", "P1.efficiency=0.9:1:30", "--out", "MxP_Nm,MxP,ETA")
@@ -90,7 +90,7 @@ def test_what_a_clutch_carries_is_measured_by_its_capacity() -> None:
 
 
 def test_a_standing_input_stays_an_error() -> None:
-    with pytest.raises(CaseError, match="speed other than 0"):
+    with pytest.raises(CaseError, match="expected the speed of an input that turns"):
         Transmission(2, [], [Mechanism(1, 2, 0, 2)], [Gear()], load=Load(0, 10))
 
 
@@ -158,6 +158,6 @@ gears:
 def test_the_torque_that_holds_a_speed_is_told() -> None:
     """The motor turns itself against its drag: nothing goes through the set."""
     said = json_answer("run", "-", "--from", "yaml", stdin=HELD)
-    assert said["AMWZP_Nm"] == [[None], [2], [None]]
-    assert said["AMWZ_Nm"] == [[None], [0], [None]]
-    assert said["AMWZP"] == said["AMWZ"] == [[None]] * 3
+    assert said["lossy_holding_torques_Nm"] == [[None], [2], [None]]
+    assert said["holding_torques_Nm"] == [[None], [0], [None]]
+    assert said["lossy_holding_torques"] == said["holding_torques"] == [[None]] * 3

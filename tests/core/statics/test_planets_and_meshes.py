@@ -18,16 +18,18 @@ from vstatics.core.statics.state import flat, values_of
 
 @pytest.mark.parametrize("losses", ["meshes", "reduced"])
 def test_planets_have_the_same_speeds_in_both_forms(losses: str) -> None:
-    given = shown(AOD)["WSAT"].values
-    other = shown(changed("mesh_eff", f"losses: {losses}\nmesh_eff", AOD))["WSAT"].values
+    given = shown(AOD)["planet_speeds"].values
+    other = shown(changed("mesh_eff", f"losses: {losses}\nmesh_eff", AOD))["planet_speeds"].values
     assert other == pytest.approx(given, abs=1e-12)
 
 
 def test_a_planet_without_teeth_has_no_speed() -> None:
     found = shown(changed(", short: 18, long: 18", "", AOD))
-    assert list(found["WSAT"].rows) == ["set.short", "set.long"]
-    assert np.isnan(found["WSAT"].values[0]).all()
-    assert found["WSAT"].values[1] == pytest.approx(shown(AOD)["WSAT"].values[1])  # (72 - 36)/2
+    assert list(found["planet_speeds"].rows) == ["set.short", "set.long"]
+    assert np.isnan(found["planet_speeds"].values[0]).all()
+    assert found["planet_speeds"].values[1] == pytest.approx(
+        shown(AOD)["planet_speeds"].values[1]
+    )  # (72 - 36)/2
 
 
 def test_a_mesh_with_a_planet_without_teeth_has_no_torque_on_it() -> None:

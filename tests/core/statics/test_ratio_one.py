@@ -68,9 +68,11 @@ def test_fergusons_paradox_as_three_mechanisms() -> None:
 def test_wheels_that_turn_alike_get_a_note() -> None:
     drawing = drawing_of(ferguson())
     assert drawing is not None
-    alike = [one for one in hints(drawing) if "turn alike" in one.message]
+    alike = [one for one in hints(drawing) if "always turn at the same speed" in one.message]
     assert [one.severity for one in alike] == ["note"]
-    assert alike[0].message.startswith("first and w100 turn alike whatever the carrier does")
+    assert alike[0].message.startswith(
+        "first and w100 always turn at the same speed (ratio 1): the carrier"
+    )
 
 
 def through_the_wheels(gear: Gear, *, coast: bool = False) -> Results:

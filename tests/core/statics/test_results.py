@@ -50,7 +50,7 @@ def test_results_are_equal_where_case_numbers_and_loads_are() -> None:
 
 def test_a_gear_is_one_of_a_single_case() -> None:
     case = train([(2, 0)], Gear([1]))
-    with pytest.raises(ValueError, match="a gear is one of a single case"):
+    with pytest.raises(ValueError, match="a gear belongs to a single case"):
         solve(case, ratios=[[-2.0], [-3.0]]).gear(1)
     for number in (0, 2, -1):
         with pytest.raises(ValueError, match="no gear"):

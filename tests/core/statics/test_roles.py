@@ -23,8 +23,13 @@ def test_a_set_that_only_holds_is_one_piece_and_not_idle() -> None:
     """Ford 10R80, gear 1: P1 stands and carries 3.696 on the carrier, as issue 16 has it."""
     results = shipped_results("ford-10r80.yaml")
     assert results["torques", "P1.carrier", "1"] == pytest.approx(-3.696, abs=5e-4)
-    assert by_name(results, "1") == {"P1": "one piece", "P2": "idle", "P3": "idle", "P4": ""}
-    assert mechanism_roles(results.gear("1")) == ["one piece", "idle", "idle", ""]
+    assert by_name(results, "1") == {
+        "P1": "locked up",
+        "P2": "unloaded",
+        "P3": "unloaded",
+        "P4": "",
+    }
+    assert mechanism_roles(results.gear("1")) == ["locked up", "unloaded", "unloaded", ""]
 
 
 def test_a_shaft_of_ratio_1_transmits_power_and_a_support_only_holds() -> None:

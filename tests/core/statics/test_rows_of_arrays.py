@@ -14,11 +14,11 @@ from vstatics.core.statics.result_arrays import ARRAYS, OUTPUT, row_counts, row_
 
 def test_results_show_own_links_elements_and_planets() -> None:
     found = shown(AOD)
-    assert list(found["W"].rows) == ["input", "forward sun", "reverse sun", "carrier", "ring"]
-    assert list(found["WSAT"].rows) == ["set.short", "set.long"]
-    assert found["WSAT"].values[:, 0] == pytest.approx([-30 / 18, 30 / 18])  # carrier held
+    assert list(found["speeds"].rows) == ["input", "forward sun", "reverse sun", "carrier", "ring"]
+    assert list(found["planet_speeds"].rows) == ["set.short", "set.long"]
+    assert found["planet_speeds"].values[:, 0] == pytest.approx([-30 / 18, 30 / 18])  # carrier held
     assert list(found["losses"].rows) == ["set"]
-    total = 1 - found["ETA"].values[0]
+    total = 1 - found["efficiency"].values[0]
     assert found["losses"].values[0] == pytest.approx(total)
     assert "mesh_torques" not in shown(SET)
 
@@ -36,7 +36,7 @@ elements:
 shift_elements: {{B: [{name}, housing]}}
 gears: {{1: {{engaged: [B]}}}}
 """
-        found = shown(text)["AMLG"]
+        found = shown(text)["torques"]
         row = "g.ring" if name == "ring" else f"g.{name}/A1"
         assert list(found.rows) == ["B", "g.in", row, "g.carrier", "Mx"]
         assert found.values[1:4, 0] == pytest.approx([1, 2, -3])
@@ -51,9 +51,9 @@ elements:
       {link: housing, teeth: 72, rim: A1}, {link: out, teeth: 74, rim: A2}]}
 gears: {1: {}}
 """
-    assert "g.housing" in shown(text)["AMLG"].rows
+    assert "g.housing" in shown(text)["torques"].rows
     both = changed("72, rim: A1}", "72, rim: A1}, {link: housing, teeth: 72, rim: A1}", text)
-    assert {"g.housing/A1", "g.housing/A1 (ring)"} < set(shown(both)["AMLG"].rows)
+    assert {"g.housing/A1", "g.housing/A1 (ring)"} < set(shown(both)["torques"].rows)
 
 
 @pytest.mark.parametrize("path", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)

@@ -81,7 +81,7 @@ def test_wheels_on_a_curve_follow_one_of_them() -> None:
 
 def test_speeds_that_follow_one_another_in_a_circle_leave_one_open() -> None:
     results = solve(four_wheels({5: SpeedOf(4), 6: SpeedOf(7, 2.0), 7: SpeedOf(6, 0.5)}))
-    assert "the given speed of link 6 and the given speed of link 7 say the same" in str(
+    assert "the given speed of link 6 and the given speed of link 7 impose the same" in str(
         texts(results)
     )
     assert np.isnan(results.speeds[0, 5])
@@ -105,10 +105,10 @@ def test_variants_of_a_case_on_a_curve_are_as_single_cases() -> None:
 @pytest.mark.parametrize(
     ("speeds", "said"),
     [
-        ({5: SpeedOf(5)}, "the speed of link 5 is given by itself"),
+        ({5: SpeedOf(5)}, "the speed of link 5 is a multiple of itself"),
         ({5: SpeedOf(9)}, "read 9, expected a link number from 1 to 7"),
         ({5: SpeedOf(0)}, "read 0 (the housing), expected a link number from 1 to 7"),
-        ({5: SpeedOf(4, 0.0)}, "read a factor of 0, expected a finite one other than 0"),
+        ({5: SpeedOf(4, 0.0)}, "read a factor of 0, expected a finite factor other than 0"),
         ({1: SpeedOf(4)}, "link 1 is the input, whose speed is 1"),
     ],
 )

@@ -17,7 +17,7 @@ from vstatics.core.numerics.traced import plain
 
 def test_torques_of_the_members_balance() -> None:
     """Nothing but its members holds an element: with losses, too, their torques cancel."""
-    for name in ("AMLG", "AMLGP"):
+    for name in ("torques", "lossy_torques"):
         table = shown(AOD)[name]
         members = [row.startswith("set.") for row in table.rows]
         assert sum(members) == 4
@@ -26,7 +26,7 @@ def test_torques_of_the_members_balance() -> None:
 
 def test_member_torques_of_a_plain_set() -> None:
     """Ring held: sun 1, ring 75/30, carrier what both leave; with losses the ring has less."""
-    ideal, lossy = shown(SET)["AMLG"], shown(SET)["AMLGP"]
+    ideal, lossy = shown(SET)["torques"], shown(SET)["lossy_torques"]
     assert list(ideal.rows) == ["B", "C", "P1.sun", "P1.ring", "P1.carrier", "Mx"]
     assert ideal.values[2:, 0] == pytest.approx([1, 2.5, -3.5, 3.5])
     held = 2.5 * 0.98 * 0.99
@@ -56,7 +56,7 @@ elements:
 shift_elements: {{{clutches}}}
 gears: {{1: {{engaged: [C1, C2]}}}}
 """)
-    for name in ("AMLG", "AMLGP"):
+    for name in ("torques", "lossy_torques"):
         torques = dict(zip(found[name].rows, found[name].values[:, 0].tolist(), strict=True))
         assert torques[member] == pytest.approx(-1, abs=1e-14)
         assert np.isnan(torques["C1"])

@@ -22,11 +22,11 @@ BACKWARD = Transmission(
 FAULTY = {
     "tied up": (train([(2, 0), (3, 0)], Gear([1, 2])), 1),
     "freewheels in conflict": (BACKWARD, 1),
-    "the output stands": (train([(3, 0)], Gear([1])), 1),
+    "the output is at rest": (train([(3, 0)], Gear([1])), 1),
     "neutral": (train([(2, 0)], Gear()), 1),
     "torques do not balance": (train([(2, 0)], Gear(speeds={3: 0.25})), 1),
-    "locked by friction": (vstatics.load(CASES / "self-locking.yaml"), 2),
-    "dragged": (train([(2, 0)], Gear([1], drag={1: 1.5})), 1),
+    "self-locking": (vstatics.load(CASES / "self-locking.yaml"), 2),
+    "back-driven": (train([(2, 0)], Gear([1], drag={1: 1.5})), 1),
 }
 
 
@@ -59,7 +59,7 @@ def test_each_kind_of_faulty_gear_has_its_status(words: str) -> None:
     assert results.gear(number).status == results.status(number)
     fails = words in ("tied up", "freewheels in conflict")
     assert results.failed == fails
-    assert results.status(number).is_fault == (fails or words == "locked by friction")
+    assert results.status(number).is_fault == (fails or words == "self-locking")
 
 
 def test_a_sound_gear_has_none() -> None:

@@ -114,7 +114,9 @@ shift_elements: {{F1: {{kind: freewheel, links: {links}}}}}
 gears: {{drive: [], coast: {{coast: true}}}}
 """
     texts = {message.gear: message.text for message in solve(loads(text)).messages}
-    advice = "the links of F1 may be in the wrong order: with [input, engine] the gear would drive"
+    advice = (
+        "if the links of F1 are in the wrong order, write [input, engine]: then the gear can drive"
+    )
     is_wrong = links == "[engine, input]"
     assert (advice in texts.get("drive", "")) == is_wrong
     assert advice not in texts.get("coast", "")

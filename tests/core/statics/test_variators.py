@@ -120,7 +120,7 @@ def test_a_converter_outside_its_points_has_the_last_one_and_one_note_tells_it()
     case = Transmission(2, [], [narrow], gears)
     results = solve(case)
     assert results.torques[:, -1].tolist() == [2.4, 1]
-    said = "outside the points of TC the last one counts"
+    said = "outside the points of TC, the value of the nearest end point applies"
     notes = [(one.id, one.gear, one.text) for one in results.messages]
     assert notes == [("N414", "a", said), ("N414", "b", said)]
     inside = case.replace(gears=[Gear(speed_ratios={1: i}) for i in (0.1, 0.8)])

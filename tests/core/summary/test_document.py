@@ -16,4 +16,4 @@ def test_json_has_the_digits_of_the_result() -> None:
     made = json_answer("summary", case)
     result = json_answer("run", case)
     assert [line["ratio"] for line in made["gears"]] == result["ratio"]
-    assert [line["efficiency"] for line in made["gears"]] == result["ETA"]
+    assert [line["efficiency"] for line in made["gears"]] == result["efficiency"]

@@ -82,20 +82,20 @@ def test_largest_values_of_a_differential_worked_by_hand() -> None:
     """The brake holds the ring with -u = 2.5; the planet has p = (u + 1)/2 = -.75."""
     found = summarize(solve(differential())).largest
     carrier = 1 / 3.5
-    [planet] = found["WSAT"]
+    [planet] = found["planet_speeds"]
     assert_largest(planet, (1 - carrier) / -0.75, "low")
-    clutch, brake = found["AMLG"]
+    clutch, brake = found["torques"]
     assert_largest(brake, -2.5, "low")
     assert_largest(clutch, 2.5 / 3.5, "direct")
-    assert found["AMLGP"][1].value == pytest.approx(-2.5 * 0.96)
-    open_clutch, open_brake = found["WFRI"]
+    assert found["lossy_torques"][1].value == pytest.approx(-2.5 * 0.96)
+    open_clutch, open_brake = found["slip_speeds"]
     assert (open_clutch.value, open_clutch.gear) == (1, "low")
     assert (open_brake.value, open_brake.gear) == (1, "direct")
 
 
 def test_of_equal_values_the_first_gear_is_named() -> None:
     """In the TH400 the direct clutch carries the whole input torque in R alone; forward in 1, 2."""
-    forward = summary_of("simpson-th400.yaml").largest["AMLG"][0]
+    forward = summary_of("simpson-th400.yaml").largest["torques"][0]
     assert_largest(forward, 1, "1")
 
 
@@ -103,11 +103,11 @@ def test_with_a_load_the_gear_of_the_largest_torque_may_be_another() -> None:
     """In gear direct, of little torque, the load is a hundred times as large."""
     made = vstatics("summary", "-", "-f", "json", stdin=LOADED.encode())
     found = made.json["largest"]
-    assert found["AMLG"][0] == {"row": "C", "value": pytest.approx(2.5 / 3.5), "gear": "direct"}
-    brake, clutch = found["AMLG_Nm"][1], found["AMLG_Nm"][0]
+    assert found["torques"][0] == {"row": "C", "value": pytest.approx(2.5 / 3.5), "gear": "direct"}
+    brake, clutch = found["torques_Nm"][1], found["torques_Nm"][0]
     assert brake["value"] == pytest.approx(-2.5 * 100)
     assert clutch["value"] == pytest.approx(10000 * 2.5 / 3.5)
-    assert found["WFRI_rpm"][0]["value"] == pytest.approx(2100)
+    assert found["slip_speeds_rpm"][0]["value"] == pytest.approx(2100)
 
 
 LOADED = """\
@@ -127,7 +127,7 @@ def test_a_gear_that_is_tied_up_has_no_largest_torque() -> None:
         mechanisms=[Mechanism(1, 2, 3, -2.5)],
         gears=[Gear([1], name="direct"), Gear([1, 2], name="tied")],
     )
-    clutch, brake = summarize(solve(case)).largest["AMLG"]
+    clutch, brake = summarize(solve(case)).largest["torques"]
     assert_largest(clutch, 2.5 / 3.5, "direct")
     assert math.isnan(brake.value)
 

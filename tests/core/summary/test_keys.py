@@ -37,7 +37,7 @@ def test_units_stand_behind_a_comma() -> None:
     assert headings(loaded, "shift elements with load")[1::2] == [
         "slip, rpm", "torque, N*m", "with losses, N*m",
     ]  # fmt: skip
-    assert headings(loaded, "margins")[1] == "capacity, N*m"
+    assert headings(loaded, "margins")[1] == "torque capacity, N*m"
     assert headings(loaded, "ports")[1:] == [
         "port",
         "speed, rpm",

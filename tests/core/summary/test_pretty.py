@@ -45,7 +45,7 @@ def gear_lines(text: str) -> list[str]:
 def test_the_numbers_are_those_of_the_result(path: Path) -> None:
     text = shown(path)
     document = json_answer("run", path)
-    for name in ("ratio", "ETA"):
+    for name in ("ratio", "efficiency"):
         for value in document[name]:
             assert value is None or shown_as(value) in text
     assert all(len(line) <= 80 for line in text.splitlines())
@@ -54,8 +54,7 @@ def test_the_numbers_are_those_of_the_result(path: Path) -> None:
 
 def shown_as(value: float) -> str:
     """Three digits after the point, or four significant ones below 0.1."""
-    text = f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
-    return text.replace("0.", ".", 1) if abs(value) < 1 else text
+    return f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
 
 
 def test_steps_are_quotients_of_neighbouring_ratios() -> None:
@@ -74,9 +73,9 @@ def test_a_freewheel_that_holds_has_a_sign_of_its_own() -> None:
     assert low.split()[:3] == ["low", "·◆", "3.000"]
     assert high.split()[:3] == ["high", "●·", "1.000"]
     assert "◆ freewheel that holds" in text
-    assert "1333 set.planet" in low
+    assert "1333 set " in low
     assert "294 set.carrier" in low
-    assert "speed, rpm" in text
+    assert {"planet", "rpm", "N*m"} <= {*text.split()}
 
 
 def test_a_terminal_without_dots_gets_letters() -> None:
@@ -113,7 +112,7 @@ gears:
 
 def test_states_of_gears_are_named_and_explained() -> None:
     said = vstatics("run", "--pretty", "-", stdin=STATES.encode())
-    for gear, state in (("neutral", "neutral"), ("park", "output stands"), ("tied", "tied up")):
+    for gear, state in (("neutral", "neutral"), ("park", "output at rest"), ("tied", "tied up")):
         [line] = [line for line in gear_lines(said.out) if line.startswith(f" {gear} ")]
         assert line.rstrip().endswith(f"  {state}")
         assert f"\n{state}: " in said.out
@@ -135,8 +134,8 @@ def test_steps_are_those_of_the_summary() -> None:
 
 
 def test_a_largest_torque_is_given_only_where_all_are_known() -> None:
-    assert rows()["excess"][-3:] == ["1.00", "in", "set"]
-    assert rows()["low"][-4:] == ["1.00", "in", "2.42", "B"]
+    assert rows()["excess"][-2:] == ["0", "set"]
+    assert rows()["low"][-4:] == ["0.95", "set", "2.42", "B"]
 
 
 def test_names_in_brackets_are_names() -> None:
@@ -163,7 +162,7 @@ gears:
 """
     text = shown("-", "--from", "yaml", stdin=case)
     small = next(line for line in text.splitlines() if " small " in line)
-    assert small.split()[-3:] == ["0.02000", "pair", "dragged"]
+    assert small.split()[-3:] == ["0.02000", "pair", "back-driven"]
     ports = text.splitlines()[len(gear_lines(text)) :]
     assert [line.split()[2] for line in ports if line.split()[:1] == ["out"]] == ["-0.04000", "0.0"]
 

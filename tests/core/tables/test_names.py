@@ -1,4 +1,4 @@
-"""Names that a person types: a number has one name and one alias, a row has one name."""
+"""Names that a person types: a number has a name and a deck name, a row has one name."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tests.commands import ROOT
 from tests.core.elements.element_texts import loaded
 from tests.shipped import shipped_results
 from vstatics import ReadError, Transmission, solve
-from vstatics.core.statics.result_arrays import ARRAYS
+from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.tables.dataframe import to_dataframe
 from vstatics.core.tables.names import row_named
 from vstatics.core.tables.quantities import ASKED, BY_NAME, QUANTITIES
@@ -53,14 +53,9 @@ def everything() -> Transmission:
 # A quantity
 
 
-def test_all_names_and_aliases_are_different() -> None:
-    names = [name for one in QUANTITIES + ASKED for name in (one.name, one.alias)]
+def test_all_names_and_deck_names_are_different() -> None:
+    names = [name for one in QUANTITIES + ASKED for name in (one.name, one.deck_name)]
     assert len(names) == len(set(names)) == len(BY_NAME)
-
-
-def test_the_key_of_a_file_is_one_of_the_two() -> None:
-    for one in QUANTITIES + ASKED:
-        assert one.key in (one.name, one.alias)
 
 
 def test_every_array_of_the_results_is_declared() -> None:
@@ -73,11 +68,31 @@ def test_the_case_has_everything(everything: Transmission) -> None:
     assert made == {one.name for one in QUANTITIES}
 
 
-def test_the_documentation_lists_every_name_with_its_alias() -> None:
-    text = (ROOT / "docs" / "expressions.md").read_text(encoding="utf-8")
-    lines = dict(re.findall(r"^\| `(\w+)` \| `(\w+)` \|", text, re.MULTILINE))
-    ports = ("input_power_kW", "output_power_kW")
-    assert lines == {one.name: one.alias for one in DECLARED if not one.unit or one.name in ports}
+WORDS: dict[Rows, str] = {
+    "links": "links",
+    "planets": "planets",
+    "elements": "shift elements",
+    "devices": "gear sets",
+    "mechanisms": "mechanisms",
+    "torques": "components, `Mx`",
+    "meshes": "meshes",
+    "one": "",
+}
+"""Rows of a table in the documentation."""
+
+
+def test_the_documentation_lists_every_name_with_deck_name_rows_and_unit() -> None:
+    text = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
+    found = re.findall(r"^\| `(\w+)` \| `(\w+)` \|(.*?)\|.*\|(.*?)\|$", text, re.MULTILINE)
+    listed = [one for one in QUANTITIES + ASKED if not one.of]
+    assert [(name, deck_name, rows.strip()) for name, deck_name, rows, _ in found] == [
+        (one.name, one.deck_name, WORDS[one.rows]) for one in listed
+    ]
+    units = {name: unit.strip() for name, _, _, unit in found}
+    for one in listed:
+        number = "-" if one.is_sign else {float: "-", int: "count", bool: "0, 1"}[one.kind]
+        ending = f"`_{one.with_load}`" if one.with_load else ""
+        assert units[one.name] == (one.unit or ending or number)
 
 
 # A row

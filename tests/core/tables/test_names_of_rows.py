@@ -10,7 +10,6 @@ from tests.core.elements.element_texts import AOD, loaded
 from tests.core.writers.result_cases import csv_of, table
 from vstatics import Results, solve
 from vstatics.core.tables.names import table_rows
-from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.writers import listing
 from vstatics.core.writers.result_json import document
 
@@ -34,16 +33,15 @@ def test_rows_are_those_that_the_case_names(aod: Results, name: str) -> None:
 
 @pytest.mark.parametrize("name", ROWS)
 def test_json_has_these_rows(aod: Results, name: str) -> None:
-    found, key = document(aod), BY_NAME[name].key
-    assert found["rows"][key] == ROWS[name]
-    values = np.array(found[key]).T
+    found = document(aod)
+    assert found["rows"][name] == ROWS[name]
+    values = np.array(found[name]).T
     assert values == pytest.approx(getattr(aod, name))
 
 
 @pytest.mark.parametrize("name", ROWS)
 def test_csv_has_these_rows(aod: Results, name: str) -> None:
-    key = BY_NAME[name].key
-    found = [line for line in csv_of(aod) if line[0] == key]
+    found = [line for line in csv_of(aod) if line[0] == name]
     assert len(found) == len(GEARS) * len(ROWS[name])
     assert {row for line in found for row in line} >= set(ROWS[name])
 

@@ -24,14 +24,13 @@ PUBLISHED = ["AJK", "W", "WSAT", "WFRI", "AMLG", "AMLGP", "ETA", "IX"]
 
 def test_each_name_stands_for_one_quantity() -> None:
     assert len({one.name for one in QUANTITIES}) == len(QUANTITIES)
-    assert len({one.key for one in QUANTITIES}) == len(QUANTITIES)
     assert len(PRINTED) == len(QUANTITIES)
-    assert all(BY_NAME[one.name] is BY_NAME[one.key] is one for one in QUANTITIES)
+    assert all(BY_NAME[one.name] is BY_NAME[one.deck_name] is one for one in QUANTITIES)
 
 
 def test_the_tables_of_the_source_come_first_under_its_names() -> None:
     first = [one for one in QUANTITIES if one.published]
-    assert [one.key for one in first] == [one.printed for one in first] == PUBLISHED
+    assert [one.deck_name for one in first] == [one.printed for one in first] == PUBLISHED
     assert list(QUANTITIES[: len(first)]) == first
 
 
@@ -40,7 +39,7 @@ def test_a_quantity_is_an_array_or_says_what_its_rows_are() -> None:
         assert (one.name in ARRAYS) == (one.own_rows is None), one.name
 
 
-@pytest.mark.parametrize("one", QUANTITIES, ids=lambda one: one.key)
+@pytest.mark.parametrize("one", QUANTITIES, ids=lambda one: one.name)
 def test_headings_are_in_every_language(one: Quantity) -> None:
     headings = [one.heading, *(one.members or ()), *([one.brief] if one.brief else [])]
     for heading in headings:
@@ -53,7 +52,7 @@ def test_headings_are_in_every_language(one: Quantity) -> None:
 def test_a_load_adds_its_own_unit_to_each_quantity_that_has_one() -> None:
     assert {one.of for one in WITH_UNITS if one.of} == {q.name for q in RELATIVE if q.with_load}
     for one in WITH_UNITS:
-        assert one.key.endswith(f"_{one.unit}")
+        assert one.name.endswith(f"_{one.unit}")
         assert not one.always
         if one.of:
             assert one.rows == BY_NAME[one.of].rows

@@ -35,18 +35,18 @@ def test_power_in_kilowatts() -> None:
     efficiency = (1 + 2.5 * 0.98 * 0.99) / 3.5
     assert found["output_power_kW"].values[0] == pytest.approx([power * efficiency, power])
     assert found["losses_kW"].values[0] == pytest.approx([power * (1 - efficiency), 0])
-    assert found["W_rpm"].values[:, 0] == pytest.approx([2000, 0, 2000 / 3.5])
-    assert found["AMLG_Nm"].values[-1] == pytest.approx([1050, 300])
+    assert found["speeds_rpm"].values[:, 0] == pytest.approx([2000, 0, 2000 / 3.5])
+    assert found["torques_Nm"].values[-1] == pytest.approx([1050, 300])
 
 
 def test_a_gear_has_a_load_of_its_own() -> None:
     text = changed("low: {engaged: [B]}", "low: {engaged: [B], load: {torque: 100 lbf*ft}}")
     found = shown("load: {speed: 100 rad/s, torque: 1 kN*m}" + text)
-    assert found["AMLG_Nm"].values[-1] == pytest.approx([3.5 * 135.581795, 1000])
-    assert found["W_rpm"].values[0] == pytest.approx([954.929659] * 2)  # 100*30/pi
+    assert found["torques_Nm"].values[-1] == pytest.approx([3.5 * 135.581795, 1000])
+    assert found["speeds_rpm"].values[0] == pytest.approx([954.929659] * 2)  # 100*30/pi
     only = shown("load: {speed: 1000 rpm}" + SET)
-    assert "W_rpm" in only
-    assert not {"AMLG_Nm", "losses_kW", "input_power_kW"} & only.keys()
+    assert "speeds_rpm" in only
+    assert not {"torques_Nm", "losses_kW", "input_power_kW"} & only.keys()
 
 
 def test_drag_in_newton_metres_is_related_to_the_torque_of_each_gear() -> None:
@@ -62,7 +62,7 @@ def test_drag_in_newton_metres_is_related_to_the_torque_of_each_gear() -> None:
 def test_power_enters_and_leaves_by_all_ports() -> None:
     """Engine, both machines and the output, each by its own torque and speed."""
     found = shown(HYBRID)
-    speeds = dict(zip(found["W_rpm"].rows, found["W_rpm"].values[:, 0], strict=True))
+    speeds = dict(zip(found["speeds_rpm"].rows, found["speeds_rpm"].values[:, 0], strict=True))
     assert speeds == pytest.approx(
         # Willis: (MG1 - engine)/(ring - engine) = -78/30, MG2/ring = -58/22
         {
@@ -72,13 +72,13 @@ def test_power_enters_and_leaves_by_all_ports() -> None:
             "MG2": -(2000 - 4400 * 30 / 78) * 58 / 22,
         }
     )
-    held = found["AMWZP_Nm"].values[1, 0]
-    out = found["AMLGP_Nm"].values[-1, 0]
+    held = found["lossy_holding_torques_Nm"].values[1, 0]
+    out = found["lossy_torques_Nm"].values[-1, 0]
     ports = [90 * 2000, held * 6400, -40 * speeds["MG2"], -out * speeds["ring"]]
     entering, leaving = found["input_power_kW"].values[0], found["output_power_kW"].values[0]
     assert entering[0] == pytest.approx(sum(KW * p for p in ports if p > 0))
     assert leaving[0] == pytest.approx(-sum(KW * p for p in ports if p < 0))
-    assert leaving / entering == pytest.approx(found["ETA"].values[0])
+    assert leaving / entering == pytest.approx(found["efficiency"].values[0])
     assert entering - leaving == pytest.approx(found["losses_kW"].values.sum(axis=0))
     assert entering[1] == pytest.approx(3000 * 100 * KW)
 
@@ -99,10 +99,10 @@ def test_when_coasting_power_enters_at_the_output() -> None:
     found = shown("coast: true\nload: {speed: 2000 rpm, torque: 300 N*m}" + SET)
     power = 300 * 2000 * KW
     assert found["output_power_kW"].values[0] == pytest.approx([power, power])
-    assert found["AMLGP_Nm"].values[2, 0] == pytest.approx(-300)
+    assert found["lossy_torques_Nm"].values[2, 0] == pytest.approx(-300)
     assert (found["losses_kW"].values >= 0).all()
     entering = found["input_power_kW"].values[0]
-    assert power / entering == pytest.approx(found["ETA"].values[0])
+    assert power / entering == pytest.approx(found["efficiency"].values[0])
     assert entering - power == pytest.approx(found["losses_kW"].values[0])
 
 
@@ -111,7 +111,7 @@ def test_torques_that_are_given_with_a_unit_are_shown_as_given() -> None:
         text = changed("low: {engaged: [B]}", "low: {engaged: [B], torques: {ring: 12 N*m}}")
         found = shown(f"coast: {coast}\nload: {{speed: 2000 rpm, torque: 300 N*m}}" + text)
         # ring held by B: what the set gives to the ring, and what is put on it
-        ring = dict(zip(found["AMLG_Nm"].rows, found["AMLG_Nm"].values[:, 0], strict=True))
+        ring = dict(zip(found["torques_Nm"].rows, found["torques_Nm"].values[:, 0], strict=True))
         assert ring["B"] - 12 == pytest.approx(-ring["P1.ring"])
 
 
@@ -137,8 +137,8 @@ def test_a_load_beyond_all_numbers_has_no_values() -> None:
 def test_two_of_speed_torque_and_power_give_the_third(load: str) -> None:
     """300 N*m at 3000 rpm are 300 * 100 pi W."""
     found = shown(f"load: {load}".replace("pi", repr(math.pi)) + SET)
-    assert found["W_rpm"].values[0] == pytest.approx([3000, 3000])
-    assert found["AMLG_Nm"].values[-1] == pytest.approx([1050, 300])
+    assert found["speeds_rpm"].values[0] == pytest.approx([3000, 3000])
+    assert found["torques_Nm"].values[-1] == pytest.approx([1050, 300])
     assert found["input_power_kW"].values[0] == pytest.approx([30 * math.pi] * 2)
 
 
@@ -148,7 +148,7 @@ def test_a_gear_has_the_power_of_its_own_load() -> None:
         "low: {engaged: [B]}", "low: {engaged: [B], load: {power: 100 PS, speed: 955 rpm}}"
     )
     found = shown("load: {speed: 1000 rpm, torque: 1 kN*m}" + text)
-    assert found["AMLG_Nm"].values[-1] == pytest.approx(
+    assert found["torques_Nm"].values[-1] == pytest.approx(
         [3.5 * 73549.875 / (955 * math.pi / 30), 1000]
     )
     assert found["input_power_kW"].values[0][0] == pytest.approx(73.549875)
@@ -156,7 +156,7 @@ def test_a_gear_has_the_power_of_its_own_load() -> None:
 
 def test_with_a_negative_speed_the_torque_is_negative() -> None:
     found = shown("load: {power: 10 kW, speed: -1000 rpm}" + SET)
-    assert found["AMLG_Nm"].values[-1, 1] == pytest.approx(-10 / (1000 * KW))
+    assert found["torques_Nm"].values[-1, 1] == pytest.approx(-10 / (1000 * KW))
     assert (found["input_power_kW"].values > 0).all()
 
 
@@ -168,7 +168,7 @@ def test_with_a_negative_speed_the_torque_is_negative() -> None:
             "load: read speed, torque and power, expected two of them: "
             "300 N*m at 3000 rpm are 94.248 kW",
         ),
-        ("{power: 90 kW}", "load: read `power` alone, expected a speed or a torque beside it"),
+        ("{power: 90 kW}", "load: read `power` alone, expected a speed or a torque as well"),
         ("{power: 90 kW, speed: 0 rpm}", "load: read a power, speed or torque of 0, expected"),
         ("{power: 90, speed: 3000 rpm}", "load.power: read '90', expected a power with its unit"),
         ("{power: 0 kW, speed: 3 rpm}", "load: read a power, speed or torque of 0, expected"),

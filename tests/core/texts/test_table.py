@@ -22,8 +22,8 @@ ROOMS_WITH_TABLES = ("tables", "summary", "explain", "report", "flow", "operatio
 """Their tables are shown in every language; those of other commands are English."""
 MADE = (
     *("lost", "kJ", "{count} error", "{count} warning", "{count} note", "neutral: the output"),
-    *("one piece (", "Other combinations", "power enters by", "power leaves by", "the gear is"),
-    *("Torques of mechanisms, springs", "Torques of shift elements, mechanisms, springs"),
+    *("Other combinations", "power enters by", "power leaves by", "the gear is"),
+    "Torques of mechanisms, springs",
     *("{number} of {all} ", "turns a second"),
     *("Torques of the members of the elements, of springs", "x by the "),
 )
@@ -141,12 +141,12 @@ TERMS = {
     r"\b(not |nothing )?engaged\b": "включ",
     r"^open$|\bopen ones\b|\bwhen open\b": "выключен",
     r"^opens$": "выключается",
-    r"^released$": "выключено",
     r"^closes$": "включается",
     r"\bneutral$|\bneutral:": "нейтраль",
     r"\btied up\b": "заблокирована",
     r"\blocked by friction\b": "заклинена трением",
-    r"\binternal ratios?\b|\bRatios, third link held": "внутренн(ее|ему|ие)",
+    r"\bself-locking\b": "самотормоз",
+    r"\binternal ratio\b|\bbasic ratios\b|\bRatios, third link held": "внутренн(ее|ему|ие|им)",
     r"\befficienc(y|ies)\b": "КПД",
     r"\bfires\b": "порядок вспышек",
     r"\blever diagram$|^levers$": "рычажная схема",

@@ -19,7 +19,7 @@ def test_a_port_that_is_taken_is_told() -> None:
 def test_a_file_that_is_not_there_is_told() -> None:
     for words in (["serve"], ["report", "--watch"]):
         said = vstatics(*words, "gone.yaml")
-        assert said.gives_nothing("gone.yaml: error: can't be read: No such file or directory")
+        assert said.gives_nothing("gone.yaml: error: cannot be read: No such file or directory")
 
 
 def test_what_can_not_be_saved_again_is_wrong_use() -> None:

@@ -210,7 +210,7 @@ def test_rows_that_are_set_in_are_sorted_below_their_own(page: Opened, clicks: i
 
 def test_a_table_is_copied_with_all_digits(page: Opened) -> None:
     page.window.locator(
-        "[aria-label^='Copy CSV: Torques of shift elements'][aria-label$='[AMLG]']"
+        "[aria-label^='Copy CSV: Torques without losses'][aria-label$='[torques]']"
     ).click()
     copied = page.window.evaluate("navigator.clipboard.readText()")
     head, *rows = csv.reader(io.StringIO(copied))
@@ -220,7 +220,7 @@ def test_a_table_is_copied_with_all_digits(page: Opened) -> None:
     opened = {name: [gear for gear in range(2) if one[gear] is None] for name, one in shown.items()}
     assert (opened["<C>"], opened["B"]) == ([0], [1])  # what is open is blank
     values = [one for row in shown.values() for one in row]
-    said = [one for row in result["AMLG"] for one in row]
+    said = [one for row in result["torques"] for one in row]
     assert values == [
         None if one is None else other for one, other in zip(values, said, strict=True)
     ]
@@ -233,7 +233,7 @@ def test_engaged_without_torque_is_0_in_the_copy_and_open_is_blank(
 ) -> None:
     """Ford 10R80, gear 1: A, B, D, E are engaged, D carries nothing; C and F are open."""
     page = Opened(browser, reports[TEN_SPEED])
-    page.window.locator("[aria-label^='Copy CSV: Torques of shift elements']").first.click()
+    page.window.locator("[aria-label^='Copy CSV: Torques without losses']").first.click()
     copied = csv.reader(io.StringIO(page.window.evaluate("navigator.clipboard.readText()")))
     first = {name: gears[0] for name, *gears in copied}
     assert {name: first[name] for name in "CFD"} == {"C": "", "F": "", "D": "0"}

@@ -25,7 +25,7 @@ def test_each_number_of_the_json_stands_on_the_page_with_all_digits() -> None:
     }
     well = {"power_balance", "consistent", "locked"}  # a sentence says these of all gears
     for quantity in QUANTITIES:
-        key = quantity.key
+        key = quantity.name
         if quantity.columns != "gears" or key not in document or key in well:
             continue
         rows = [None] if quantity.rows == "one" else document["rows"][key]

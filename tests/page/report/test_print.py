@@ -102,7 +102,7 @@ def test_gears_cut_all_that_is_of_a_gear_and_change_no_number() -> None:
     case = CASES / "zf-8hp70.yaml"
     whole, cut = Page(report(case)), Page(report(case, "--gears", "R,3"))
     assert list(cut.table("Ratios, steps")) == ["3", "R"]
-    for name in ("Ratios, steps", "Speeds of the links", "Largest slip when open"):
+    for name in ("Ratios, steps", "Speeds of the links", "Largest slip and torque"):
         full = whole.table(name)
         for row, cells in cut.table(name).items():
             assert {key: cell.text for key, cell in cells.items()}.items() <= {

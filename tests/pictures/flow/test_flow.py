@@ -34,7 +34,7 @@ from vstatics.pictures.flow.picture import placed
 from vstatics.pictures.flow.places import FlowLayout, Line, Stub
 
 SOME = ("zf-8hp70.yaml", "mercedes-9g.yaml", "toyota-p410.yaml", "self-locking.yaml")
-"""A loop, two of them, several inputs and outputs, a gear locked by friction."""
+"""A loop, two of them, several inputs and outputs, a gear self-locking."""
 EACH = [
     pytest.param(path, id=path.name, marks=() if path.name in SOME else pytest.mark.slow)
     for path in SHIPPED
@@ -203,14 +203,14 @@ def recirculating(load: Load | None = None) -> Transmission:
 @pytest.mark.parametrize("dark", [False, True])
 def test_a_loop_tells_its_power_and_its_part_of_the_power_in(dark: bool) -> None:
     told = drawn(picture(solve(recirculating()), "flow", Style("en", dark), [1]))
-    assert "circulates 1.000: 100.0% of the power in" in told
+    assert "recirculating power 1.000: 100.0% of the power in" in told
     assert "set\n2.000" in told
 
 
 @pytest.mark.parametrize(
     ("language", "words"),
     [
-        ("en", "may not be in the metal: D7 and D8 share sun 1 and carrier"),
+        ("en", "may be an artefact of the model: D7 and D8 share sun 1 and carrier"),
         ("ru", "в металле может не быть: у D7 и D8 общие sun 1 и carrier"),
     ],
 )
@@ -241,7 +241,7 @@ def test_with_a_load_powers_are_in_kilowatts_too() -> None:
     """100 N*m at 955 rpm are 955 / 60 * 2 pi * 100 W = 10.0 kW."""
     figure = picture(solve(recirculating(Load(955.0, 100.0))), "flow", Style())
     assert "set\n2.000\n20.0 kW" in drawn(figure)
-    assert "circulates 1.000, 10.0 kW" in drawn(figure)
+    assert "recirculating power 1.000, 10.0 kW" in drawn(figure)
     assert_readable(figure)
 
 
@@ -250,7 +250,7 @@ def test_with_a_load_powers_are_in_kilowatts_too() -> None:
     [
         (NEUTRAL, "no flow of power: torques do not balance"),
         (TIED_UP, "no flow of power: tied up"),
-        (LOCKED, "locked by friction; drawn without losses"),
+        (LOCKED, "self-locking; drawn without losses"),
     ],
 )
 def test_a_gear_without_power_says_so(deck: str, words: str) -> None:
@@ -296,7 +296,7 @@ def test_what_stands_in_series_without_loss_is_one_run() -> None:
 def test_nodes_and_bands_say_power_torque_and_speed() -> None:
     """By Willis's equation and the balance of power, see `recirculating`."""
     said = titles(solve(recirculating()), 1)
-    assert said["in → set"] == "power 1.000, torque 1.000, speed 1.000, circulates"
+    assert said["in → set"] == "power 1.000, torque 1.000, speed 1.000, recirculating power"
     assert said["side"] == "power 1.000, torque 4.000, speed −0.250"
     [head, *members] = said["set"].split("\n")
     assert head == "power 2.000"

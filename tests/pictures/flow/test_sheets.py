@@ -152,7 +152,7 @@ def test_the_sum_of_what_circulates_is_told_where_there_are_several_loops() -> N
     results = solve(load(case))
     for number, gear in enumerate(results.case.gears, 1):
         said = "\n".join(texts(picture(results, "flow", Style(), [number])))
-        sums = re.findall(r"circulates in all ([\d.]+): ([\d.]+)%", said)
+        sums = re.findall(r"recirculating power in all ([\d.]+): ([\d.]+)%", said)
         flow = told[gear.name]
         if len(flow["loops"]) < 2:
             assert not sums
@@ -168,6 +168,6 @@ def test_differentials_whose_wheels_turn_alike_divide_by_their_ratio() -> None:
     said = "\n".join(one for one, _ in titled(figure))
     assert "within friction" in said
     assert "convention" not in said
-    assert "divided within friction, turns as one piece" in texts(figure)
+    assert "divided within friction, locked up" in texts(figure)
     direct = picture(shipped_results("ravigneaux-aod.yaml"), "flow", Style(), [3])
-    assert "divided by convention, turns as one piece" in texts(direct)
+    assert "divided by convention, locked up" in texts(direct)

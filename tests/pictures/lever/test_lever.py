@@ -122,9 +122,9 @@ def drawn_text(name: str, *gears: int) -> str:
 def test_a_set_that_is_locked_and_carries_the_reaction_is_one_piece() -> None:
     """Issue 16: Ford 10R80, gear 1: P1 takes 3.696 of the input torque; P2 and P3 take none."""
     drawn = drawn_text("ford-10r80.yaml", 1)
-    assert "P1, one piece" in drawn
+    assert "P1, locked up" in drawn
     assert "<title>P1 carrier: carrier 1, speed 0.000, torque −3.696</title>" in drawn
-    assert "P2, one piece" not in drawn
+    assert "P2, locked up" not in drawn
     assert "carries no torque" in drawn
 
 

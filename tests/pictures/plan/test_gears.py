@@ -76,7 +76,7 @@ def carrying(case: str) -> dict[str, dict[str, frozenset[str]]]:
     return {
         gear: {
             name: joined[name]
-            for name, row in zip(joined, said["AMLG"], strict=False)  # mechanisms follow
+            for name, row in zip(joined, said["torques"], strict=False)  # mechanisms follow
             if row[place] is None or abs(row[place]) > 1e-9
         }
         for place, gear in enumerate(said["gears"])

@@ -202,7 +202,7 @@ def test_a_set_that_reacts_as_one_piece_is_marked_and_not_pale() -> None:
     assert not {named["P1"], named["P4"]} & state.idle
     svg = render(results, "stick", "svg", Style(), [1]).decode()
     assert "carrier −3.696" in svg
-    assert "turns as one piece" in svg
+    assert "rotates as a block" in svg
 
 
 def test_ports_show_which_way_their_power_goes() -> None:

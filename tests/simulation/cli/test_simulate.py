@@ -161,11 +161,11 @@ def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:
     assert said.err.startswith("lock.yaml:4:12: error: controls: read 'brakes', expected the name")
     Path("lock.yaml").write_text(SCENARIO.replace("box.yaml", "bax.yaml"), encoding="utf-8")
     said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
-    assert said.err.startswith("lock.yaml:1:7: error: bax.yaml can't be read: No such file")
+    assert said.err.startswith("lock.yaml:1:7: error: bax.yaml cannot be read: No such file")
     assert "did you mean `box.yaml`?" in said.err
     Path("lock.yaml").write_text(SCENARIO.replace("box.yaml", '"b\\0x"'), encoding="utf-8")
     said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
-    assert said.err.startswith("lock.yaml:1:7: error: b\\u0000x can't be read: ")
+    assert said.err.startswith("lock.yaml:1:7: error: b\\u0000x cannot be read: ")
     assert names() == ["box.yaml", "lock.yaml"]
 
 

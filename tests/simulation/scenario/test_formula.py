@@ -74,12 +74,16 @@ def test_where_it_bends_or_jumps(text: str, times: tuple[float, ...]) -> None:
         ("speed[out]", 1, "read `[` behind `speed`, expected speed alone: that of the link itself"),
         ("exp(1, 2)", 1, "exp of 2 parts, expected one, as in exp(t)"),
         ("__import__('os')", 1, "there is no function `__import__`"),
-        ("exp + 1", 5, "`exp` is a function, expected `(` behind it, such as exp(t)"),
+        ("exp + 1", 5, "`exp` is a function, expected `(` after it, such as exp(t)"),
         ("2*(t", 5, "a bracket `(` is not closed"),
         ("", 1, "read nothing, expected a number, t, speed or angle"),
         ("lambda: 0", 1, "which this language does not have"),
         ("(" * 60 + "t", 51, "more than 50 brackets are open"),
-        ("0<" + "(0<" * 20 + "t" + "<1)" * 20, 32, "too many comparisons, one inside another"),
+        (
+            "0<" + "(0<" * 20 + "t" + "<1)" * 20,
+            32,
+            "read too many nested comparisons, expected fewer",
+        ),
         ("1" * 3000, 1, "read 3000 characters"),
     ],
 )

@@ -133,7 +133,7 @@ def test_a_full_disk_loses_nothing(
     status, said = end(begin(*SWEEP, "-o", "out.csv", "-j", jobs, cwd=folder, before=small))
     kept = "1000000 of 1000000 variants are finished and kept in out.csv.parts"
     assert status == 1
-    assert said.splitlines()[0] == "out.csv: error: can't be written: File too large"
+    assert said.splitlines()[0] == "out.csv: error: cannot be written: File too large"
     assert ("nothing was finished" if megabytes == 1 else kept) in said
     assert len(said.splitlines()) == 2
     assert bool(finished(folder / "out.csv.parts")) == (megabytes > 1)

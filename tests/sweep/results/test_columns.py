@@ -132,10 +132,12 @@ def test_a_product_is_no_varied_number_of_the_same_letters() -> None:
     assert made.tolist() == [[-10.0], [-10.0]]
 
 
-def test_headings_have_the_names_of_tables_as_they_were_written() -> None:
-    assert headings("ETA[2], W[in], (efficiency)") == (
-        "ETA[2]",
-        *("W[in,2]", 'W[in,"1R"]', "W[in,N]"),
-        *("efficiency[2]", 'efficiency["1R"]', "efficiency[N]"),
+def test_headings_have_names_of_tables_instead_of_deck_names() -> None:
+    assert headings("ETA[2], W[in], max(ETA) - 1, x = AMLGP[Mx,2], (efficiency)") == (
+        "efficiency[2]",
+        *("speeds[in,2]", 'speeds[in,"1R"]', "speeds[in,N]"),
+        "max(efficiency) - 1",
+        "x",
+        *('efficiency["1R"]', "efficiency[N]"),
     )
     assert "expected ETA[gear]" in problem("ETA[2,1]").message

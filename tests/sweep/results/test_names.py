@@ -25,9 +25,12 @@ def everything() -> Transmission:
 
 
 @pytest.mark.parametrize("one", DECLARED, ids=lambda one: one.name)
-def test_name_and_alias_give_the_same_in_a_sweep(one: Quantity, everything: Transmission) -> None:
+def test_a_sweep_of_a_deck_name_has_columns_with_the_name(
+    one: Quantity, everything: Transmission
+) -> None:
     (named,) = sweep(everything, VARIED, out=one.name)
-    (aliased,) = sweep(everything, VARIED, out=one.alias)
+    (aliased,) = sweep(everything, VARIED, out=one.deck_name)
+    assert aliased.headings == named.headings
     np.testing.assert_array_equal(named.columns, aliased.columns)
     own = solve(everything).existing(one.name)  # -2.5 is 75/30
     expected = own.T.ravel()  # all gears of the first row, then of the second
@@ -49,7 +52,10 @@ def test_a_table_in_its_unit_stands_in_conditions(everything: Transmission) -> N
 
 def test_mx_is_the_output_torque_and_its_lossy_sister_ends_in_p(everything: Transmission) -> None:
     (chunk,) = sweep(everything, VARIED, out="Mx[low],torques[Mx,low],MxP[low],AMLGP[Mx,low]")
-    assert chunk.headings == ("Mx[low]", "torques[Mx,low]", "MxP[low]", "AMLGP[Mx,low]")
+    assert chunk.headings == (
+        *("output_torque[low]", "torques[Mx,low]"),
+        *("lossy_output_torque[low]", "lossy_torques[Mx,low]"),
+    )
     assert chunk.columns[:, 0].tolist() == chunk.columns[:, 1].tolist()
     assert chunk.columns[:, 2].tolist() == chunk.columns[:, 3].tolist()
 
@@ -141,9 +147,9 @@ def test_a_device_with_several_rows_lists_them(
 def test_a_mechanism_of_a_deck_is_its_own_row() -> None:
     case = load(CASES / "mzkt7922.dat")
     assert sweep_of(case, "IX[D1,2],torques[T1,2],WSAT[D2,1]") == (
-        "IX[D1,2]",
+        "power_sign[D1,2]",
         "torques[T1,2]",
-        "WSAT[D2,1]",
+        "planet_speeds[D2,1]",
     )
 
 

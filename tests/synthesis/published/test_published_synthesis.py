@@ -213,7 +213,7 @@ def test_the_program_gives_the_gears_of_the_page(case_of_the_page: Path) -> None
     assert found == pytest.approx({name: float(form) for name, form in forms.items()}, rel=1e-14)
     printed = {row[0]: row[3] for row in rows_of_gears()}
     assert printed == {
-        name: f"{float(form):.4f}".strip("0") for name, form in forms.items() if name != "direct"
+        name: f"{float(form):.4f}".rstrip("0") for name, form in forms.items() if name != "direct"
     }
 
 

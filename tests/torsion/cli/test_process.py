@@ -77,5 +77,5 @@ def test_a_reader_that_has_seen_enough_ends_the_program_quietly() -> None:
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
 def test_a_full_disk_is_told_in_one_line() -> None:
-    words = b"<stdout>: error: can't be written: No space left on device [E030]\n"
+    words = b"<stdout>: error: cannot be written: No space left on device [E030]\n"
     assert shell(f"vstatics torsion modes {Path.cwd()}/box.yaml > /dev/full") == (1, b"", words)

@@ -125,8 +125,8 @@ def test_csv_without_a_resonance_or_a_value_has_its_headings() -> None:
 def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
     call = ("response", *AT, "--orders", "2,4", *SPEED, "--sum")
     text = said(*call, text=GOOD).out
-    assert "Gear direct: largest torques of devices [N*m]\n" in text
-    assert "Gear direct, all orders: torques of devices [N*m]\n" in text
+    assert "Gear direct: largest torques of components [N*m]\n" in text
+    assert "Gear direct, all orders: torques of components [N*m]\n" in text
     book = openpyxl.load_workbook(io.BytesIO(bytes_of(*call, text=GOOD)))
     told = document(*call, text=GOOD)["gears"][0]
     cells = [cell for sheet in book for row in sheet.values for cell in row]

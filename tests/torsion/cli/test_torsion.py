@@ -105,7 +105,7 @@ def test_digits_are_those_asked_for() -> None:
 @pytest.mark.parametrize("command", ASKED)
 def test_json_from_a_pipe_tells_its_file_as_other_commands_do(command: str) -> None:
     made = asked(command, "-f", "json", text=GOOD).json
-    assert (made["file"], made["case"], made["version"]) == ("<stdin>", "two gears", 1)
+    assert (made["file"], made["case"], made["version"]) == ("<stdin>", "two gears", 2)
     from_file = vstatics("torsion", command, "box.yaml", *ASKED[command], "-f", "json").out
     assert json.loads(from_file) == {**made, "file": "box.yaml"}
 
@@ -161,7 +161,7 @@ def test_an_output_that_is_none_is_refused_before_anything_is_read(
 def test_an_output_that_cannot_be_written_is_told(call: tuple[str, ...]) -> None:
     answer = said(*call, "-o", "no/new.json")
     assert answer.gives_nothing(
-        "no/new.json: error: can't be written: there is no directory no, make it"
+        "no/new.json: error: cannot be written: there is no directory no; create it"
     )
 
 
@@ -182,7 +182,7 @@ def test_all_gears_or_those_asked_for_by_name_or_number_each_once(command: str) 
 def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
     answer = said("modes", "-f", "json", text=STUCK)
     free, stuck = answer.json["gears"]
-    why = "tied up: A and B let nothing move; release one of the engaged elements"
+    why = "tied up: A and B let nothing move; release one of the engaged shift elements"
     assert (answer.status, free["rigid_modes"], stuck.keys()) == (1, 1, {"name", "error"})
     assert stuck["error"].startswith(why)
     assert "<stdin>:5:19: error: gear stuck: tied up: A and B let nothing move" in answer.err
@@ -304,7 +304,7 @@ def test_a_file_that_is_not_there_gets_the_nearest_as_a_hint(call: tuple[str, ..
     command, *options = call
     answer = vstatics("torsion", command, "bos.yaml", *options)
     assert answer.gives_nothing()
-    hint = "bos.yaml: error: can't be read: No such file or directory; did you mean `box.yaml`?\n"
+    hint = "bos.yaml: error: cannot be read: No such file or directory; did you mean `box.yaml`?\n"
     assert answer.err == hint
 
 
@@ -327,7 +327,7 @@ def test_without_scipy_it_is_refused_before_anything_is_read(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
-    message = 'vstatics torsion needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]"\n'
+    message = 'vstatics torsion needs the package scipy: pip install ".[torsion]" in the source folder, or pip install scipy\n'
     for command, *options in ALL:
         answer = vstatics("torsion", command, "nowhere.yaml", *options, "-o", "new.json")
         assert (answer.status, answer.all, names()) == (1, message, ["box.yaml"])

@@ -294,7 +294,7 @@ def test_a_table_of_torques() -> None:
         (b"order\n2\n", "engine.csv:1:1: error: `amplitude [N*m]` is missing, expected a table"),
         (
             b"order,amplitude\n",
-            "engine.csv:1:1: error: there is no row below the headings, expected a table of",
+            "engine.csv:1:1: error: read no row below the headings, expected a table of",
         ),
         (
             b"order,amplitude\n2,x\n",

@@ -124,8 +124,8 @@ def test_elements_that_carry_too_much_are_told_with_their_steps() -> None:
         first = bare.shift_elements[0]._replace(capacity=torques[1] * part / 10)
         case = bare.replace(shift_elements=[first, bare.shift_elements[1]])
         said = [(one.id, one.text) for one in drive(case, steps, GearChoice()).messages]
-        text = f"in 1 of 4 steps {first.name} carries up to {torques[1]:.5g} of "
-        text += f"{torques[1] * part:.5g} N*m, more than its capacity, most from 2 s on, gear 1"
+        text = f"in 1 of 4 steps {first.name} carries up to {torques[1]:.5g} N*m, more "
+        text += f"than its torque capacity of {torques[1] * part:.5g} N*m, most from 2 s on, gear 1"
         assert said == [("W430", text)] * told
 
 

@@ -167,12 +167,15 @@ def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(l
     [one] = spectrum(case, rows).messages
     assert (one.id, one.text) == (
         "W430",
-        f"in 2 of 4 rows B carries up to {2.5 * 300:.5g} of 600 N*m, more than its "
-        "capacity, most in row 3, gear low",
+        f"in 2 of 4 rows B carries up to {2.5 * 300:.5g} N*m, more than its torque "
+        "capacity of 600 N*m, most in row 3, gear low",
     )
     own = [gears[0]._replace(load=Load(1910.0, 300.0)), gears[1]]
     [alone] = solve(case.replace(gears=own)).messages
-    assert (alone.id, alone.text) == ("W430", "B carries 750 of 600 N*m, more than its capacity")
+    assert (alone.id, alone.text) == (
+        "W430",
+        "B carries 750 N*m, more than its torque capacity of 600 N*m",
+    )
     assert not spectrum(case.replace(allow=("W430",)), rows).messages
     assert not spectrum(case.replace(load=None), rows).messages  # relative to any input torque
 
@@ -240,7 +243,7 @@ def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
     else:  # v = w r / 4
         file.write_text(f"time [s],speed [m/s],gear\n0,{speed / 8},{gear}\n1,{speed / 8},{gear}\n")
         given = ["cycle", str(case), str(file)]
-    said = "note: outside the points of a the last one counts"
+    said = "note: outside the points of a, the value of the nearest end point applies"
     assert vstatics(*given).err.count(said) == is_outside
     assert said not in vstatics(*given, "--allow", "N414").err
 

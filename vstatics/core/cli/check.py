@@ -22,7 +22,7 @@ from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import Problem, ReadError, Severity, plural, quoted, spoken
 from vstatics.core.readers.kinds import document_function
-from vstatics.core.statics.diagnosis import freedom, given_conditions
+from vstatics.core.statics.diagnosis import freedom, given_conditions, undriven_gears
 from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import CONFLICT, TIED_UP
@@ -183,8 +183,8 @@ def check_command(
       git ls-files -z '*.yaml' | vstatics check --files-from - -f github
       vstatics check --explain W201
 
-    Exit status 1: a case has an error, a gear is tied up, or with --strict there is a
-    warning.
+    Exit status 1: a case has an error, a gear is tied up, or a gear cannot drive and is not
+    marked `kind: neutral`; with --strict also if there is a warning.
     """
     wanted = OutputOptions(FORMATS, output_format, output, TextStyle())
     has_case = bool(cases) or files_from is not None
@@ -233,8 +233,12 @@ def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedF
             yield check_document(file, options)
             continue
         outcome = calculate_one(file, options)
-        grid = None if outcome.results is None else conditions(outcome.file, outcome.results)
-        yield outcome.file, outcome.problems, outcome.failed, grid
+        problems, grid, failed = outcome.problems, None, outcome.failed
+        if outcome.results is not None and outcome.locate is not None:
+            undriven = [*map(outcome.locate, undriven_gears(outcome.results))]
+            problems, failed = [*undriven, *problems], failed or bool(undriven)
+            grid = conditions(outcome.file, outcome.results)
+        yield outcome.file, problems, failed, grid
 
 
 def _of_document(file: str) -> Callable[[str, CaseOptions], CheckedFile] | None:

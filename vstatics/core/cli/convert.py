@@ -53,7 +53,8 @@ def convert_command(
 
     \b
     Examples:
-      vstatics convert gearbox.yaml gearbox.dat
+      vstatics new planetary.yaml --template planetary
+      vstatics convert planetary.yaml planetary.json
       vstatics convert gearbox.yaml gearbox.xlsx
       vstatics convert gearbox.xlsx - --to yaml
       vstatics convert gearbox.yaml - --to matrices
@@ -62,7 +63,8 @@ def convert_command(
     wanted = output_format or readers.format_of_name(target)
     if wanted is None:
         raise click.UsageError(
-            f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
+            f"cannot determine the format of {target}: expected a suffix such as .dat, "
+            ".yaml, .json, "
             ".xlsx, or --to"
         )
     reading = arguments.read_data(*files.read_input(source), input_format, telling)

@@ -74,7 +74,7 @@ def explain_command(
       vstatics explain gearbox.yaml --gear 2 --worksheet --seed 7 -o exercise.tex
       vstatics explain gearbox.yaml --gear 2 --solution --seed 7 -o solution.tex
 
-    The formula needs SymPy: pip install ".[formula]" in the folder of the source.
+    The formula needs SymPy: pip install ".[formula]" in the source folder.
 
     Exit status 1: a case has an error, or a gear is tied up.
     """
@@ -116,7 +116,7 @@ def _exercise(
 
     index, *further_gears = arguments.gear_indices(results.case, gears)
     if further_gears:
-        names = listed([gear.name for gear in results.case.gears], 12)
+        names = listed(results.gears, 12)
         message = f"an exercise is of one gear, expected one of {names}"
         raise click.BadParameter(message, param_hint="--gear")
     try:

@@ -61,7 +61,8 @@ def _known(name: str) -> str:
     if name not in known:
         names, hint = ", ".join(TEMPLATES), nearest(name, known)
         raise ValueError(
-            f"{name!r} is no template; expected one of {names}, or the name of a shipped case{hint}"
+            f"{name!r} is not a template; expected one of {names}, or the name of a "
+            f"shipped case{hint}"
         )
     return name
 
@@ -109,8 +110,8 @@ def new_command(target: str, name: str) -> None:
     if kind not in (None, "yaml") and not (kind == "deck" and format_of("", text.encode()) == kind):
         yaml = f"{os.path.splitext(target)[0]}.yaml"  # noqa: PTH122
         message = (
-            f"ends as a {kind} does, but a template is YAML: expected {yaml}, "
-            f"of which `{shlex.join(['vstatics', 'convert', yaml, target])}` makes that"
+            f"has the suffix of {kind}, but a template is YAML: create {yaml}, and convert it "
+            f"with `{shlex.join(['vstatics', 'convert', yaml, target])}`"
         )
         raise ReadError([of_file("E015", target, message)])
     files.refuse_existing(target)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from itertools import zip_longest
 from typing import Any
 
@@ -76,7 +76,9 @@ def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list
     first = [kind for kind in kinds if kind in PLURALS and not verdict.is_sweep] or [
         kind for kind in kinds if kind != CHANGES
     ]
-    order = list(_in_turn([CHANGES, *first], kinds))
+    # All kinds in turn, so that the first rows include every kind.
+    turns: Iterable[Any] = zip_longest(*([kind] * len(kinds[kind]) for kind in [CHANGES, *first]))
+    order = [kind for turn in turns for kind in turn if kind is not None]
     taken = order[: CASE_LINES - 1 if len(order) == count < CASE_LINES else CASE_LINES - 2]
     rows = [row for kind, of_kind in kinds.items() for row in of_kind[: taken.count(kind)]]
     changes = len(kinds[CHANGES]) - taken.count(CHANGES)
@@ -84,12 +86,6 @@ def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list
     numbers = count - len(taken) - changes
     omitted += [f"{numbers} more {plural('number', numbers)}"] * bool(numbers)
     return rows, [f"... {', '.join(omitted)}: --all"] * bool(omitted)
-
-
-def _in_turn(kinds: Sequence[str], rows: dict[str, list[Cells]]) -> Iterator[str]:
-    """Yield the kind of each row, all kinds in turn, so that the first rows include every kind."""
-    turns: Iterable[Any] = zip_longest(*([kind] * len(rows[kind]) for kind in kinds))
-    return (kind for turn in turns for kind in turn if kind is not None)
 
 
 def _cells(difference: Difference, *, is_sweep: bool) -> Cells:

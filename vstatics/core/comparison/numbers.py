@@ -20,7 +20,7 @@ class Difference(NamedTuple):
     table: str
     row: str
     gear: str
-    """Name of the gear, or of the device in a table AJK, whose columns are devices."""
+    """Name of the gear, or of the device in the distribution matrix."""
     actual: float | str
     """Actual number, NaN for a missing number, or a text about a whole gear, table or row."""
     expected: float | str
@@ -65,7 +65,7 @@ def differences(
     atol, rtol : float
         Absolute and relative tolerance.
     leave_out : container of str
-        Keys of excluded tables, `Quantity.key`.
+        Names of excluded tables, `Quantity.name`.
     """
     if actual.errors or expected.errors:
         if actual.errors != expected.errors:
@@ -77,9 +77,9 @@ def differences(
         actual, expected, gears = yield from same_gears(actual, expected)
     renamed = renaming(actual, expected)
     for quantity in QUANTITIES:
-        if quantity.key in leave_out:
+        if quantity.name in leave_out:
             continue
-        here, there = actual.tables.get(quantity.key), expected.tables.get(quantity.key)
+        here, there = actual.tables.get(quantity.name), expected.tables.get(quantity.name)
         if here is None or there is None:
             yield from _lacking(quantity, actual, expected)
         else:
@@ -87,10 +87,10 @@ def differences(
             rows = _rows(quantity, actual, expected)
             if all(rows):
                 rows[0] = [renamed(name, quantity.rows) for name in rows[0]]
-                names.rows, here, there = yield from _by_name(quantity.key, rows, (here, there))
+                names.rows, here, there = yield from _by_name(quantity.name, rows, (here, there))
             devices = [renamed(name) for name in actual.device_names], expected.device_names
             if quantity.columns == "devices" and all(devices):
-                paired = _same_devices(quantity.key, devices, (here, there))
+                paired = _same_devices(quantity.name, devices, (here, there))
                 names.columns, here, there = yield from paired
             yield from _table(names, here, there, atol, rtol)
 
@@ -139,7 +139,7 @@ def _rows(
     drawn case are not mechanisms.
     """
     both = actual, expected
-    rows = [result.rows.get(quantity.key, ()) for result in both]
+    rows = [result.rows.get(quantity.name, ()) for result in both]
     if any(rows) or all(result.case for result in both):
         rows = [names or _named(result, quantity) for names, result in zip(rows, both, strict=True)]
     if any(len({*names}) != len(names) for names in rows):
@@ -151,7 +151,7 @@ def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
     """Return the row names of a table from the case; empty if the number of rows differs."""
     case = None if result.is_of_source else result.case
     names = row_names(case, quantity.rows) if case else ()
-    return names if len(names) == len(result.tables[quantity.key]) else ()
+    return names if len(names) == len(result.tables[quantity.name]) else ()
 
 
 def _by_name(
@@ -193,19 +193,19 @@ def _lacking(
     An empty table does not count, because it is not printed. A listing of the source lacks all
     tables that were not published.
     """
-    is_new = quantity.key in actual.tables
+    is_new = quantity.name in actual.tables
     owner, other = (actual, expected) if is_new else (expected, actual)
-    is_filled = any(owner.tables.get(quantity.key, ()))
+    is_filled = any(owner.tables.get(quantity.name, ()))
     if is_filled and (quantity.published or not other.is_of_source):
         values = (THERE, NOT_THERE) if is_new else (NOT_THERE, THERE)
-        yield Difference(quantity.key, "", "", *values)
+        yield Difference(quantity.name, "", "", *values)
 
 
 class _PlaceNames:
     """Names of the rows and columns of a table, or numbers if unknown."""
 
     def __init__(self, quantity: Quantity, case: Transmission | None, gears: Sequence[str]) -> None:
-        self.table = quantity.key
+        self.table = quantity.name
         self.is_list = quantity.rows == "one"
         self.rows: Sequence[str] = row_names(case, quantity.rows) if case else ()
         self.columns = gears

@@ -93,7 +93,7 @@ def sweep_alone(actual: Content, expected: Content, names: tuple[str, str]) -> s
     if sweeps[0] == sweeps[1]:
         return ""
     sweep, other = names if sweeps[0] else names[::-1]
-    return f"{sweep} is a sweep, {other} is not: expected two of a kind"
+    return f"{sweep} is a sweep, {other} is not: expected two sweeps or two results"
 
 
 def _sweeps_compared(
@@ -189,7 +189,9 @@ def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iter
     """
     here, there = _result_files(actual), _result_files(expected)
     if not (here or there):
-        message = f"no result is there, nor in {expected}, so there is nothing to compare"
+        message = (
+            f"contains no result, and {expected} contains none, so there is nothing to compare"
+        )
         suffixes = spoken(SUFFIXES, "or")
         raise ReadError([of_file("E050", actual, f"{message}: expected files {suffixes}")])
     for name in sorted({*here, *there}):

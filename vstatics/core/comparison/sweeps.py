@@ -95,6 +95,6 @@ def _rows(sweep: WrittenSweep) -> list[tuple[str, str]]:
 
 
 def _table(column: str) -> str:
-    """Return the key of the table of a column, such as ``W[C1,low]``."""
+    """Return the name of the table of a column, such as ``speeds[C1,low]``."""
     quantity = BY_NAME.get(column.partition("[")[0])
-    return quantity.key if quantity else ""
+    return quantity.name if quantity else ""

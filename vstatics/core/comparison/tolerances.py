@@ -12,7 +12,7 @@ from vstatics.core.tables.names import quantity_named
 
 
 class Tolerances(NamedTuple):
-    """Tolerances of a comparison, and keys of the excluded tables."""
+    """Tolerances of a comparison, and names of the excluded tables."""
 
     atol: float = ATOL
     rtol: float = RTOL
@@ -33,7 +33,7 @@ def tolerance(number: float) -> float:
 
 
 def left_out(names: str | Iterable[str]) -> frozenset[str]:
-    """Return the keys of excluded tables, from a name or several names.
+    """Return the names of excluded tables, from one or several names or deck names.
 
     Raises
     ------
@@ -42,13 +42,13 @@ def left_out(names: str | Iterable[str]) -> frozenset[str]:
 
     Examples
     --------
-    >>> sorted(left_out("ratio") | left_out(["losses", "efficiency"]))
-    ['ETA', 'losses', 'ratio']
+    >>> sorted(left_out("ratio") | left_out(["losses", "ETA"]))
+    ['efficiency', 'losses', 'ratio']
     """
     given = [names] if isinstance(names, str) else names
-    keys = set()
+    tables = set()
     for name in given:
         if "," in name:
-            raise ReadError("E113", f"{quoted(name)} is no table: give each of them by itself")
-        keys.add(quantity_named(name).key)
-    return frozenset(keys)
+            raise ReadError("E113", f"{quoted(name)} is not a table: give each name separately")
+        tables.add(quantity_named(name).name)
+    return frozenset(tables)

@@ -18,8 +18,8 @@ from vstatics.core.tables.written_results import WrittenResult
 from vstatics.core.texts import tr
 
 State = Literal["same", "changed", "added", "gone", "unreadable"]
-MAIN = {"ratio": "ratio", "step": "step", "ETA": "efficiency"}
-"""Keys of the tables that are listed first, with their names in a verdict."""
+MAIN = ("ratio", "step", "efficiency")
+"""Names of the tables that are listed first."""
 PLURALS = {"ratio": "ratios", "step": "steps", "efficiency": "efficiencies"}
 
 
@@ -30,7 +30,7 @@ class NumberRecord(NamedTuple):
     row: str | None
     """Name of the row of the table, or number of the variant of a sweep."""
     gear: str | None
-    """Name of the gear, of the lower gear of a step ratio, or of the device in a table AJK."""
+    """Name of the gear, of the lower gear of a step ratio, or of a device (distribution matrix)."""
     expected: float | str | None
     """Expected number, or a text about a whole table or row; None for a missing number."""
     actual: float | str | None
@@ -169,8 +169,8 @@ def verdict(cases: Sequence[CaseVerdict]) -> Verdict:
 
 
 OTHER_ROWS = (
-    "a listing of the source has rows of mechanisms, where the other result has those of "
-    "elements: expected a listing in another language, JSON or CSV"
+    "a listing of Visual-Statics has rows for mechanisms, and the other result has rows for "
+    "gear sets: expected a listing in another format, JSON or CSV"
 )
 
 
@@ -190,11 +190,7 @@ def compared(
     unequal = list(differences(actual, expected, **how._asdict()))
     steps, counts = _steps(actual, expected, unequal, how)
     changes = _changes(actual, expected, unequal, how)
-    numbers = [
-        item._replace(table=MAIN.get(item.table, item.table))
-        for item in (*unequal, *steps)
-        if item.table
-    ]
+    numbers = [item for item in (*unequal, *steps) if item.table]
     state: State = "changed" if changes or unequal else "same"
     return CaseVerdict(name, state, changes, largest_first(numbers), counts, bool(unequal))
 
@@ -202,7 +198,7 @@ def compared(
 def largest_first(items: Iterable[Difference]) -> list[Difference]:
     """Sort differences by table, ratios, steps and efficiencies first, then by size."""
     numbers = [*items]
-    order = [*MAIN.values(), *dict.fromkeys(number.table for number in numbers)]
+    order = [*MAIN, *dict.fromkeys(number.table for number in numbers)]
     numbers.sort(key=lambda number: (order.index(number.table), -_size(number)))
     return numbers
 
@@ -227,10 +223,7 @@ def _steps(
     steps = list(step_differences(here, there, ratios, how.atol, how.rtol))
     if "ratio" in how.leave_out:
         steps = []
-    counts = {
-        name: max(_count(result, table) for result in (actual, expected))
-        for table, name in MAIN.items()
-    }
+    counts = {table: max(_count(result, table) for result in (actual, expected)) for table in MAIN}
     return steps, counts | {"step": len({*here, *there})}
 
 

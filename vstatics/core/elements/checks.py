@@ -43,20 +43,23 @@ def hints(drawing: DrawingFields) -> Iterator[Problem]:
     """Yield notes on unused or equal gears, shared planets and missing losses."""
     for number, element in enumerate(drawing.elements, 1):
         if element.kind in ("belt", "chain") and element.efficiency is None:
-            message = "there is no `efficiency`: belts and chains have no default, so no loss"
+            message = (
+                "`efficiency` is missing: belts and chains have no default, so no "
+                "loss is calculated"
+            )
             yield Problem("N304", message, ("elements", number))
         if isinstance(element.shape, Planetary):
             for wheel in element.shape.wheels:
                 if wheel in element.teeth and wheel not in element.members:
-                    message = f"the wheel is left out, as no link is given for it (`{wheel}: ...`)"
+                    message = f"the gear is ignored, because its link is missing (`{wheel}: ...`)"
                     yield Problem("W301", message, ("elements", number, "teeth", wheel))
             group = group_of(element)
             yield from _alike(group, ("elements", number))
             if group.is_shared and not at_meshes(element, group, drawing):
                 yield Problem(
                     "N301",
-                    "several wheels share planets, and the losses of the reduced form are not "
-                    "exact then; `losses: meshes` calculates them at each mesh",
+                    "several gears share planets, so the losses of the simplified form are not "
+                    "exact; `losses: meshes` calculates the losses at each mesh",
                     ("elements", number),
                 )
     yield from _side_by_side(drawing)
@@ -71,8 +74,8 @@ def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
             if first != wheel.member:
                 yield Problem(
                     "N302",
-                    f"{first} and {wheel.member} turn alike whatever the carrier does (ratio 1): "
-                    "between them it takes torque by losses only",
+                    f"{first} and {wheel.member} always turn at the same speed (ratio 1): "
+                    "the carrier receives torque from them only through losses",
                     path,
                 )
 
@@ -92,9 +95,9 @@ def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
     for number, other in sets_side_by_side(sets):
         yield Problem(
             "N303",
-            f"has a wheel and the carrier in common with {other}: if they share planets too, "
-            "draw them as one element, such as `ravigneaux` or `planet_group`; losses are not "
-            "exact otherwise",
+            f"shares a central gear and the carrier with {other}: if they also share planets, "
+            "describe them as one gear set, such as `ravigneaux` or `planet_group`; "
+            "otherwise the losses are not exact",
             ("elements", number),
         )
 
@@ -119,10 +122,10 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
     yield from of_back_efficiency(element.back_efficiency, (*path, "efficiency", "wheel"))
     yield from _mesh_efficiency(element.mesh_efficiency, path)
     if element.efficiency is not None and element.mesh_efficiency:
-        message = "`efficiency` is that of the whole element; give one of the two"
+        message = "`efficiency` is the efficiency of the whole gear set; give one of the two"
         yield Problem("E302", message, (*path, "mesh_efficiency"))
     if element.planets is not None and element.planets < 1:
-        message = f"read {element.planets}, expected the number of planets around the axis"
+        message = f"read {element.planets}, expected the number of planets, 1 or more"
         yield Problem("E303", message, (*path, "planets"))
     if _is_torsional(element):
         yield from of_torsion(element, path)
@@ -167,7 +170,7 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
     if not missing and len(wheels) < 2:
         names = ", ".join(kind.wheels)
         yield Problem(
-            "E304", f"there are {len(wheels)} central wheels, expected two or more of {names}", path
+            "E304", f"there are {len(wheels)} central gears, expected two or more of {names}", path
         )
     used = {kind.wheels[wheel].rim for wheel in wheels}
     several = {
@@ -195,19 +198,27 @@ def _ratios(element: Element, path: Path) -> Iterator[Problem]:
         or element.efficiency is None
         or not {"small_sun", "large_sun", "ring"} <= {*element.members}
     ):
-        message = "these stand in place of `teeth`, so masses of planets and a stiffness can't be"
-        expected = "expected `small_sun`, `large_sun`, `ring` and `efficiency`, that of each ratio"
+        message = "`ratios` replaces `teeth`, planet masses and stiffness"
+        expected = (
+            "expected `small_sun`, `large_sun`, `ring` and `efficiency`, which "
+            "applies to each ratio"
+        )
         yield Problem("E797", f"{message}; {expected}", place)
     small, large = (element.ratios.get(sun, math.nan) for sun in ("small_sun", "large_sun"))
     if not 1 < -large < small < LARGEST_WHEEL:
         read = f"read {small:g} of the small sun and {large:g} of the large one"
-        yield Problem("E797", f"{read}, expected one above 1 and one below -1, the less far", place)
+        yield Problem(
+            "E797",
+            f"{read}, expected a number above 1 for the small sun, and for the large "
+            "sun one below -1 that is closer to 0",
+            place,
+        )
 
 
 def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
     for member in kind.members:
         if member not in element.members and member not in kind.optional:
-            yield Problem("E306", f"`{member}` is missing: the link that it belongs to", path)
+            yield Problem("E306", f"`{member}` is missing: expected the link of this member", path)
 
 
 def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
@@ -228,13 +239,16 @@ def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
 def _simple(element: Element, kind: Simple, path: Path) -> Iterator[Problem]:
     yield from _missing(element, kind, path)
     if element.kind == "shaft" and element.efficiency is None:
-        yield Problem("E308", "`efficiency` is missing: a shaft is here for its loss", path)
+        yield Problem("E308", "`efficiency` is missing: a shaft is listed only for its loss", path)
     needed = [kind.toothed[0], kind.toothed[-1]] if kind.toothed else []
     if not (kind.optional_teeth and not element.teeth):
         yield from _teeth(element, needed, kind.toothed, path, kind.size)
     first, second = (element.teeth.get(wheel) for wheel in ("first", "second"))
     if element.kind == "internal_pair" and first and first == second:
-        message = "the ring has as many teeth as the wheel in it, expected other numbers"
+        message = (
+            "the ring gear has as many teeth as the gear inside it, expected more "
+            "teeth of the ring gear"
+        )
         yield Problem("E309", message, (*path, "teeth"))
 
 
@@ -263,11 +277,14 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
         return
     place = (*path, "planet")
     if element.planets is None:
-        yield Problem("E313", "`planets` is missing: how many of them stand around the axis", place)
+        yield Problem(
+            "E313", "`planets` is missing: expected the number of planets around the axis", place
+        )
     if element.stiffness is not None:
         yield Problem(
             "E314",
-            "an elastic element can't have masses of planets: list the planet as a link with its "
+            "a gear set with a stiffness cannot have planet masses: list the planet as "
+            "a link with its "
             "inertia, and each mesh as a mechanism",
             place,
         )
@@ -280,7 +297,8 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
             yield from not_negative(mass.radius, "a radius", (*here, "radius"))
             if mass.mass and not mass.radius:
                 message = (
-                    "`radius` is missing: how far the pin is from the axis of the set, as there is"
+                    "`radius` is missing: expected the distance of the planet "
+                    "from the main axis, because the planet has"
                 )
                 yield Problem("E316", f"{message} a mass", here)
         else:
@@ -303,14 +321,14 @@ def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Prob
         if rows > 1:
             yield Problem(
                 "E317",
-                f"the element has {rows} rows (mechanisms), expected a stiffness of what has one: "
-                "leave it out, and put springs beside the element",
+                f"the gear set has {rows} mechanisms, but a stiffness needs a single mechanism: "
+                "remove it, and add springs to the links of the gear set",
                 (*path, "stiffness"),
             )
     known = _known_planets(element)
     for name, mass in element.planet_masses.items():
         if mass.inertia and name not in known:
-            message = f"the speed of planet {name} is not known, expected its teeth"
+            message = f"the speed of planet {name} is unknown, expected the teeth of the gear set"
             yield Problem("E318", message, (*path, "planet"))
 
 

@@ -83,7 +83,7 @@ class PlanetGroup:
                         train[other] = speed
                         waiting.append(other)
                     elif train[other] != speed:
-                        raise ValueError(f"planets {planet} and {other} block one another")
+                        raise ValueError(f"planets {planet} and {other} block each other")
             trains.append(train)
             known |= train
         return trains

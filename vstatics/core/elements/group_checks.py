@@ -28,16 +28,21 @@ def rims(element: Element, path: Path) -> Iterator[Problem]:
     for planet, rims_of_planet in element.rims.items():
         place = (*path, "rims", planet)
         if not rims_of_planet:
-            yield Problem("E319", "there is no rim, expected its name and teeth", place)
+            yield Problem("E319", "the planet has no gear, expected its name and teeth", place)
         for rim, count in rims_of_planet.items():
             yield from _count(count, (*place, rim))
             if rim in seen:
                 yield Problem(
-                    "E320", f"rim `{rim}` is there already; expected a name of its own", place
+                    "E320",
+                    f"the name `{rim}` appears twice, expected a different name for "
+                    "each planet gear",
+                    place,
                 )
             seen[rim] = planet
     if len(element.wheels) < 2:
-        yield Problem("E321", f"{len(element.wheels)} suns and rings, expected two or more", path)
+        yield Problem(
+            "E321", f"{len(element.wheels)} sun and ring gears, expected two or more", path
+        )
     yield from _wheels(element, seen, path)
 
 
@@ -50,12 +55,16 @@ def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Pro
     for wheel in element.wheels:
         yield from _count(wheel.teeth, (*path, *wheel_path(element, wheel), "teeth"))
         if wheel.member in {"carrier", *element.rims}:
-            yield Problem("E322", f"wheel `{wheel.member}` has the name of another member", path)
+            yield Problem(
+                "E322",
+                f"gear `{wheel.member}` has the name of another member, expected another name",
+                path,
+            )
     for place, rim in named:
         if rim not in rims:
             known = nearest(rim, rims) or ": " + ", ".join(rims)
             yield Problem(
-                "E323", f"read `{rim}`, expected the name of a rim{known}", (*path, *place)
+                "E323", f"read `{rim}`, expected the name of a planet gear{known}", (*path, *place)
             )
 
 
@@ -80,23 +89,28 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
     for rim, other in group.meshes:
         if group.planet_of[rim] == group.planet_of[other]:
             yield Problem(
-                "E326", f"rims `{rim}` and `{other}` are on one planet", (*path, "meshes")
+                "E326",
+                f"gears `{rim}` and `{other}` are on the same planet, expected gears of "
+                "two planets",
+                (*path, "meshes"),
             )
             return
     try:
         trains = group.trains
     except ValueError as error:
-        yield Problem("E327", f"{error}: their teeth don't agree", (*path, "meshes"))
+        yield Problem(
+            "E327", f"{error}: their tooth numbers contradict each other", (*path, "meshes")
+        )
         return
     counts = [len(group.wheels_of(train)) for train in trains]
     for train, count in zip(trains, counts, strict=True):
         if count < 2:
             names = " and ".join(train)
-            message = f"{count} central wheel meshes with planet {names}, expected two or more"
+            message = f"{count} central gear meshes with planet {names}, expected two or more"
             yield Problem("E328", f"{message}; is a mesh between planets missing?", path)
     is_single = bool(element.ratios)  # with ratios, the efficiency is that of each ratio
     if element.efficiency is not None and not is_single and (max(counts) > 2 or len(counts) > 1):
-        message = "one efficiency for several paths of power; give `mesh_efficiency` instead"
+        message = "read one efficiency for several power paths; give `mesh_efficiency` instead"
         yield Problem("E329", message, (*path, "efficiency"))
     if element.kind == GROUP:
         yield from _group_wheels(element, group, path)
@@ -108,7 +122,7 @@ def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[
         place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:
             yield Problem(
-                "E330", "is on the link of the carrier, expected another one", (*place, "link")
+                "E330", "is on the link of the carrier, expected another link", (*place, "link")
             )
         for other in group.wheels:
             around = wheel.internal and not other.internal and wheel.rim == other.rim
@@ -120,5 +134,8 @@ def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[
         for wheel in group.wheels_of(train):
             speed = group.relative(wheel, train)
             if speeds.setdefault(wheel.link, speed) != speed:
-                message = "has another wheel on these planets, of another speed: they would lock"
+                message = (
+                    "another gear on this link would turn at another speed on the "
+                    "same planets, which would block them; name another link"
+                )
                 yield Problem("E332", message, (*path, *wheel_path(element, wheel), "link"))

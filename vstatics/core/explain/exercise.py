@@ -22,16 +22,28 @@ from vstatics.core.tables.values import tables
 from vstatics.core.texts import Language, speaking, tr
 from vstatics.core.writers import result_json
 
-ASKED = ("W", "WSAT", "WFRI", "ratio", "AMLG", "IX", "AMLGP", "losses", "ETA")
+ASKED = (
+    "speeds",
+    "planet_speeds",
+    "slip_speeds",
+    "ratio",
+    "torques",
+    "power_sign",
+    "lossy_torques",
+    "losses",
+    "efficiency",
+)
 """Tables with blanks, in the order of calculation."""
-IN_UNITS = {"AMLG": "AMLG_Nm", "AMLGP": "AMLGP_Nm", "losses": "losses_kW"}
+IN_UNITS = {
+    "torques": "torques_Nm",
+    "lossy_torques": "lossy_torques_Nm",
+    "losses": "losses_kW",
+}
 """Tables that replace relative torques and powers in gears without an input torque."""
 MORE = ("power_balance",)
 """Tables that also get blanks if the other tables have fewer than `LEAST`."""
 LEAST = 10
 """Number of blanks below which a worksheet gets further blanks."""
-NAMES = {"ratio": "ratio", "ETA": "efficiency", "power_balance": "power balance"}
-"""Name of the number in tables with a single number."""
 LINE = "____"
 """Text of a blank."""
 SheetForm = Literal["text", "markdown", "latex"]
@@ -43,7 +55,7 @@ class Blank(NamedTuple):
     number: int
     """Number of the blank, from 1."""
     table: str
-    """Key of the table in the JSON of a result."""
+    """Name of the table, as in the JSON of a result."""
     row: str | None
     """Row of the table; null for a table with a single number for each gear."""
     value: Known
@@ -193,30 +205,30 @@ def worksheet(
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> made = worksheet(solve(case), 0)
     >>> made.blanks[1]
-    Blank(number=2, table='W', row='3', value=0.2857142857142857)
+    Blank(number=2, table='speeds', row='3', value=0.2857142857142857)
     """
-    by_key = {item.quantity.key: item for item in tables(results)}
+    by_name = {item.quantity.name: item for item in tables(results)}
     case = results.case
     no_torque = not case.input_torque(case.gears[index])
     if results.locked[index]:  # no sign agrees with the losses
-        del by_key["IX"]
-    wanted = [by_key[key] for key in asked_keys(no_torque=no_torque) if key in by_key]
+        del by_name["power_sign"]
+    wanted = [by_name[name] for name in asked_names(no_torque=no_torque) if name in by_name]
     blanks = list(_blanks(results, index, wanted, telling=True))
     if len(blanks) < LEAST:
-        wanted += [by_key[key] for key in MORE if not no_torque]
+        wanted += [by_name[name] for name in MORE if not no_torque]
         blanks = list(_blanks(results, index, wanted, telling=False))
     if not blanks:
         gear = case.gears[index].name
         raise CaseError("E910", f"gear {gear} has no numbers to ask for; ask for another gear")
-    keys = {item.table for item in blanks}
-    asked = [item for item in wanted if item.quantity.key in keys]
+    names = {item.table for item in blanks}
+    asked = [item for item in wanted if item.quantity.name in names]
     return GearExercise(results, index, seed, asked, blanks, unchanged)
 
 
-def asked_keys(*, no_torque: bool) -> Iterator[str]:
-    """Yield the keys of `ASKED`, replaced in a gear without an input torque."""
-    for key in ASKED:
-        yield IN_UNITS.get(key, key) if no_torque else key
+def asked_names(*, no_torque: bool) -> Iterator[str]:
+    """Yield the names of `ASKED`, replaced in a gear without an input torque."""
+    for name in ASKED:
+        yield IN_UNITS.get(name, name) if no_torque else name
 
 
 def _blanks(
@@ -229,21 +241,21 @@ def _blanks(
     case, number = results.case, 0
     gear, signs = case.gears[index], told_signs(results.gear_at(index))
     speeds = [case.gear_input(gear), *(n for n, v in gear.speeds.items() if isinstance(v, float))]
-    given_rows = {"W": {case.link_name(link) for link in speeds}}
-    given_rows["IX"] = {
+    given_rows = {"speeds": {case.link_name(link) for link in speeds}}
+    given_rows["power_sign"] = {
         item.name for item, is_given in zip(case.mechanisms, signs, strict=True) if is_given
     }
     for item in wanted:
         zero = structural_zeros(item, results)[:, index].tolist()
-        key = item.quantity.key
+        table = item.quantity.name
         for row, value, is_zero in zip(
             item.rows, item.values[:, index].tolist(), zero, strict=True
         ):
-            if math.isnan(value) or row in given_rows.get(key, ()) or (telling and is_zero):
+            if math.isnan(value) or row in given_rows.get(table, ()) or (telling and is_zero):
                 continue
             number += 1
             is_one = item.quantity.rows == "one"
-            yield Blank(number, key, None if is_one else row, item.quantity.kind(value))
+            yield Blank(number, table, None if is_one else row, item.quantity.kind(value))
 
 
 def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
@@ -256,7 +268,7 @@ def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
     """
     yield from given(sheet.results, sheet.place)
     for table in sheet.asked:
-        blanks = [blank for blank in sheet.blanks if blank.table == table.quantity.key]
+        blanks = [blank for blank in sheet.blanks if blank.table == table.quantity.name]
         yield _asked(table.quantity, blanks, solved=solved)
 
 
@@ -269,11 +281,11 @@ def _asked(quantity: Quantity, blanks: Sequence[Blank], *, solved: bool) -> Grid
         return number._replace(text=f"[{blank.number}] {number.text}")
 
     if quantity.rows == "one":
-        name = word(NAMES.get(quantity.key, quantity.title))
+        name = word(quantity.name.replace("_", " "))
         rows: list[Values] = [(name, cell(blank)) for blank in blanks]
         head = "quantity"
     else:
         rows = [(blank.row, cell(blank)) for blank in blanks]
         head = "torque of" if quantity.rows == "torques" else ROWS[quantity.rows].singular
     columns = [text(head), Column("value")]
-    return grid_of(f"{quantity.title} [{quantity.key}]", columns, rows, key=quantity.key)
+    return grid_of(f"{quantity.title} [{quantity.name}]", columns, rows, key=quantity.name)

@@ -245,7 +245,7 @@ def _formula(
     output = state.speeds[on_links.case.gear_output(state.gear) - 1]
     calculated = plain(state.ratio if ratio.left == "i" else output)
     if not math.isclose(ratio.value, calculated, rel_tol=SAME_FORMULA, abs_tol=ROUNDED_NUMBER):
-        return None, "the mechanisms happen to have ratios at which the gear has none"
+        return None, "the mechanisms happen to have ratios at which the gear has no ratio"
     return ratio, ""
 
 

@@ -17,7 +17,10 @@ from vstatics.core.extras import missing
 from vstatics.core.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.core.tables.answer import Flat, json_keys
 
-FOLLOWS = "there is no formula, as the speed of link {link} is given by that of {other}"
+FOLLOWS = (
+    "there is no formula, because the speed of link {link} is given as a multiple "
+    "of the speed of {other}"
+)
 """Reason for the missing formula of a gear with dependent speeds."""
 SHARED = ("u", "v")
 """Symbols of ratios that several mechanisms have."""
@@ -153,10 +156,10 @@ def formula(
             numbers.setdefault(given[structure.body[link]], speed)
     output = case.gear_output(gear)
     if structure.body[output] == HOUSING:
-        raise NoFormula("the output is held: there is no ratio")
+        raise NoFormula("the output is held, so it has no ratio")
     parts = shares(on_links, structure, given, structure.body[output])
     if not parts:
-        raise NoFormula("the output stands still: there is no ratio")
+        raise NoFormula("the output is at rest, so it has no ratio")
     speeds = {given[body]: numbers[given[body]] for body in parts}
     if not gear.speeds or list(speeds) == [names.speeds[case.gear_input(gear)]]:
         return _of_ratio(1 / next(iter(parts.values())), symbols, on_links.variators)

@@ -138,9 +138,9 @@ def _why(state: GearState, place: int, motion: float, power: float) -> str:
     if is_nan(sign):
         return "not determined"
     if state.search.idle[place]:
-        why = {IDLE: "idle: no torque", ONE_PIECE: ONE_PIECE}.get(
+        why = {IDLE: "unloaded: no torque", ONE_PIECE: ONE_PIECE}.get(
             mechanism_roles(state)[place],
-            "it stands" if motion == 0 else "no torque without losses",
+            "at rest" if motion == 0 else "no torque without losses",
         )
         if sign == 0:
             return why

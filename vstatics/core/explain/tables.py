@@ -46,7 +46,7 @@ def _grids(explanation: Explanation) -> Iterator[Grid]:
 
 def matrix(explanation: Explanation) -> Grid:
     """Return the structural-distribution matrix of devices that can carry torque."""
-    columns = (Column(name, over="device") for name in explanation.columns)
+    columns = (Column(name, over="component") for name in explanation.columns)
     rows = zip(explanation.rows, explanation.matrix.tolist(), strict=True)
     return grid_of("matrix", ("link", *columns), ((name, *row) for name, row in rows))
 

@@ -96,7 +96,7 @@ def sections(explanation: Explanation, digits: int | None = None) -> Iterator[Ch
             _losses(explanation, digits),
         ),
         ("balance", tr(MACHINES), _machines(explanation, digits)),
-        ("together", tr("Turning together, whatever the ratios are"), _together(explanation)),
+        ("together", tr("Links that turn together at any ratios"), _together(explanation)),
         ("ratio", tr("Ratio" if is_ratio else "Output speed"), _ratio(explanation, digits)),
     )
     for key, heading, lines in parts:
@@ -106,16 +106,16 @@ def sections(explanation: Explanation, digits: int | None = None) -> Iterator[Ch
 
 MATRIX = (
     "Structural-distribution matrix: torques on the links (rows) for 1 on the first link of each "
-    "device (columns)"
+    "component (columns)"
 )
 """Heading of the matrix."""
 LOSSES = (
-    "u eta^x in place of u; x = +1 where power enters a mechanism by its "
+    "u eta^x instead of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) > 0"
 )
 """Rule of the sign when driving, in the heading of torques with losses."""
 COASTING = (
-    "u eta^x in place of u; x = +1 where power enters a mechanism by its "
+    "u eta^x instead of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) < 0, as the unit of M is negative "
     "when coasting"
 )
@@ -198,7 +198,7 @@ def _losses(explanation: Explanation, digits: int | None) -> Iterator[str]:
             yield from _tried(tried, digits)
     elif any(sign.lossy_ratio != sign.ratio for sign in explanation.signs) or _drags(explanation):
         if _drags(explanation):
-            yield INDENT + tr("drag stands on the right sides")
+            yield INDENT + tr("drag torques are on the right-hand sides")
         yield from _system(explanation.lossy, digits, with_symbols=False)
         yield INDENT + _efficiency(explanation, digits)
     else:
@@ -291,7 +291,7 @@ def _together(explanation: Explanation) -> Iterator[str]:
         by = tr(" (by {names})", names=", ".join(body.elements)) if body.elements else ""
         lines.append(f"{(tr('stand still') + ': ') * body.stands}{', '.join(body.links)}{by}")
     if explanation.one_piece:
-        lines.append(tr("as one piece: {names}", names=", ".join(explanation.one_piece)))
+        lines.append(tr("locked up: {names}", names=", ".join(explanation.one_piece)))
     if explanation.standing:
         lines.append(tr("stand still as a whole: {names}", names=", ".join(explanation.standing)))
     for line in lines:

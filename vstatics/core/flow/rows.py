@@ -37,7 +37,7 @@ def flow_grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
         for loop in side.loops
     ]
     if loops:
-        yield grid_of("Circulating power", ["gear", "loop", "power", "note"], loops)
+        yield grid_of("Recirculating power", ["gear", "loop", "power", "note"], loops)
 
 
 def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
@@ -62,10 +62,11 @@ def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
 
 def _balance(flows: Sequence[GearFlow]) -> Grid:
     names = "entering", "leaving", "lost", "balance", "circulating"
+    headings = "gear", *names[:-1], "recirculating", "note"
     rows = []
     for flow in flows:
         side = flow.shown
         values = [math.nan if side is None else getattr(side, name) for name in names]
         notes = [flow.note, "" if side is None else doubt(side, fixed)]
         rows.append((flow.gear, *values, "; ".join(filter(None, notes))))
-    return grid_of("Balance", ["gear", *names, "note"], rows)
+    return grid_of("Balance", headings, rows)

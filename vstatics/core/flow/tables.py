@@ -85,7 +85,7 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
         yield tr("no power: {names}", names=", ".join(still))
     if flow.by_convention:
         names = ", ".join(map(str, flow.by_convention))
-        yield f"{CONVENTION} {tr('by convention, as it turns as one piece: {names}', names=names)}"
+        yield f"{CONVENTION} {tr('by convention, as it is locked up: {names}', names=names)}"
     if flow.note:
         yield tr("with losses: {note}", note=tr(flow.note))
     shown = flow.lossy or flow.ideal
@@ -98,22 +98,22 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
             lost=lost,
             balance=shown_as(shown.balance),
         )
-        without = tr("; 1 is that of 1 N*m at the input, of no torque")
+        without = tr("; 1 is the power of 1 N*m at the input, as its torque is 0")
         yield balance + without * (not flow.ports.input_torque)
     unknown = [str(node) for node in shown.unknown]
     if unknown:
         yield f"{tr('not determined')}: {', '.join(unknown)}"
-        yield tr("circulating: not determined")
+        yield tr("recirculating power: not determined")
         return
     if flow.ideal.loops or shown.loops:
         yield _circulating(flow.ideal, shown, shown_as)
     else:
-        yield tr("circulating: none")
+        yield tr("recirculating power: none")
     for loop in shown.loops:
         note = f" ({loop.told(tr)})" if loop.shared else ""
         yield f"  {shown_as(loop.power)}{note}: {around(loop)}"
     for loop in shown.locked_in:
-        within = tr("within one piece, does not count")
+        within = tr("within a locked-up group, not counted")
         yield f"{within}: {shown_as(loop.power)}: {around(loop)}"
 
 
@@ -124,7 +124,7 @@ def around(loop: Loop) -> str:
 
 def _circulating(ideal: PowerFlow, shown: PowerFlow, shown_as: Callable[[float], str]) -> str:
     share = shown.circulating_share
-    circulating = tr("circulating: {power}", power=shown_as(shown.circulating))
+    circulating = tr("recirculating power: {power}", power=shown_as(shown.circulating))
     if not math.isnan(share):
         circulating += f", {100 * share:.1f}% {tr('of the power in')}"
     if shown is not ideal:
@@ -136,7 +136,7 @@ def doubt(side: PowerFlow, shown_as: Callable[[float], str]) -> str:
     """Return a phrase on recirculating power that can be an artefact; empty if all is real."""
     if not side.doubtful > 0:
         return ""
-    return tr("{power} of it may not be in the metal", power=shown_as(side.doubtful))
+    return tr("{power} of it may be an artefact of the model", power=shown_as(side.doubtful))
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:

@@ -50,12 +50,12 @@ def text(flow: GearFlow, digits: int | None = None) -> str:
         second: 2                 -1.000   -0.980
         teeth                      1.000    1.000
     ports
-      port           speed  torque    power  way
+      port           speed  torque    power  direction
       1              1.000   1.000    1.000  in
       2             -0.250  -3.920    0.980  out
       lost: meshes                  0.02000
     in 1.000 - out 0.980 - lost 0.020 = 0.000
-    circulating: none
+    recirculating power: none
     """
     return "".join(f"{line.rstrip()}\n" for line in _lines(flow, digits))
 
@@ -73,7 +73,13 @@ def _lines(flow: GearFlow, digits: int | None) -> Iterator[str]:
     ports = ports_grid([flow.ports], named=False)._replace(title="ports")
     yield from lines(ports.with_digits(digits), indent="  ")
     for remark in remarks(flow, digits):
-        yield from _wrapped(remark, 4 if remark.startswith(" ") else 2)
+        yield from textwrap.wrap(
+            remark,
+            FLOW_TEXT_WIDTH,
+            subsequent_indent=" " * (4 if remark.startswith(" ") else 2),
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
 
 
 def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
@@ -100,13 +106,3 @@ def _field(name: str, cell: Cell, digits: int | None) -> str:
     if name == "share, %":
         return f"{cell.value:.{1 if digits is None else digits}f}%"
     return fixed(cell.value, NUMBER, DECIMALS.get(name, 3) if digits is None else digits)
-
-
-def _wrapped(line: str, indent: int) -> list[str]:
-    return textwrap.wrap(
-        line,
-        FLOW_TEXT_WIDTH,
-        subsequent_indent=" " * indent,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )

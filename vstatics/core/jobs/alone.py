@@ -91,7 +91,7 @@ def call(function: Work[Item, Result], state: object, item: Item, describe: Desc
 
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
     """Return the error that reports a fault in the program, with the name of the item."""
-    message = f"an error of vstatics, please report it: {type(error).__name__}: {error}"
+    message = f"an error in vstatics, please report it: {type(error).__name__}: {error}"
     return CaseError("E002", f"{describe(item)}: {message}")
 
 

@@ -41,7 +41,10 @@ class Cluster(Workers):
             If no scheduler answers, or no worker has this build of the package.
         """
         distributed = import_module("distributed")  # costs start-up time, and may be missing
-        _silence()
+        # Failures in Dask are reported as problems instead.
+        for name in logging.root.manager.loggerDict:
+            if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
+                logging.getLogger(name).setLevel(logging.CRITICAL)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # about other Python versions on workers
             try:
@@ -76,7 +79,7 @@ class Cluster(Workers):
         """Refuse workers without the package or with a different build."""
         for worker, version in self._client.run(_version, on_error="return").items():
             if isinstance(version, Exception):
-                message = f"can't do it: {version}; install vstatics {__version__} there"
+                message = f"cannot calculate: {version}; install vstatics {__version__} there"
             elif version != _version():
                 message = f"has vstatics {version}, expected {_version()}"
             else:
@@ -156,16 +159,9 @@ class Cluster(Workers):
                 raise self._loss(error) from None
             self._check_builds()
             if type(error).__name__ == "KilledWorker":
-                message = "the workers that were at it died, one after the other"
+                message = "several workers died on this task, one after the other"
                 raise CaseError("E029", f"{self.describe(item)}: {message}") from None
             raise failure(self.describe, item, error) from error
-
-
-def _silence() -> None:
-    """Silence the log of Dask, whose failures are reported as problems instead."""
-    for name in logging.root.manager.loggerDict:
-        if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
-            logging.getLogger(name).setLevel(logging.CRITICAL)
 
 
 async def _answers(client: Any) -> bool:
@@ -205,7 +201,7 @@ def _call(function: Work[Item, Result], held: _Held, item: Item) -> _Answer:
 def _reason(error: Exception) -> str:
     """Return the reason why a cluster cannot be reached, in one line."""
     if isinstance(error, ValueError):
-        return f"is no address of a scheduler, expected tcp://HOST:PORT ({error})"
+        return f"is not the address of a scheduler, expected tcp://HOST:PORT ({error})"
     if "worker" in str(error).lower():
-        return f"the scheduler has no workers (waited {SCHEDULER_SECONDS} s for one)"
+        return f"the scheduler has no workers (waited {SCHEDULER_SECONDS} s)"
     return f"no Dask scheduler answers there (waited {SCHEDULER_SECONDS} s)"

@@ -42,7 +42,7 @@ def is_stream(output: str | None) -> bool:
 
 def unwritable(output: str | None, error: OSError) -> Problem:
     """Return the problem of an output, or stdout, that cannot be written."""
-    message = f"can't be written: {error.strerror or error}"
+    message = f"cannot be written: {error.strerror or error}"
     if output is None or output == STDOUT:
         return of_file("E030", "<stdout>", message)
     return missing_folder(output) or of_file("E030", output, message)
@@ -52,12 +52,12 @@ def missing_folder(output: str) -> Problem | None:
     """Return the problem of an output in a missing directory.
 
     >>> str(missing_folder("nowhere/new.csv"))
-    "nowhere/new.csv: error: can't be written: there is no directory nowhere, make it [E030]"
+    "nowhere/new.csv: error: cannot be written: there is no directory nowhere; create it [E030]"
     """
     folder = os.path.dirname(output.rstrip("/"))  # noqa: PTH120
     if not folder or os.path.lexists(folder):
         return None
-    message = f"can't be written: there is no directory {folder}, make it"
+    message = f"cannot be written: there is no directory {folder}; create it"
     return of_file("E030", output, message)
 
 

@@ -27,8 +27,8 @@ Description = dict[str, Any]
 LOCKED = ".lock"
 _SEAL = 16
 """Number of digits of the hash of a line: 64 bits."""
-NO_RUN = "there is no run to go on with"
-OTHER_BUILD = "what is there is of another build of vstatics"
+NO_RUN = "there is no earlier run to resume"
+OTHER_BUILD = "the finished work belongs to another build of vstatics"
 
 
 def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
@@ -97,9 +97,7 @@ def why_not_taken(
         for key in differing(known, options)
     )
     if changed:
-        message = (
-            f"the run to go on with was another one ({changed}): use the same options, or {anew}"
-        )
+        message = f"the earlier run was different ({changed}): use the same options, or {anew}"
         raise ReadError([of_file("E031", path, message)])
     return "" if first.rstrip(b"\n") == described(options) else OTHER_BUILD
 

@@ -158,7 +158,7 @@ class FinishedParts:
             count = len(dict(_whole_parts(file)))
         if count:
             held = f"holds {count} finished {plural('case', count)} of a run that was stopped"
-            message = f"{held}; go on with --resume, or {ANEW}"
+            message = f"{held}; continue with --resume, or {ANEW}"
             raise ReadError([of_file("E033", self.directory, message)])
 
     def _take(self) -> str:

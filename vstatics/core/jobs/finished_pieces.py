@@ -123,7 +123,7 @@ class FinishedPieces:
             return known
         if all(name == LOCK or is_temporary(name) for name in self.folder.names()):
             return None
-        message = f"holds no {self.what} that can be taken up; move it away"
+        message = f"contains no {self.what} that can be resumed; move it away"
         raise ReadError([of_file("E032", self.directory, message)])
 
     def finished(self) -> list[int]:
@@ -143,9 +143,9 @@ class FinishedPieces:
         other_build = known.get("build") != wanted["build"]
         if said or ("fingerprint" in changed and not other_build):
             what = f": {', '.join(said) or CASE} changed"
-            whose = f"of another {self.what}{what}; repeat that one with --resume"
+            whose = f"of another {self.what}{what}; repeat that run with --resume"
         elif not resume:
-            whose = f"of this {self.what}, which was stopped; go on with --resume"
+            whose = f"of this {self.what}, which was stopped; continue with --resume"
         else:
             return OTHER_BUILD if other_build else ""
         held = f"holds {finished} of {known.get('pieces')} finished pieces"

@@ -87,11 +87,11 @@ def unreadable(file: str, error: OSError) -> Problem:
     """Return the problem of an input that cannot be read.
 
     >>> str(unreadable("large.yaml", TooLargeError(2_000_000)))
-    "large.yaml: error: can't be read: larger than 2 MB, expected at most that [E046]"
+    "large.yaml: error: cannot be read: larger than 2 MB, expected at most that [E046]"
     """
     ids = {TooLargeError: "E046", NotRegularError: "E047"}
     reason = error.strerror or str(error)
-    return of_file(ids.get(type(error), "E006"), file, f"can't be read: {reason}")
+    return of_file(ids.get(type(error), "E006"), file, f"cannot be read: {reason}")
 
 
 def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:

@@ -85,7 +85,7 @@ def _refuse(path: str, count: int) -> None:
     for number in range(2, count + 1):
         further = page_name(path, number)
         if os.path.lexists(further) and _marked(further) != number:
-            message = f"is there, and would be page {number} of {path}: expected another name"
+            message = f"exists already and would be page {number} of {path}: expected another name"
             raise ReadError([of_file("E447", further, message)])
 
 

@@ -93,7 +93,7 @@ class Processes(Workers):
             try:
                 process = _Process(self.state, self.describe, self._processes)
             except OSError as error:
-                message = f"processes (--jobs) can't be started: {error.strerror or error}"
+                message = f"processes (--jobs) cannot be started: {error.strerror or error}"
                 raise ReadError("E035", message) from None
             self._processes.append(process)
             return process

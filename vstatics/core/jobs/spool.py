@@ -106,10 +106,10 @@ def _remove(folder: StateFolder, name: str, owner: int) -> None:
 
 def _unwritable(path: str, error: OSError) -> ReadError:
     reason, advice = error.strerror or error, "make room there, or set TMPDIR to another folder"
-    message = f"the temporary copy of the table can't be written: {reason}; {advice}"
+    message = f"the temporary copy of the table cannot be written: {reason}; {advice}"
     return ReadError([of_file("E037", path, message)])
 
 
 def _gone(path: str, reason: str) -> ReadError:
-    message = f"the temporary copy of the table can't be read: {reason}; start the sweep again"
+    message = f"the temporary copy of the table cannot be read: {reason}; start the sweep again"
     return ReadError([of_file("E038", path, message)])

@@ -215,7 +215,7 @@ def _refuse(path: str, status: os.stat_result, kind: int) -> None:
         message = f"has another owner ({_user(status.st_uid)}), expected {expected} of your own"
         raise ReadError([of_file("E041", path, f"{message}; {CURE}")])
     if kind == stat.S_IFREG and status.st_nlink > 1:
-        message = f"has a second name (a hard link), expected {expected} of one name; {CURE}"
+        message = f"has a second name (a hard link), expected {expected} with a single name; {CURE}"
         raise ReadError([of_file("E040", path, message)])
 
 

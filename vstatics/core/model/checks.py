@@ -132,10 +132,10 @@ def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
     yield from _bare(case, {link: ("drag", link) for link in case.drag}, case.drag, torque)
     yield from _bare(case, paths, elements, torque)
     for number, gear in enumerate(case.gears, 1):
-        torque = case.gear_load(gear).torque
         for key, drags in (("drag", gear.drag), ("open_drag", gear.open_drag)):
-            of_gear = {part: ("gears", number, key, part) for part in drags}
-            yield from _bare(case, of_gear, drags, torque)
+            if drags:
+                of_gear = {part: ("gears", number, key, part) for part in drags}
+                yield from _bare(case, of_gear, drags, case.gear_load(gear).torque)
 
 
 def _bare(
@@ -156,7 +156,7 @@ def _bare(
             yield Problem(
                 "W440",
                 f"the drag of {name} has no unit, so it is {drag:g} of the input torque{size}; "
-                f"if it is in newton metres, write `{drag:g} N*m`",
+                f"if it is meant in N*m, write `{drag:g} N*m`",
                 path,
             )
 
@@ -171,8 +171,9 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
     for number, other in sets_side_by_side(sets):
         yield Problem(
             "N202",
-            f"shares a wheel and the carrier with {other}: if they share planets too, the "
-            "losses of this form are not exact; give the set as an element, or each mesh as a "
+            f"shares a central gear and the carrier with {other}: if they also share planets, the "
+            "losses of this form are not exact; give the planets as one gear set, or "
+            "each mesh as a "
             "mechanism (example: `vstatics check --explain N202`)",
             ("mechanisms", number),
         )
@@ -187,8 +188,8 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
         if gear.input not in (None, case.input) and not case.input_turns(gear):
             yield Problem(
                 "N201",
-                f"the input, link {case.link_name(case.gear_input(gear))}, is taken to turn "
-                "forward, on which freewheels depend; say `input_turns: forward` or `backward`",
+                f"the input, link {case.link_name(case.gear_input(gear))}, is assumed to turn "
+                "forward, which affects the freewheels; write `input_turns: forward` or `backward`",
                 ("gears", number),
             )
 
@@ -213,14 +214,17 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     elif case.links > max(joined, 2):
         yield Problem(
             "E203",
-            f"read {case.links} links, but {_counted(case)} can join {joined} at most",
+            f"read {case.links} links, but {_counted(case)} can connect at most {joined}",
             ("links",),
         )
     if case.link_names and len(case.link_names) != case.links:
         message = f"{case.links} links, but {len(case.link_names)} names of links"
         yield Problem("E204", message, ("link_names",))
     if not case.gears and case.shift_elements and not moves:
-        message = "`gears` is missing or empty: expected what each gear engages, such as"
+        message = (
+            "`gears` is missing or empty: expected the shift elements that each "
+            "gear engages, such as"
+        )
         yield Problem("E205", f"{message} `gears: {{{_first_gear(case)}}}`", ("gears",))
 
 
@@ -273,12 +277,18 @@ def _outputs(case: TransmissionFields) -> Iterator[Problem]:
         path = ("outputs", number)
         yield from of_link(link, path, case.own_links, lowest=1)
         if link in case.outputs[: number - 1]:
-            yield Problem("E209", f"link {called(case, link)} is an output twice", path)
+            yield Problem(
+                "E209",
+                f"link {called(case, link)} is listed twice, expected each output once",
+                path,
+            )
         if link == case.input and number > 1:
-            yield Problem("E210", f"link {called(case, link)} is the input, expected another", path)
+            yield Problem(
+                "E210", f"link {called(case, link)} is the input, expected another link", path
+            )
     if case.outputs and case.output not in (0, case.outputs[0]):
         first, given = (called(case, link) for link in (case.outputs[0], case.output))
-        message = f"the first output is {first}, but `output` is {given}; leave one of them out"
+        message = f"the first output is {first}, but `output` is {given}; remove one of them"
         yield Problem("E211", message, ("outputs",))
 
 
@@ -286,10 +296,12 @@ def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
     seen: dict[str, int] = {}
     for number, name in enumerate(names, 1):
         if not _is_name(name):
-            message = f"{name!r} is no name: expected one line of text, no blanks at its ends"
+            message = (
+                f"{name!r} is not a name: expected one line of text without blanks at its ends"
+            )
             yield Problem("E212", message, (part, number))
         elif name in seen:
-            message = f"{kind} {number} has the name `{name}` of {kind} {seen[name]}"
+            message = f"{kind} {number} has the name of {kind} {seen[name]}, expected another name"
             yield Problem("E213", message, (part, number))
         seen.setdefault(name, number)
 
@@ -305,5 +317,7 @@ def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from _outputs(case)
     if case.input == case.main_output and not (_moves(case) and case.links == 1):
         yield Problem(
-            "E214", f"input and output are both link {called(case, case.input)}", ("output",)
+            "E214",
+            f"input and output are both link {called(case, case.input)}, expected two links",
+            ("output",),
         )

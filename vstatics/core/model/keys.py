@@ -401,7 +401,8 @@ GEAR = ByKey(
         KeyShape(
             "kind",
             Leaf("choice", GEAR_KINDS),
-            "`point` is an operating point: it has no step, and no part in the spread.",
+            "`neutral`: the gear is neutral on purpose and gets no warning. `point`: it is an "
+            "operating point. Both have no step ratio and are not part of the spread.",
             default="gear",
         ),
     ),

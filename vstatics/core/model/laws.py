@@ -65,14 +65,14 @@ def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> It
         )
         return
     if not law.points:
-        yield Problem("E266", "there is no point, expected one at least", path)
+        yield Problem("E266", "read no points, expected at least one", path)
     least = -math.inf
     for number, (x, y) in enumerate(law.points, 1):
         if not 0 <= x < math.inf:
             message = f"read {x:g}, expected a {law.over} of 0 or more: magnitudes count"
             yield Problem("E266", message, (*path, number, 1))
         elif x <= least:
-            message = f"read {x:g}, expected a {law.over} above {least:g}: points are in order"
+            message = f"read {x:g}, expected a {law.over} above {least:g}: points must ascend"
             yield Problem("E266", message, (*path, number, 1))
         if not low <= y <= high or not math.isfinite(y):
             yield Problem("E266", f"read {y:g}, expected {what}", (*path, number, 2))
@@ -98,7 +98,7 @@ def of_balances(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E269", message, (*path, "battery"))
         ends = gear.input or case.input, gear.output or case.main_output
         if not gear.open_links(ends):
-            expected = "expected at least one, neither input nor output"
+            expected = "expected at least one such link, neither input nor output"
             yield Problem("E269", f"read no link without speed and torque, {expected}", path)
 
 
@@ -123,7 +123,10 @@ def without_loads(case: TransmissionFields) -> Iterator[Problem]:
         of_balance: list[Path] = [("gears", number, "balance")] if gear.balance else []
         for path in (*places, *_of_gear(gear, number), *of_balance):
             what = "speed" if load.speed is None else "torque"
-            message = f"it depends on the load, but gear {gear.name or number} has no {what}"
+            message = (
+                "it depends on speed and torque, but the operating point of gear "
+                f"{gear.name or number} has no {what}"
+            )
             yield Problem("E267", f"{message}: expected a `load` with both", path)
         return
 

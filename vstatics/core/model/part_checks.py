@@ -89,7 +89,7 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
     --------
     >>> [problem] = of_friction(Friction(0.1, 0.006, 8, ((3, 0.12), (1, 0.1))), ())
     >>> print(problem.message)
-    read 1, expected a slip of 3 rad/s or more: slips are in ascending order
+    read 1, expected a slip of 3 rad/s or more: slips must ascend
     """
     if friction.heat_capacity is not None:
         yield from _of_heat(friction, path)
@@ -110,7 +110,7 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
         yield from _of_temperatures(table, friction.heat_capacity, here)
         here = (*here, "rows")
     if not rows:
-        yield Problem("E219", "there is no point, expected one at least", here)
+        yield Problem("E219", "read no points, expected at least one", here)
     least = 0.0
     for number, row in enumerate(rows, 1):
         slip, *coefficients = row or (least,)
@@ -120,7 +120,7 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
             )
         elif slip < least:
             message = f"read {slip:g}, expected a slip of {least:g} rad/s or more"
-            yield Problem("E221", f"{message}: slips are in ascending order", (*here, number, 1))
+            yield Problem("E221", f"{message}: slips must ascend", (*here, number, 1))
         for column, coefficient in enumerate(coefficients, 2):
             place, right = (*here, number, column), 0 < coefficient < math.inf
             yield from expect(coefficient, "a coefficient above 0", place, right=right)
@@ -132,19 +132,17 @@ def _of_temperatures(
 ) -> Iterator[Problem]:
     """Check a coefficient table: ascending temperatures, a coefficient for each."""
     if heat_capacity is None:
-        message = "the coefficient depends on temperature, expected a `heat_capacity` beside it"
+        message = "the coefficient depends on temperature, expected a `heat_capacity` as well"
         yield Problem("E261", message, path)
     here = (*path, "columns")
     if not table.columns:
-        yield Problem("E219", "there is no temperature, expected one at least", here)
+        yield Problem("E219", "read no temperatures, expected at least one", here)
     for number, temperature in enumerate(table.columns, 1):
         right = math.isfinite(temperature)
         yield from expect(temperature, "a finite number", (*here, number), right=right)
     for number, (temperature, other) in enumerate(pairwise(table.columns), 2):
         if not other > temperature:
-            message = (
-                f"read {other:g} behind {temperature:g}, expected temperatures in ascending order"
-            )
+            message = f"read {other:g} after {temperature:g}, expected ascending temperatures"
             yield Problem("E262", message, (*here, number))
     for number, row in enumerate(table.rows, 1):
         if len(row) != len(table.columns) + 1:
@@ -175,9 +173,7 @@ def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator
         message = f"read {size:g}{unit}, expected a torque of 0 or more: drag opposes any motion"
         yield Problem("E222", message, path)
     elif size and element is not None and element.kind == "dog_clutch":
-        yield Problem(
-            "E223", "a dog clutch does not drag when it is open, expected it without drag", path
-        )
+        yield Problem("E223", "a disengaged dog clutch has no drag; remove its drag", path)
 
 
 def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
@@ -191,7 +187,7 @@ def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
         yield Problem("E225", message, path)
     elif element.kind == "clutch" and to_housing:
         yield Problem(
-            "E226", "a clutch joins two links, expected `brake` for a link and the housing", path
+            "E226", "a clutch connects two links, expected `brake` for a link and the housing", path
         )
 
 
@@ -227,11 +223,11 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
         return
     for member in ("first", "second"):
         if getattr(mechanism, member) == HOUSING:
-            message = f"a {mechanism.kind} joins two links, expected a link, not the housing"
+            message = f"a {mechanism.kind} connects two links, expected a link, not the housing"
             yield Problem("E272", message, (*path, member))
     if mechanism.third != HOUSING or mechanism.is_set:
         yield Problem(
-            "E273", f"a {mechanism.kind} joins two links; leave the third out", (*path, "third")
+            "E273", f"a {mechanism.kind} connects only two links; remove `third`", (*path, "third")
         )
     if math.isinf(mechanism.ratio):
         yield Problem(
@@ -246,12 +242,12 @@ def of_characteristic(
 ) -> Iterator[Problem]:
     """Check the points of a converter: speed ratio, torque ratio and, in all or none, lambda."""
     if not points:
-        yield Problem("E219", "there is no point, expected one at least", path)
+        yield Problem("E219", "read no points, expected at least one", path)
     before = -math.inf
     for number, (speed_ratio, torque_ratio, *factors) in enumerate(points, 1):
         if not before < speed_ratio < math.inf:
             message = f"read {speed_ratio:g}, expected a speed ratio above {before:g}"
-            yield Problem("E274", f"{message}: points are in ascending order", (*path, number, 1))
+            yield Problem("E274", f"{message}: points must ascend", (*path, number, 1))
         what, right = "a torque ratio of 0 or more", 0 <= torque_ratio < math.inf
         yield from expect(torque_ratio, what, (*path, number, 2), right=right)
         for factor in factors:
@@ -275,7 +271,10 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             yield Problem("E275", f"read {number!r}, expected {expected}", inner)
         elif number <= len(mechanisms) and not mechanisms[number - 1].kind:
             name = mechanisms[number - 1].name or number
-            message = f"mechanism {name} is neither a variator nor a converter: its ratio is fixed"
+            message = (
+                f"mechanism {name} is neither a variator nor a converter, so its "
+                "ratio is fixed; remove the speed ratio"
+            )
             yield Problem("E276", message, inner)
         elif not math.isfinite(ratio):
             yield Problem("E229", f"read {ratio}, expected a finite number", inner)
@@ -283,9 +282,10 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             name = mechanisms[number - 1].name or number
             yield Problem(
                 "E455",
-                f"read {ratio:g}, but what is engaged joins the links of converter {name}, so that "
-                "it turns as one: expected 1, or none; release its lock-up clutch, or leave the "
-                "speed ratio out",
+                f"read {ratio:g}, but the engaged shift elements lock the links of "
+                f"converter {name} together, so "
+                "its speed ratio is 1: release its lock-up clutch, or remove the "
+                "speed ratio",
                 inner,
             )
 
@@ -334,7 +334,9 @@ def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
     """Check the efficiency of a mechanism, gear set or mesh."""
     if isinstance(value, Law):
         return _efficiencies(value, path)
-    return expect(value, "an efficiency above 0 and up to 1", path, right=0 < value <= 1)
+    example = f", such as {value / 100:g} for {value:g} %" if 1 < value <= 100 else ""
+    expected = f"an efficiency above 0 and up to 1{example}"
+    return expect(value, expected, path, right=0 < value <= 1)
 
 
 def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
@@ -378,15 +380,17 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
     if ratio == 1:
         yield Problem(
             "N203",
-            "with ratio 1 the first link turns as the second whatever the third does, which takes "
-            "torque by losses only",
+            "with ratio 1 the first and second link always turn at the same speed, and "
+            "the third receives "
+            "torque only through losses",
             (*path, "ratio"),
         )
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
             "N204" if ratio == -1 else "W201",  # as bevel differentials have it
-            f"ratio {ratio:g} is not that of a plain planetary set: there is no "
-            "planet speed without a planet ratio",
+            f"ratio {ratio:g} is not the basic ratio of a simple planetary gear set, so "
+            "there is no "
+            "planet speed without `planet_ratio`",
             path,
         )
 
@@ -400,7 +404,11 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
         if link is not None:
             yield from of_link(link, (*path, end), case.own_links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
-        yield Problem("E214", f"input and output are both link {called(case, ends[0])}", path)
+        yield Problem(
+            "E214",
+            f"input and output are both link {called(case, ends[0])}, expected two links",
+            path,
+        )
     yield from _turning(case, gear, (*path, "input_turns"))
     yield from of_link_drag(case, gear.drag, path)
     elements = case.shift_elements
@@ -413,7 +421,8 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
             yield Problem("E243", f"read {number!r}, expected {expected}", inner)
     yield from _speed_ratios(case, gear, path)
     if gear.kind not in GEAR_KINDS:
-        yield Problem("E232", f"read {gear.kind!r}, expected `gear` or `point`", (*path, "kind"))
+        expected = "`gear`, `neutral` or `point`"
+        yield Problem("E232", f"read {gear.kind!r}, expected {expected}", (*path, "kind"))
     if gear.speeds or gear.torques:
         yield from _sides_given(case, gear, ends, path)
 
@@ -425,7 +434,9 @@ def _sides_given(
     yield from _speeds(case, gear.speeds, (*path, "speeds"))
     yield from _finite(gear.torques, (*path, "torques"), case.own_links)
     if ends[0] in gear.speeds:
-        message = f"link {called(case, ends[0])} is the input, whose speed is 1; expected another"
+        message = (
+            f"link {called(case, ends[0])} is the input, whose speed is 1; expected another link"
+        )
         yield Problem("E233", message, (*path, "speeds", ends[0]))
     for link in gear.torques:
         if link == ends[1]:
@@ -448,8 +459,9 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
     elif by_load and turns != by_load:
         yield Problem(
             "E237",
-            f"read `{turns}`, but by the load of this gear the input turns {by_load}; expected "
-            "a load of its own whose signs agree, or this left out",
+            f"read `{turns}`, but with the operating point of this gear the input turns "
+            f"{by_load}; expected "
+            "an operating point with other signs, or no `input_turns`",
             path,
         )
 
@@ -472,7 +484,7 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
                 "E229", f"read {value:g}, expected a finite number", (*path, "load", quantity)
             )
         elif value == 0 and quantity == "speed":
-            message = "read 0, expected a speed other than 0, as of an input that turns"
+            message = "read 0, expected the speed of an input that turns"
             yield Problem("E241", message, (*path, "load", quantity))
     if load.power is not None and math.isfinite(load.power):
         yield from _of_power(load, load.power, (*path, "load", "power"))
@@ -519,12 +531,14 @@ def _engaged(
             expected = f"the number of a shift element, from 1 to {len(elements)}"
             yield Problem("E243", f"read {element!r}, expected {expected}", (*path, position))
             continue
-        message = f"element {elements[element - 1].name or element} is"
+        message = f"shift element {elements[element - 1].name or element} is"
         if element in seen:
-            message += " engaged twice, expected each once"
+            message += " engaged twice, expected each shift element once"
             yield Problem("E245", message, (*path, position))
         elif elements[element - 1].is_freewheel:
-            message += " a freewheel, which finds by itself whether it holds; leave it out"
+            message += (
+                " a freewheel, and the program finds out whether it holds; remove it from the gear"
+            )
             yield Problem("E246", message, (*path, position))
         seen.add(element)
 
@@ -542,10 +556,10 @@ def _speeds(
         yield from of_link(link, inner, case.own_links, lowest=1)
         yield from of_link(speed.link, inner, case.own_links, lowest=1)
         if speed.factor == 0 or not math.isfinite(speed.factor):
-            message = f"read a factor of {speed.factor:g}, expected a finite one other than 0"
-            yield Problem("E247", f"{message}; a link that stands has the speed 0", inner)
+            message = f"read a factor of {speed.factor:g}, expected a finite factor other than 0"
+            yield Problem("E247", f"{message}; a link at rest has the speed 0", inner)
         if speed.link == link:
-            message = f"the speed of link {called(case, link)} is given by itself"
+            message = f"the speed of link {called(case, link)} is a multiple of itself"
             yield Problem("E248", f"{message}, expected another link", inner)
 
 
@@ -559,5 +573,5 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
 def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
     """Return a note about an implausibly large number with a missing unit."""
     other = "mm" if unit == "m" else "rpm"
-    hint = f"{value:g} {other} needs its unit, a bare number is in {unit}"
-    return Problem("N205", f"read {value:g} {unit}, more than {what} has: {hint}", path)
+    hint = f"a number without a unit is in {unit}, so write `{value:g} {other}` if this is meant"
+    return Problem("N205", f"read {value:g} {unit}, more than {what} can have: {hint}", path)

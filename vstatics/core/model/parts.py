@@ -84,7 +84,7 @@ def damping_fault(
     'read several of `viscous`, `ratio` and `loss_factor`, expected one of them'
     """
     if ratio is not None and ratio < 0:
-        return f"read a ratio of {ratio:g}, expected one of 0 or more"
+        return f"read a ratio of {ratio:g}, expected a ratio of 0 or more"
     if bool(viscous) + (ratio is not None) + bool(loss_factor) < 2:
         return ""
     return "read several of `viscous`, `ratio` and `loss_factor`, expected one of them"
@@ -101,8 +101,8 @@ ElementKind = Literal["clutch", "brake", "dog_clutch", "freewheel"]
 Direction = Literal["forward", "backward"]
 """Direction of rotation of an input."""
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
-GearKind = Literal["gear", "point"]
-"""A gear of the shift pattern, or an operating point, as of a variable drive."""
+GearKind = Literal["gear", "neutral", "point"]
+"""A gear of the shift pattern, neutral on purpose, or an operating point of a variable drive."""
 GEAR_KINDS: tuple[GearKind, ...] = get_args(GearKind)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
 MechanismKind = Literal["variator", "converter"]
@@ -374,9 +374,9 @@ def mechanism_fault(
     if kind and ratio is not None:
         return f"read `ratio` of a {kind}, expected `speed_ratio`"
     if not kind and speed_ratio is not None:
-        return "read `speed_ratio`, expected `kind: variator` or `kind: converter` beside it"
+        return "read `speed_ratio`, expected `kind: variator` or `kind: converter` as well"
     if others.get("points") and kind != "converter":
-        return "read `points`, expected `kind: converter` beside them"
+        return "read `points`, expected `kind: converter` as well"
     return ""
 
 
@@ -475,7 +475,7 @@ def load_fault(
     """Return the reason why a power does not define an operating point; empty if valid.
 
     >>> load_fault(power=90)
-    'read `power` alone, expected a speed or a torque beside it'
+    'read `power` alone, expected a speed or a torque as well'
     """
     if power is None:
         return ""
@@ -484,9 +484,9 @@ def load_fault(
         return f"read speed, torque and power, expected two of them: {given}"
     other = torque if speed is None else speed
     if other is None:
-        return "read `power` alone, expected a speed or a torque beside it"
+        return "read `power` alone, expected a speed or a torque as well"
     if power == 0 or other == 0:
-        return "read a power, speed or torque of 0, expected another one"
+        return "read a power, speed or torque of 0, expected another value"
     return ""
 
 
@@ -640,8 +640,9 @@ class Gear(NamedTuple):
     input_turns : {"forward", "backward"}, optional
         Direction of rotation of the input, on which freewheels depend since all speeds are
         relative. By default the sign of the operating point, or forward without it.
-    kind : {"gear", "point"}
-        An operating point (``point``) has no step ratio and is not part of the spread.
+    kind : {"gear", "neutral", "point"}
+        A gear that is ``neutral`` on purpose gets no warning. It has no step ratio and is not part
+        of the spread, like an operating point (``point``).
     coast : bool, optional
         Whether power enters at the output; by default as in the case, or by the sign of its
         operating point.

@@ -155,10 +155,10 @@ def limit_fault(of: str = "", times: float | None = None, **_others: Any) -> str
     """Return the reason why values do not define a limit; empty if valid.
 
     >>> limit_fault("suspension")
-    'expected `of` and `times` both, or none of them'
+    'expected both `of` and `times`, or neither'
     """
     is_complete = bool(of) == (times is not None)
-    return "" if is_complete else "expected `of` and `times` both, or none of them"
+    return "" if is_complete else "expected both `of` and `times`, or neither"
 
 
 class Spring(NamedTuple):
@@ -284,7 +284,7 @@ def spring_fault(
     'read both `links` and `twist`, expected one of them'
     """
     if links is None and twist is None:
-        return "expected `links`, those of a shaft, or `twist`, a coefficient for each link"
+        return "expected `links`, the two links of a shaft, or `twist`, a coefficient for each link"
     if links is not None and twist is not None:
         return "read both `links` and `twist`, expected one of them"
     return ""

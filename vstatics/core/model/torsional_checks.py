@@ -28,9 +28,10 @@ def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
             yield from not_negative(inertia, noun, (key, link))
             if key == "masses" and link in case.inertias:
                 what = (
-                    f"link {called(case, link)} is in `inertias`, too: it turns or moves straight"
+                    f"link {called(case, link)} is in `inertias`, too: it either "
+                    "rotates or moves straight"
                 )
-                yield Problem("E540", f"{what}, expected it in one of them", (key, link))
+                yield Problem("E540", f"{what}, expected the link in only one of them", (key, link))
     for number, spring in enumerate(case.springs, 1):
         yield from _of_spring(case, spring, ("springs", number))
     for number, element in enumerate(case.shift_elements, 1):
@@ -56,7 +57,7 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
         right = math.isfinite(part) and (part != 0 or link == HOUSING)
         yield from expect(part, "a finite coefficient other than 0", (*path, *place), right=right)
     if not any(link != HOUSING for link in twist):
-        message = "the twist is empty, expected at least one link with its coefficient"
+        message = "read an empty twist, expected at least one link with its coefficient"
         yield Problem("E251", message, (*path, "twist"))
     yield from _of_units(case, spring, path)
     yield from _of_elastic_law(case, spring, path)
@@ -76,10 +77,10 @@ def _of_elastic_law(case: TransmissionFields, spring: Spring, path: Path) -> Ite
     given = (spring.stiffness, spring.compliance)
     damped = damping(spring.damping)
     if spring.is_damper and damped.loss_factor:
-        message = "read a loss factor or ratio without `stiffness`, of which it would be a part"
+        message = "read a loss factor or damping ratio, which needs a `stiffness`"
         yield Problem("E252", f"{message}: expected one", path)
     elif spring.is_damper and given == (None, None) and not damped.viscous:
-        message = "there is no `stiffness`, no `compliance`, no `points` and no `damping`"
+        message = "read none of `stiffness`, `compliance`, `points` and `damping`"
         yield Problem("E252", f"{message}, expected one of them", path)
     elif None not in given:
         yield Problem("E253", "read both `stiffness` and `compliance`, expected one of them", path)
@@ -101,7 +102,7 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
             place, expected = (2, "torques that do not fall") if rises else (1, "twists that rise")
             yield Problem(
                 "E690",
-                f"read {point[place - 1]:g} behind {previous[place - 1]:g}, expected {expected}",
+                f"read {point[place - 1]:g} after {previous[place - 1]:g}, expected {expected}",
                 (*here, number, place),
             )
     first, last = spring.points[0], spring.points[-1]
@@ -109,7 +110,7 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
         message = f"read {first[0]:g}, {first[1]:g}, expected [0, 0] first, or a twist below 0"
         yield Problem("E691", message, (*here, 1))
     if not last[1] > first[1]:
-        yield Problem("E692", "expected two points at least, and a torque that rises", here)
+        yield Problem("E692", "expected at least two points, and a torque that rises", here)
     yield from _beside("points", spring, path)
 
 
@@ -120,7 +121,9 @@ def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
     for name, read in given.items():
         if read:
             what = "a loss factor or ratio" if name == "damping" else f"`{name}`"
-            yield Problem("E693", f"read {what} beside `{key}`, expected none", (*path, name))
+            yield Problem(
+                "E693", f"read {what} with `{key}`, expected only one of them", (*path, name)
+            )
 
 
 def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
@@ -146,7 +149,7 @@ def _of_unit(value: Any, why: str, path: Path, *, straight: bool) -> Iterator[Pr
     measure = value.measure if isinstance(value, InUnit) else None
     expected = measure and (STRAIGHT if straight else _TURNING).get(measure)
     if measure and expected:
-        message = f"read a number in {UNIT_OF[measure]}, expected one in {UNIT_OF[expected]}"
+        message = f"read a number in {UNIT_OF[measure]}, expected {UNIT_OF[expected]}"
         yield Problem("E541", f"{message}: {why}", path)
 
 
@@ -156,7 +159,10 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
     assert strut is not None  # noqa: S101 - by the caller; for mypy
     if not case.is_straight(spring):
         yield Problem(
-            "E542", "its twist names no link of `masses`, expected one: a strut is in m and N", path
+            "E542",
+            "the twist names no link of `masses`, expected at least one: a strut acts "
+            "along a straight line",
+            path,
         )
     whole = ("pressure", "area", "length", "exponent")
     for name in (*whole, *["counter_length"] * (strut.counter_length is not None)):
@@ -164,7 +170,7 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
     for name in ("counter_pressure", "counter_area"):
         yield from not_negative(getattr(strut, name), "a number", (*path, name))
     if strut.counter_pressure and not (strut.counter_area and strut.counter_length):
-        message = "expected `counter_area` and `counter_length` above 0 beside `counter_pressure`"
+        message = "expected `counter_area` and `counter_length` above 0 with `counter_pressure`"
         yield Problem("E543", message, path)
     elif strut.length > 0:
         least, most = strut.reach
@@ -172,11 +178,11 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
             message = f"read {strut.at:g}, expected more than {least:g} and less than {most:g} m"
             yield Problem("E544", message, (*path, "at"))
         elif not strut.slope(strut.at) < math.inf:
-            yield Problem(
-                "E548", "its stiffness is beyond all numbers, expected sizes of a strut", path
-            )
+            yield Problem("E548", "its stiffness is infinite, expected realistic dimensions", path)
     if spring.points:
-        yield Problem("E693", "read `points` beside `strut`, expected none", (*path[:-1], "points"))
+        yield Problem(
+            "E693", "read `points` with `strut`, expected only one of them", (*path[:-1], "points")
+        )
     yield from _beside("strut", spring, path[:-1])
 
 
@@ -195,7 +201,10 @@ def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> It
         return
     other = case.springs[names.index(limit.of)]
     if other.limit is not None or other.friction:
-        message = f"{quoted(limit.of)} slips or rubs itself, expected a spring without `limit`"
+        message = (
+            f"{quoted(limit.of)} has a limit or friction of its own, expected a "
+            "spring without `limit`"
+        )
         yield Problem("E546", f"{message} and `friction`", (*path, "of"))
 
 
@@ -223,7 +232,7 @@ def of_elastic(
     yield from not_negative(loss_factor, "a loss factor", (*here, "loss_factor"))
     if (viscous or loss_factor) and stiffness is None and not always:
         yield Problem(
-            "E254", "there is a damping without `stiffness`: what is rigid can't be damped", here
+            "E254", "read a damping without `stiffness`: a rigid component cannot be damped", here
         )
 
 
@@ -232,7 +241,7 @@ def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
     if not 0 < number < math.inf:
         yield Problem("E255", f"read {number:g}, expected {what} above 0", path)
     elif 1 / number == math.inf:
-        yield Problem("E256", f"read {number:g}, expected {what} that is not so small", path)
+        yield Problem("E256", f"read {number:g}, expected {what} that is larger", path)
 
 
 def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
@@ -247,7 +256,7 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
     for what, name, path, members in _devices(case):
         if name in taken:
             yield Problem(
-                "E257", f"`{name}` is the name of {taken[name]} too, expected another", path
+                "E257", f"`{name}` is also the name of {taken[name]}, expected another name", path
             )
         taken.setdefault(name, what)
         rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
@@ -260,7 +269,9 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
         for number, name in enumerate(names, 1):
             if other := taken.get(name) or rows.get(name):
                 yield Problem(
-                    "E257", f"`{name}` is the name of {other} too, expected another", (key, number)
+                    "E257",
+                    f"`{name}` is also the name of {other}, expected another name",
+                    (key, number),
                 )
         taken |= dict.fromkeys(names, what)
 
@@ -273,7 +284,7 @@ def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequenc
         return
     given = len(case.drawing.devices) - len(case.drawing.mechanisms)
     for number, device in enumerate(case.drawing.devices):
-        what = "an element" if number < given else "a mechanism"
+        what = "a gear set" if number < given else "a mechanism"
         members = [member.name for member in device.members]
         members += [planet.name.removeprefix(f"{device.name}.") for planet in device.planets]
         yield what, device.name, ("mechanisms", device.mechanisms[0] + 1), members

@@ -118,20 +118,16 @@ def _front(points: Floats) -> Integers:
         first[1:] = points[1:, 1] < least[:-1]
         return np.flatnonzero(first)
     if len(points) <= LEAF:
-        return np.flatnonzero(_compared(points))
+        # A point is best if no other point is as good in all objectives.
+        as_good = np.ones((len(points), len(points)), dtype=np.bool_)
+        for objective in points.T:
+            as_good &= objective <= objective[:, None]
+        best: Booleans = as_good.sum(axis=1) == 1  # each point is as good as itself
+        return np.flatnonzero(best)
     half = len(points) // 2
     before = _front(points[:half])
     behind = half + np.flatnonzero(~_behind(points[half:], points[before]))
     return np.concatenate([before, behind[_front(points[behind])]])
-
-
-def _compared(points: Floats) -> Booleans:
-    """Return marks of points to which no other point is at least equal in all objectives."""
-    as_good = np.ones((len(points), len(points)), dtype=np.bool_)
-    for objective in points.T:
-        as_good &= objective <= objective[:, None]
-    best: Booleans = as_good.sum(axis=1) == 1  # each point is as good as itself
-    return best
 
 
 def _behind(points: Floats, by: Floats) -> Booleans:

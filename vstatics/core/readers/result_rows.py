@@ -21,6 +21,8 @@ def no_result(message: str, file: str, line: int = 0, column: int = 1) -> ReadEr
 
 
 COLUMNS = ["table", "row", "gear", "value"]
+ABOUT = ("conventions", "program")
+"""Texts in the column `table` of rows without a number."""
 PARQUET = b"PAR1"
 _Cells = dict[str, dict[str, dict[str, Figure]]]
 """Figures of a result by table, row, and gear or device."""
@@ -59,7 +61,7 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
     for number, row in lines:
         cells = [unguarded(cell) for cell in row]
         case = cells.pop(0) if has_case and cells else ""
-        if not cells or cells[0] == "conventions":
+        if not cells or cells[0] in ABOUT:
             continue
         if len(cells) != len(COLUMNS) or cells[0] not in BY_NAME:
             raise no_result(
@@ -111,9 +113,10 @@ def _put(
     results: dict[str, _Cells], case: str, place: tuple[str, str, str], figure: Figure
 ) -> None:
     table, name, gear = place
-    if BY_NAME[table].columns == "devices":
+    quantity = BY_NAME[table]  # results of version 1 have deck names
+    if quantity.columns == "devices":
         name, _, gear = name.rpartition(":")
-    results.setdefault(case, {}).setdefault(table, {}).setdefault(name, {})[gear] = figure
+    results.setdefault(case, {}).setdefault(quantity.name, {}).setdefault(name, {})[gear] = figure
 
 
 def _made(results: dict[str, _Cells], file: str) -> list[WrittenResult]:

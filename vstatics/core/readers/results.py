@@ -23,7 +23,7 @@ from vstatics.core.readers.result_rows import (
     read_csv,
     read_parquet,
 )
-from vstatics.core.tables.names import BEFORE_NAME
+from vstatics.core.tables.names import BEFORE_NAME, plain_name
 from vstatics.core.tables.quantities import PRINTED, QUANTITIES
 from vstatics.core.tables.written_results import Figure, Figures, WrittenResult
 
@@ -32,11 +32,11 @@ TAKEN = (
     "expected a result of `vstatics run` (listing, JSON, JSON lines, CSV, Parquet) or a sweep "
     "(CSV, JSON lines, NPZ, Parquet)"
 )
-CASE = "a case, of which `vstatics run CASE -f json -o RESULT.json` makes a result"
+CASE = "a case, not a result; create a result with `vstatics run CASE -f json -o RESULT.json`"
 OTHERS = {
-    "remedy": "a message that check explains",
-    "severity": "a problem that check tells",
-    "changed": "what compare told",
+    "remedy": "an explanation of `vstatics check --explain`",
+    "severity": "a problem that `vstatics check` reports",
+    "changed": "the output of `vstatics compare`",
     "gears": CASE,
 }
 """Descriptions of other documents without a format, by a key that results lack."""
@@ -98,32 +98,37 @@ def _read_lines(text: str, file: str) -> list[WrittenResult]:
 
 def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
     if isinstance(error, json.JSONDecodeError):
-        return no_result(f"no JSON: {error.msg}", file, line or error.lineno, error.colno)
+        return no_result(
+            f"the file is not JSON: {error.msg}", file, line or error.lineno, error.colno
+        )
     reason = "nested too deeply" if isinstance(error, RecursionError) else error
-    return no_result(f"no JSON that can be read: {reason}", file, line)
+    return no_result(f"the file is not JSON that can be read: {reason}", file, line)
 
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
     if not isinstance(document, dict):
-        raise no_result(f"result {number} is no JSON object; {TAKEN}", file, line)
+        raise no_result(f"result {number} is not a JSON object; {TAKEN}", file, line)
     if "errors" in document:
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
     for quantity in QUANTITIES:
-        key = quantity.key
-        if key in document:
+        # Results of version 1 have deck names.
+        key = next((name for name in (quantity.name, quantity.deck_name) if name in document), "")
+        if key:
             rows = document[key]
             try:
                 rows_of_table = [rows] if quantity.rows == "one" else rows
-                tables[key] = [[_from_json(value) for value in row] for row in rows_of_table]
+                figures = [[_from_json(value) for value in row] for row in rows_of_table]
             except (TypeError, ValueError, OverflowError):
                 raise no_result(
-                    f"{key} of result {number} is no table of numbers", file, line
+                    f"{key} of result {number} is not a table of numbers", file, line
                 ) from None
+            tables[quantity.name] = figures
     if not tables:
         raise no_result(_no_tables(document, number), file, line)
     case = _case(json.dumps(document.get("case")), "json")
-    rows = _row_names(document.get("rows"), tables)
+    given_rows = document.get("rows")
+    rows = _row_names(given_rows if isinstance(given_rows, dict) else {}, tables)
     return WrittenResult(tables, case, printed=False, rows=rows, file=_file(document))
 
 
@@ -131,12 +136,12 @@ def _no_tables(document: Mapping[str, Any], number: int) -> str:
     """Return the message for a document without tables, such as the output of `check`."""
     form = document.get("format")
     if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
-        kind = f"one of {form.removeprefix('vstatics-')}"
+        kind = f"a document of vstatics {form.removeprefix('vstatics-')}"
     else:
         kind = next((description for key, description in OTHERS.items() if key in document), "")
     if kind:
         return f"result {number} is {kind}; {TAKEN}"
-    known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
+    known = ", ".join(quantity.name for quantity in QUANTITIES[:3])
     keys = ", ".join(map(quoted, [*document][:3])) + ", ..." * (len(document) > 3)
     has = f"has {plural('key', len(document))} {keys}, none" if keys else "has none"
     return f"result {number} {has} of the tables {known}, ...; {TAKEN}"
@@ -148,11 +153,12 @@ def _file(document: Mapping[str, Any]) -> str:
     return file if isinstance(file, str) else ""
 
 
-def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]]:
+def _row_names(given: Mapping[str, Any], tables: Mapping[str, Figures]) -> dict[str, list[str]]:
     """Return the row names of each table with a matching number of rows."""
+    named = ((plain_name(key), names) for key, names in given.items())
     return {
         table: [str(name) for name in names]
-        for table, names in (given.items() if isinstance(given, dict) else ())
+        for table, names in named
         if table in tables and isinstance(names, list) and len(names) == len(tables[table])
     }
 
@@ -190,7 +196,7 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
         elif named_file := NAMED_FILE.match(line):
             next_file, table = named_file[1], ""
         elif field in PRINTED:
-            table = PRINTED[field].key
+            table = PRINTED[field].name
             tables.setdefault(table, [])
         elif table and line.strip():
             numbers, has_name, name = line.partition(BEFORE_NAME)
@@ -202,7 +208,8 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
                 names.setdefault(table, []).extend([name.strip()] * bool(has_name))
     if not reports:
         is_case = any(head(line) or line.startswith("gears:") for line in lines)
-        raise no_result(f"{CASE if is_case else 'no table of results found'}; {TAKEN}", file)
+        nothing = f"the file contains no table of results; {TAKEN}"
+        raise no_result(f"the file is {CASE}" if is_case else nothing, file)
     return reports
 
 
@@ -215,8 +222,11 @@ def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
     if not springs:
         return result._replace(case=_case("\n".join(lines), "deck"))
     names = {name[:2]: name[2] for name in scan(Source("", "\n".join(lines))).names}
-    elements = result.rows.get("WFRI", ())
-    columns, gears = (max(map(len, result.tables.get(key, ())), default=0) for key in ("AJK", "W"))
+    elements = result.rows.get("slip_speeds", ())
+    columns, gears = (
+        max(map(len, result.tables.get(table, ())), default=0)
+        for table in ("distribution_matrix", "speeds")
+    )
     sets = range(1, columns - len(elements) - len(springs) + 1)
     mechanisms = [names.get(("D", str(number)), mechanism_name(number)) for number in sets]
     return result._replace(

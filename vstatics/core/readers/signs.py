@@ -23,7 +23,7 @@ def dash_hint(text: str) -> str:
     """Return a hint to write a plain minus, or an empty text if there is no dash.
 
     >>> dash_hint("\u22122.6"), dash_hint("-2.6")
-    (' (with `-` in place of `\u2212`)', '')
+    (' (with `-` instead of `\u2212`)', '')
     """
     dash = next((sign for sign in text if sign in DASHES), None)
-    return f" (with `-` in place of `{dash}`)" if dash else ""
+    return f" (with `-` instead of `{dash}`)" if dash else ""

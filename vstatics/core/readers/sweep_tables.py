@@ -15,6 +15,7 @@ from vstatics.core.extras import missing
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Source
 from vstatics.core.tables.csv import unguarded
+from vstatics.core.tables.names import plain_names
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
 
 if TYPE_CHECKING:
@@ -107,7 +108,7 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
 def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:
     text = " ".join(str(error).split()) or type(error).__name__
     return ReadError(
-        "E111", f"no table of variants: {text[:200]}", place=Source(file, "").place(line)
+        "E111", f"not a table of variants: {text[:200]}", place=Source(file, "").place(line)
     )
 
 
@@ -197,7 +198,7 @@ def _workbook(data: bytes, file: str) -> dict[str, Column]:
     wanted = SHEET if SHEET in names else names[0]
     if wanted != SHEET and len(names) > 1:
         raise ValueError(
-            f"a workbook of {len(names)} sheets, expected one, or one called `{SHEET}`"
+            f"read a workbook of {len(names)} sheets, expected one, or one called `{SHEET}`"
         )
     [rows] = (sheet.rows for sheet in read_sheets(data, file, [wanted]) if sheet.name == wanted)
     if not rows:
@@ -236,7 +237,7 @@ def read_npz(data: bytes) -> dict[str, Column]:
     for name, words_of_codes in texts.items():
         codes = arrays[name]
         if codes.dtype.kind not in "iu" or not np.isin(codes, np.arange(len(words_of_codes))).all():
-            raise ValueError(f"{quoted(name)} has other numbers than those of its texts")
+            raise ValueError(f"{quoted(name)} has other numbers than its texts")
     return {
         name: texts[name][array].tolist() if name in texts else array
         for name, array in arrays.items()
@@ -303,6 +304,8 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
     for name in (NUMBER, STATUS):
         if name not in columns:
             raise ValueError(f"the column `{name}` is missing, which every sweep has")
+    columns = _plain_headings(columns)
+    names = list(columns)
     place = names.index(STATUS)
     by_gear = names[place + 1 : place + 2] == [GEAR]
     numbers = {
@@ -317,6 +320,18 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
         tuple(name for name in names[:place] if name != NUMBER),
         [str(gear) for gear in columns[GEAR]] if by_gear else (),
     )
+
+
+def _plain_headings(columns: Mapping[str, Column]) -> dict[str, Column]:
+    """Return columns with names of tables instead of deck names, which older sweeps can have.
+
+    A heading that another column has already keeps its deck name.
+    """
+    plain = {name: plain_names(name) for name in columns}
+    return {
+        plain[name] if plain[name] == name or plain[name] not in columns else name: column
+        for name, column in columns.items()
+    }
 
 
 def _numbers(name: str, column: Column) -> list[float]:

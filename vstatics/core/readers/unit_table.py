@@ -111,7 +111,7 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
         message = f"read more rows, expected {MOST_TABLE_ROWS} at most"
         raise ReadError(id, message, place=source.place(head.number))
     if not (rows.lines or problems):
-        message = f"there is no row below the headings, expected {what}"
+        message = f"read no row below the headings, expected {what}"
         problems.append(Problem(id, message, (), source.place(head.number)))
     if rows.decimals.doubt:
         line_in_doubt, message = rows.decimals.doubt

@@ -155,7 +155,10 @@ def overloads(results: Results) -> Iterator[tuple[int, str]]:
         above = carrying[:, number] & (torques[:, number] > capacity * (1 + VISIBLE_EXCESS))
         for gear in np.flatnonzero(above).tolist():
             has, can = map(_text, (torques[gear, number] * unit, capacity * unit))
-            yield gear, f"{element.name} carries {has} of {can} {of}, more than its capacity"
+            yield (
+                gear,
+                f"{element.name} carries {has} {of}, more than its torque capacity of {can} {of}",
+            )
 
 
 def overloads_at_points(
@@ -185,8 +188,8 @@ def overloads_at_points(
             row = int(sizes[:, number].argmax())
             has, can = _text(sizes[row, number]), _text(capacity)
             text = (
-                f"in {int(above.sum())} of {len(above)} {of} {element.name} carries up to {has} of "
-                f"{can} N*m, more than its capacity, most {where(row)}"
+                f"in {int(above.sum())} of {len(above)} {of} {element.name} carries up to {has} "
+                f"N*m, more than its torque capacity of {can} N*m, most {where(row)}"
             )
             yield Message("W430", text)
 

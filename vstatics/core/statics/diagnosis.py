@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import not_allowed, path_text, spoken
+from vstatics.core.errors import Problem, not_allowed, path_text, spoken
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
 from vstatics.core.numerics import elimination
@@ -24,9 +24,9 @@ from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
 from vstatics.core.statics.state import GearState
-from vstatics.core.statics.status import CONFLICT, DRAGGED, LOCKED, NEUTRAL, TIED_UP
+from vstatics.core.statics.status import CONFLICT, NEUTRAL, TIED_UP
 
-NOTHING_HOLDS = "nothing holds the torque of the input"
+NOTHING_HOLDS = "nothing supports the input torque"
 
 
 class Said(NamedTuple):
@@ -63,7 +63,8 @@ def _messages(results: Results) -> Iterator[Message]:
         yield Message(problem.id, _named(case, path_text(problem.path), problem.message))
     if case.heavy and (without_unit := torques.without_load(case)):
         text = (
-            f"the drag of {spoken(without_unit)} has a unit, but the case no load: it is left out"
+            f"the drag of {spoken(without_unit)} has a unit, but the case has no operating point, "
+            "so this drag is ignored; give a `load` with a torque"
         )
         yield Message("W401", text)
     wheels = case.freewheels
@@ -87,6 +88,7 @@ def _messages(results: Results) -> Iterator[Message]:
             *(Said("W430", text) for index, text in overloaded if index == number),
             *(Said("W431", text) for index, text in unbalanced if index == number),
             *_open_converters(case, given),
+            *(_driving_neutral(results, number) if given.kind == "neutral" else ()),
         )
         # a gear can contain several contradictions with one and the same text
         for identity, text in dict.fromkeys(remarks):
@@ -112,15 +114,17 @@ def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
         if converter and bodies[converter.pump] != bodies[converter.turbine]:
             yield Said(
                 "N415",
-                f"converter {converter.name} is open here, its speed ratio {ratio:g} counts in "
-                "`torsion` only: what statics is to take stands under `mechanisms`, as `kind: "
-                "converter` with `first` and `second`",
+                f"converter {converter.name} is disengaged in statics, so its speed ratio "
+                f"{ratio:g} has an effect only in `torsion`; for statics write it under "
+                "`mechanisms` as `kind: converter` with `first` and `second`",
             )
 
 
 def outside_message(names: Sequence[str]) -> Message:
     """Return the note about laws evaluated outside the given points."""
-    return Message("N414", f"outside the points of {spoken(names)} the last one counts")
+    return Message(
+        "N414", f"outside the points of {spoken(names)}, the value of the nearest end point applies"
+    )
 
 
 def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
@@ -154,9 +158,9 @@ def _sharing_freewheels(case: Transmission, gear: Gear, held: Sequence[int]) -> 
         )
         yield Said(
             "W411",
-            f"freewheel{_s(len(able_to_hold))} {spoken(able_to_hold)} could hold in place of "
-            f"{spoken(holding)}: the torques that they share are not determined, those with "
-            f"{spoken(holding)} are given",
+            f"freewheel{_s(len(able_to_hold))} {spoken(able_to_hold)} could hold instead of "
+            f"{spoken(holding)}, so their torques are indeterminate; the torques with "
+            f"{spoken(holding)} are shown",
         )
 
 
@@ -171,8 +175,8 @@ def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     if unknown and results.calculable[number] and not is_at_rest:
         yield Said(
             "W412",
-            f"the drag of {spoken(unknown)} is left out, as statics does not determine a speed "
-            "there",
+            f"the drag of {spoken(unknown)} is ignored, because the speed there is indeterminate; "
+            "give this speed in the gear",
         )
 
 
@@ -203,8 +207,8 @@ def _conflict_messages(case: Transmission, gear: Gear) -> Iterator[Said]:
             "E451",
             f"{CONFLICT.name}: freewheel {name} can neither overrun (its slip would be "
             f"{slip:.4g}, {side}) nor hold (the gear would be {TIED_UP.english}); release one of "
-            "the engaged elements, or exchange the links of the freewheel if it stands the wrong "
-            "way round",
+            "the engaged shift elements, or exchange the links of the freewheel if its direction "
+            "is wrong",
         )
 
 
@@ -234,8 +238,8 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     if driving and not case.coasts(gear):
         yield Said(
             "N416",
-            f"power enters at output{_s(len(driving))} {spoken(driving)}: a torque that is taken "
-            "there has the other sign than the speed",
+            f"power enters at output{_s(len(driving))} {spoken(driving)}; if the output should "
+            "take power, its torque and its speed need opposite signs",
         )
     unloaded = results.gear_at(number).unloaded
     idle = [
@@ -247,13 +251,13 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
         return
     names = [case.link_name(link) for link in idle]
     first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
-    expected = f"a given speed or torque, such as `speeds: {{{first}: {same}}}`"
+    expected = f"a speed or a torque, such as `speeds: {{{first}: {same}}}`"
     # a further given speed would be a condition in excess
     if not np.isnan(results.speeds[number, idle[0] - 1]):
         side, torque = _taking(case, gear, float(results.speeds[number, idle[0] - 1]))
         example = f"`torques: {{{first}: {torque}}}`"
-        expected = f"a given torque, {side} 0 where it takes some, such as {example}"
-    verb = "give" if names[1:] else "gives"
+        expected = f"a torque, {side} 0 if the output takes power, such as {example}"
+    verb = "take" if names[1:] else "takes"
     yield Said(
         "W413", f"output{_s(len(idle))} {spoken(names)} {verb} no torque: expected {expected}"
     )
@@ -287,13 +291,13 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         free = _without_value(case.link_names, results.gear_at(number).speeds)
         what = "turns" if len(free) == 1 else "turn"
         named = f"link{_s(len(free))} {spoken(free)} {what} freely"
-        yield Said("N420", f"{named}: the case has no gears, so its speeds are those of a run")
-    elif missing:
+        yield Said("N420", f"{named}, because the case has no gears; a run calculates its speeds")
+    elif missing and not (gear.kind == "neutral" and _is_neutral(results, number)):
         yield _too_free(results, number, gear, missing)
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
         name = case.link_name(output)
-        yield Said("W415", f"the output, link {name}, stands still: there is no ratio")
+        yield Said("W415", f"the output, link {name}, is at rest, so the gear has no ratio")
 
 
 def _is_for_motion(case: Transmission, gear: Gear) -> bool:
@@ -306,17 +310,18 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
     """Warn of a missing shift element: the gear is neutral, or a loaded link is free."""
     case = results.case
     free = _without_value(case.link_names, results.gear_at(number).speeds)
-    named = f"; free: link{_s(len(free))} {spoken(free)}" if free else ""
+    named = f" (link{_s(len(free))} {spoken(free)} can still turn freely)" if free else ""
     links = "" if results.tied_up[number] else named
-    neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
-    unheld = f": {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
+    neutral = _is_neutral(results, number)
+    unheld = f"; {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
     over = _missed_freewheels(results, number, gear) if neutral else []
     why, exchange = _overrunning(case, results.gear_at(number), over)
-    advice = "; engage another shift element or give a speed" if neutral else ""
+    count = "one" if missing == 1 else str(missing)
     return Said(
         "W414",
-        f"{missing} condition{_s(missing)} missing for the speeds"
-        f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{unheld}{links}{advice}{exchange}",
+        f"{f'{NEUTRAL.english}{why}: ' * bool(neutral)}"
+        f"{count} more shift element{_s(missing)} must be engaged"
+        f"{', or a speed given' * bool(neutral)}{links}{unheld}{exchange}",
     )
 
 
@@ -331,23 +336,46 @@ def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -
         element = case.shift_elements[number - 1]
         links = ", ".join(map(case.link_name, (element.second, element.first)))
         exchanged.append((element.name, f"[{links}]"))
-    why = f", as freewheel{_s(len(names))} {spoken(names)} {verb}"
+    why = f", because freewheel{_s(len(names))} {spoken(names)} {verb}"
     if not exchanged:
         return why, ""
     wrong, right = map(spoken, zip(*exchanged, strict=True))
     return why, (
-        f"; the links of {wrong} may be in the wrong order: with {right} the gear would drive"
+        f"; if the links of {wrong} are in the wrong order, write {right}: then the gear can drive"
     )
 
 
 def _is_adrift(results: Results, number: int) -> bool:
     """Return whether a gear is neutral, with torques out of balance."""
-    return bool(
-        results.missing[number]
-        and np.isnan(results.ratio[number])
-        and not results.tied_up[number]
-        and not results.balanced[number]
-    )
+    return _is_neutral(results, number) and not results.balanced[number]
+
+
+def _is_neutral(results: Results, number: int) -> bool:
+    is_undetermined = bool(results.missing[number]) and bool(np.isnan(results.ratio[number]))
+    return is_undetermined and not results.tied_up[number] and not results.conflict[number]
+
+
+def _driving_neutral(results: Results, number: int) -> Iterator[Said]:
+    ratio = float(results.ratio[number])
+    if not math.isnan(ratio):
+        yield Said("W432", f"marked `kind: neutral`, but drives with the ratio {ratio:.4g}")
+
+
+def undriven_gears(results: Results) -> Iterator[Problem]:
+    """Yield an error for each gear that is neutral, but not marked `kind: neutral`.
+
+    `run` warns of such gears (W414) and gives the results of the others; `check` fails.
+    """
+    case = results.case
+    for number, gear in enumerate(case.gears):
+        if "W414" in case.untold or gear.kind == "neutral" or _is_for_motion(case, gear):
+            continue
+        if _is_neutral(results, number):
+            yield Problem(
+                "E453",
+                "cannot drive: expected another engaged shift element, or `kind: neutral`",
+                ("gears", number + 1),
+            )
 
 
 def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
@@ -369,8 +397,8 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         if not agrees:
             given = [n for n in others if n != matrix.INPUT_SPEED]
             cures = [
-                "release one of the engaged elements" * bool(engaged),
-                "leave out a given speed" * bool(given),
+                "release one of the engaged shift elements" * bool(engaged),
+                "remove a given speed" * bool(given),
                 f"give {spoken(free)} another speed ratio" * bool(free),
             ]
             if free:
@@ -378,25 +406,26 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
                 conditions = spoken([*engaged, *springs, *free_at_ratio, *others])
             cure = " or ".join(filter(None, cures))
             if not cure:
-                conditions, cure = spoken(every), "check which links these join and their ratios"
+                conditions, cure = spoken(every), "check the links and ratios of these mechanisms"
             if springs:
-                cure += f"; {spoken(springs)} can't give way here, only in `vstatics torsion`"
+                cure += f"; {spoken(springs)} can twist in `vstatics torsion`, but not in statics"
             yield Said(
                 "E452",
-                f"{TIED_UP.english}: {conditions} contradict each other, so the input can't "
+                f"{TIED_UP.english}: {conditions} contradict each other, so the input cannot "
                 f"turn as given; {cure}",
             )
         elif engaged:
             repeated.append(spoken(engaged))
         else:
-            same.append(f"{conditions} say the same of the speeds: 1 condition in excess")
+            same.append(f"{conditions} impose the same constraint on the speeds")
     if repeated:
         count = len(repeated)
-        verb = "is" if count == 1 else "are"
-        what = f"{count} engaged element{_s(count)} {verb} in excess; the speeds agree"
-        same.insert(0, f"{'; '.join(repeated)}: {what}")
+        what = "one is redundant" if count == 1 else f"{count} are redundant"
+        groups = "; ".join(repeated)
+        same.insert(0, f"{groups} impose the same constraint on the speeds, so {what}")
     unknown = _unknown_torques(results, number)
-    shared = f", the torque of {spoken(unknown)} is not determined" if unknown else ""
+    advice = ", release one" * bool(repeated)
+    shared = f"; the torque of {spoken(unknown)} is indeterminate{advice}" if unknown else ""
     for text in same:
         yield Said("W416", text + shared)
         shared = ""  # the torques are named only in the first message
@@ -412,8 +441,8 @@ def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
     verb = "are" if lost.digits > 1 else "is"
     yield Said(
         "W417",
-        "the ratios are so close to a singular train that rounding shows: "
-        f"{certain} of {spoken(of)} {verb} certain",
+        "the ratios are so close to a singular gear train that rounding errors show: "
+        f"{certain} of {spoken(of)} {verb} certain; give exact ratios, for example by teeth",
     )
 
 
@@ -435,21 +464,25 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
                 "speed of the reacting link instead"
             )
-        yield Said("W418", f"there are no torques in balance: {advice}")
+        yield Said("W418", f"no torques are in equilibrium: {advice}")
     elif not (is_told or case.has_converter) and is_uncertain(
         gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
     ):
         yield Said(
             "W419",
-            "the ratios are so close to a singular train that rounding shows: output torque "
-            "times output speed is not 1; few digits are certain",
+            "the ratios are so close to a singular gear train that rounding errors show: output "
+            "torque times output speed is not 1, so only a few digits are certain; give exact "
+            "ratios, for example by teeth",
         )
     elif not results.excess[number] and (  # an excess of conditions is reported with the speeds
         np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()
     ):
         unknown = _unknown_torques(results, number)
         if unknown:
-            yield Said("W420", f"statics does not determine the torque of {spoken(unknown)}")
+            yield Said(
+                "W420",
+                f"the torque of {spoken(unknown)} is indeterminate in statics",
+            )
 
 
 def _gaining_converters(results: Results, number: int) -> str:
@@ -482,14 +515,14 @@ def _unheld_torques(results: Results, number: int) -> str:
         and all(is_held(link, matrix.columns(case, lossy)) for link in unheld)
     ):
         return (
-            "the output stands still and takes no power, so without losses torques have no bound; "
-            "for those with losses look a little to each side of this ratio"
+            "the output is at rest and takes no power, so torques without losses have no bound; "
+            "calculate ratios slightly above and below this one to see torques with losses"
         )
     links = ["the input" if link == input_link else case.link_name(link) for link in unheld]
     what = "torque of " if len(links) == 1 else "torques of "
     over = [n for n in case.freewheels if n not in gear.engaged]
     why, exchange = _overrunning(case, state, over)
-    return f"nothing holds the {what}{' and of '.join(links)}{why}{exchange}"
+    return f"nothing supports the {what}{' and of '.join(links)}{why}{exchange}"
 
 
 def _unknown_torques(results: Results, number: int) -> list[str]:
@@ -504,30 +537,37 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
     case = results.case
     if results.locked[number]:
         way = " when coasting" if case.coasts(case.gears[number]) else ""
-        yield Said("W421", f"{LOCKED.english}{way}: no directions of power agree with the losses")
+        yield Said(
+            "W421",
+            f"self-locking{way}: no direction of power flow is consistent with the losses",
+        )
     elif results.dragged[number]:
-        yield Said("W422", f"{DRAGGED.english}: {DRAGGED.meaning}")
+        yield Said(
+            "W422",
+            "back-driven: drag and losses take more power than the input supplies, so power enters "
+            "at the output",
+        )
     elif results.undecided[number]:
         yield Said(
             "W423",
-            "the search for directions of power that agree with the losses was cut short: "
-            "torques with losses and efficiency are unknown",
+            "the search for directions of power that are consistent with the losses ended early, "
+            "so torques with losses and efficiency are unknown",
         )
     elif not results.consistent[number] and results.calculable[number]:
         yield Said(
             "W424",
-            "statics leaves directions of power open: with losses only what does not depend on "
-            "them is given",
+            "statics does not determine all directions of power flow; with losses, only the values "
+            "that do not depend on them are shown",
         )
     turns = zip(case.mechanisms, results.turned[number], strict=True)
     turned = [mechanism.name for mechanism, mark in turns if mark]
     if turned:
-        yield Said("N411", f"losses turn the flow of power through {spoken(turned)} round")
+        yield Said("N411", f"losses reverse the power flow through {spoken(turned)}")
     if results.choices[number] > 1:
         yield Said(
             "N412",
-            f"{results.choices[number]} sets of directions of power agree with the losses; "
-            "the one of the largest efficiency is taken",
+            f"{results.choices[number]} sets of power directions are consistent with the losses; "
+            "the set with the largest efficiency is shown",
         )
 
 
@@ -538,10 +578,11 @@ def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         what = "torques with losses and efficiency depend"
         if not any(idle.values()):
             what = "torques with losses, but not the efficiency, depend"
+        verb = "happens" if len(idle) == 1 else "happen"
         yield Said(
             "N413" if _is_straight_ahead(results, number, [*idle]) else "W425",
-            f"{spoken([*idle])}: no flow of power, by coincidence; {what} on the direction of "
-            "power assumed there",
+            f"{spoken([*idle])} {verb} to transmit no power; {what} on the direction of power "
+            "that is assumed there",
         )
 
 

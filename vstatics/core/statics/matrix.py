@@ -156,7 +156,7 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
 
 
 def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
-    """Return the structural-distribution matrix AJK, shape (..., links, devices) [-].
+    """Return the structural-distribution matrix, shape (..., links, devices) [-].
 
     See `distribution_matrix`.
 

@@ -72,7 +72,9 @@ def known_units(case: Transmission) -> set[str]:
 def lacking_load(name: str, unit: str) -> str:
     """Return the message about a number whose unit needs a load that no gear has."""
     what, given = _NEEDED[unit]
-    return f"no load tells the {what} at the input, so there is no `{name}`: load: {{{given}}}"
+    return (
+        f"the case gives no {what} at the input, so there is no `{name}`; give `load: {{{given}}}`"
+    )
 
 
 class _PhysicalArray:

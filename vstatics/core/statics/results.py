@@ -143,7 +143,7 @@ class Results(PhysicalResults):
         >>> from vstatics import Gear, Mechanism, Transmission, solve
         >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, 3.0)], [Gear()]))
         >>> results.to_json("cases/pair.yaml").splitlines()[1:4]
-        ['  "format": "vstatics-result",', '  "version": 1,', '  "file": "pair.yaml",']
+        ['  "format": "vstatics-result",', '  "version": 2,', '  "program": "vstatics 0.1.0",']
         """
         text: str = higher("to_json")(self, file)
         return text
@@ -180,7 +180,17 @@ class Results(PhysicalResults):
         case, axes = self.case, self.ratio.shape[:-1]
         variants = f", variants of shape {axes}" if axes else ""
         name = f" of {case.name!r}" if case.name else ""
-        return f"<Results{name}: gears {listed([gear.name for gear in case.gears], 12)}{variants}>"
+        return f"<Results{name}: gears {listed(self.gears, 12)}{variants}>"
+
+    @property
+    def gears(self) -> list[str]:
+        """Names of the gears, in the order of the axis of gears.
+
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> solve(Transmission(2, [], [Mechanism(1, 2, 0, 3.0)], [Gear(name="drive")])).gears
+        ['drive']
+        """
+        return [gear.name for gear in self.case.gears]
 
     @property
     def calculable(self) -> Booleans:
@@ -219,7 +229,9 @@ class Results(PhysicalResults):
             For arrays of variants, or if the gear does not exist.
         """
         if self.ratio.ndim != 1:
-            raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
+            raise ValueError(
+                f"results of shape {self.ratio.shape}: a gear belongs to a single case"
+            )
         return self.gear_at(self.case.gear_number(gear) - 1)
 
     def gear_at(self, index: int) -> GearState:

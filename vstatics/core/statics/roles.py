@@ -12,12 +12,15 @@ from vstatics.core.statics.bodies import is_one_piece
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.state import GearState
 
-Role = Literal["", "idle", "one piece"]
-IDLE: Role = "idle"
+Role = Literal["", "unloaded", "locked up"]
+IDLE: Role = "unloaded"
 """Role of a mechanism without torque."""
-ONE_PIECE: Role = "one piece"
+ONE_PIECE: Role = "locked up"
 """Role of a mechanism under torque without internal motion: at rest, or rotating as a block."""
-MEANINGS = {ONE_PIECE: "carries torque, nothing in it moves", IDLE: "carries no torque"}
+MEANINGS = {
+    ONE_PIECE: "loaded, but turns 1:1 or is at rest",
+    IDLE: "carries no torque",
+}
 """Meaning of each role, in words."""
 
 
@@ -34,7 +37,7 @@ def role(torques: Iterable[float], *, still: bool) -> Role:
     Examples
     --------
     >>> role([0.0, 0.0], still=True), role([-2.1, 1.0], still=True), role([1.0], still=False)
-    ('idle', 'one piece', '')
+    ('unloaded', 'locked up', '')
     """
     if all(torque == 0 for torque in torques):
         return IDLE
@@ -52,7 +55,7 @@ def roles(results: Results, number: int) -> list[Role]:
     >>> elements = [ShiftElement(2, 0, "B"), ShiftElement(1, 2, "C")]
     >>> case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2])])
     >>> [roles(solve(case), number) for number in range(2)]
-    [[''], ['one piece']]
+    [[''], ['locked up']]
     """
     case = results.case
     if not results.calculable[number]:

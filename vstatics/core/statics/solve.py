@@ -92,7 +92,7 @@ def solve(  # noqa: PLR0913
 
 @refusing()
 def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
-    """Return the structural-distribution matrix AJK.
+    """Return the structural-distribution matrix (`AJK` in the listing).
 
     Parameters
     ----------

@@ -275,16 +275,16 @@ def values_of(state: GearState) -> Values:
     """Return the values of a gear for each array of `Results`."""
     case = state.case
     speeds, search, lossy = state.ideal.speeds, state.search, state.search.lossy
-    devices = case.own_devices
+    links, devices = case.own_links, case.own_devices
     return {
-        "speeds": speeds.links[: case.own_links],
+        "speeds": speeds.links[:links],
         "planet_speeds": list(_planet_speeds(state)),
         "slip_speeds": speeds.slips,
         "ratio": state.ratio,
         "torques": _torques(state, lossy=False),
-        "holding_torques": _by_link(case, state.torques.holding),
+        "holding_torques": _by_link(links, state.torques.holding),
         "lossy_torques": _torques(state, lossy=True),
-        "lossy_holding_torques": _by_link(case, state.lossy_torques.holding),
+        "lossy_holding_torques": _by_link(links, state.lossy_torques.holding),
         "efficiency": lossy.efficiency,
         "power_sign": lossy.signs,
         "idle": [all(search.idle[index] for index in device.mechanisms) for device in devices],
@@ -373,8 +373,8 @@ def _mesh_torques(state: GearState, torques: Numbers) -> Iterator[Number]:
             yield torques[elements + index] if is_known else math.nan
 
 
-def _by_link(case: Transmission, holding: Mapping[int, Number]) -> list[Number]:
-    return [holding.get(link, math.nan) for link in range(1, case.own_links + 1)]
+def _by_link(links: int, holding: Mapping[int, Number]) -> list[Number]:
+    return [holding.get(link, math.nan) for link in range(1, links + 1)]
 
 
 def guard_power(state: GearState) -> None:

@@ -26,7 +26,7 @@ OK = Status("", "", "", has_power=True)
 TIED_UP = Status(
     "tied up",
     "tied up",
-    "what is engaged contradicts itself, the input can't turn",
+    "the engaged shift elements contradict each other, so the input cannot turn",
     is_fault=True,
 )
 CONFLICT = Status(
@@ -37,7 +37,7 @@ CONFLICT = Status(
 )
 OUTPUT_STANDS = Status(
     "output stands",
-    "the output stands",
+    "the output is at rest",
     "its speed is 0, so there is no ratio",
     has_power=True,
 )
@@ -54,13 +54,13 @@ NO_TORQUES = Status(
 )
 LOCKED = Status(
     "locked",
-    "locked by friction",
-    "friction holds the train, whatever the input torque",
+    "self-locking",
+    "friction holds the gear train, whatever the input torque",
     is_fault=True,
 )
 DRAGGED = Status(
     "dragged",
-    "dragged",
+    "back-driven",
     "drag takes more than the input gives, so power enters at the output",
     has_power=True,
 )

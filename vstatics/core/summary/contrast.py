@@ -175,7 +175,7 @@ FACTS: Mapping[str, Callable[[Summary], Fact]] = {
     ),
     "least margin": _least_margin,
     "largest slip power": _most_slip_power,
-    "largest needed capacity": _most_needed,
+    "largest required torque capacity": _most_needed,
 }
 """Overall values of a case; a row is omitted if no case has the value."""
 
@@ -188,7 +188,7 @@ def _in_all(summaries: Sequence[Summary]) -> Iterator[Values]:
     for loaded in (False, True):
         for key, name in LARGEST.items():
             shown = quantity(key, loaded=loaded)
-            lines = [overall(summary.largest.get(shown.key, ())) for summary in summaries]
+            lines = [overall(summary.largest.get(shown.name, ())) for summary in summaries]
             if any(lines):
                 largest = [_largest(line, shown.decimals) for line in lines]
                 yield [word(headed(name, shown.unit)), *chain(*largest)]

@@ -53,7 +53,7 @@ def design(results: Results) -> Design:
     >>> table.spread, [line.step for line in table.gears]
     (3.5, [3.5, nan])
     """
-    names = [gear.name for gear in results.case.gears]
+    names = results.gears
     ratios = results.ratio.tolist()
     comparable = ranges(results)
     following = {gear: after for indices in comparable for gear, after in pairwise(indices)}

@@ -15,12 +15,17 @@ from vstatics.core.statics.results import Results
 from vstatics.core.tables.quantities import BY_NAME, Quantity, Table, in_unit
 from vstatics.core.tables.values import tables
 
-PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"
+PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = (
+    "planet_speeds",
+    "slip_speeds",
+    "torques",
+    "lossy_torques",
+)
 
 
-def quantity(key: str, *, loaded: bool) -> Quantity:
-    """Return the quantity that a key of a table names, in rpm or N*m if `loaded`."""
-    return in_unit(BY_NAME[key]) if loaded else BY_NAME[key]
+def quantity(name: str, *, loaded: bool) -> Quantity:
+    """Return the quantity with a name, in rpm or N*m if `loaded`."""
+    return in_unit(BY_NAME[name]) if loaded else BY_NAME[name]
 
 
 class Largest(NamedTuple):
@@ -46,24 +51,24 @@ def largest(results: Results) -> dict[str, list[Largest]]:
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
     >>> values = largest(solve(case))
-    >>> values["AMLG"][1]
+    >>> values["torques"][1]
     Largest(row='B', value=-2.5, gear='1')
     >>> list(values)
-    ['WSAT', 'WFRI', 'AMLG', 'AMLGP']
+    ['planet_speeds', 'slip_speeds', 'torques', 'lossy_torques']
     """
-    by_key = {}
+    by_name = {}
     for table in tables(results):
-        key = table.quantity.key
-        kind = BY_NAME[table.quantity.of or key].key
+        name = table.quantity.name
+        kind = table.quantity.of or name
         if kind == PLANETS:
-            by_key[key] = _of(table, table.values)
+            by_name[name] = _of(table, table.values)
         elif kind == SLIPS:
-            by_key[key] = _of(table, np.where(results.holds.T, np.nan, table.values))
+            by_name[name] = _of(table, np.where(results.holds.T, np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             elements = table.values[: len(results.case.shift_elements)]
             loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
-            by_key[key] = _of(table, np.where(loaded, elements, np.nan))
-    return by_key
+            by_name[name] = _of(table, np.where(loaded, elements, np.nan))
+    return by_name
 
 
 def overall(lines: Sequence[Largest]) -> Largest | None:

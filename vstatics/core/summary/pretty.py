@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from html import escape
 
+import numpy as np
 from rich.console import Group
 from rich.text import Text
 
@@ -20,7 +21,7 @@ from vstatics.core.tables import terminal
 from vstatics.core.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.core.tables.html import table
 from vstatics.core.tables.ports import port_tables, ports_grid
-from vstatics.core.tables.quantities import Table
+from vstatics.core.tables.quantities import Table, headed
 from vstatics.core.tables.values import tables
 from vstatics.core.texts import tr
 
@@ -33,6 +34,13 @@ NEEDS_DECIMALS = 10
 NAMES_IN_HEADS = 12
 """Largest total length of element names as headings; longer names can become numbers."""
 
+SPEEDS = {
+    "planet_speeds": "largest planet speed",
+    "slip_speeds": "largest slip",
+    "speeds": "largest speed",
+}
+"""Heading of the column of speeds, by the first of these quantities that exists."""
+
 DOTS = Marks(holds="◆")
 ASCII = Marks("x", "f", ".")
 """Marks for a terminal without Unicode."""
@@ -43,7 +51,8 @@ def view(
 ) -> Group:
     """Return a table of the gears of a case, with a legend.
 
-    A table wider than the terminal is split, and names of shift elements become numbers.
+    If the table is wider than the terminal, names of shift elements become numbers, and then the
+    largest speeds and torques get a table of their own.
 
     Parameters
     ----------
@@ -57,8 +66,8 @@ def view(
     Returns
     -------
     rich.console.Group
-        Table with the largest speed and torque of each gear, in rpm and N*m if the case has an
-        operating point, else relative to the input [-].
+        Table with the largest planet speed and torque of each gear, in rpm and N*m if the case
+        has an operating point, else relative to the input [-].
 
     Examples
     --------
@@ -76,16 +85,20 @@ def view(
     numbered = sum(map(len, names)) > NAMES_IN_HEADS and terminal.natural_width(gears) > width
     if numbered:
         gears = gears_grid(results, marks, digits, numbered=True)
+    parts = [gears] if terminal.whole_width(gears) <= width else [*_split(gears)]
     lines = [*_legend(results, gears, marks, names=numbered), *_inverses(results, digits)]
     legend = (Text(line, style="dim") for line in lines)
     ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
-    return Group(*title, *terminal.tables(gears, width), *legend, *ports)
+    tables = (table for part in parts for table in terminal.tables(part, width))
+    return Group(*title, *tables, *legend, *ports)
 
 
 def gears_grid(
     results: Results, marks: Marks = DOTS, digits: int | None = None, *, numbered: bool = False
 ) -> Grid:
-    """Return the table of gears: engaged elements, ratio, efficiency, largest speed and torque.
+    """Return the table of gears: engaged elements, ratio, efficiency and largest values.
+
+    The largest speed is a speed of a planet, else a slip, else a speed of a link.
 
     Parameters
     ----------
@@ -97,28 +110,31 @@ def gears_grid(
     """
     names = [element.name for element in results.case.shift_elements]
     headings = list(map(str, range(1, len(names) + 1))) if numbered else names
-    by_key = {table.quantity.key: table for table in tables(results)}
-    rpm, torque = "W_rpm" in by_key, "AMLGP_Nm" in by_key
-    occurring = _all_roles(results)
-    resting = f"{ONE_PIECE} ({IDLE})" if ONE_PIECE in occurring else IDLE
+    by_name = {table.quantity.name: table for table in tables(results)}
+    rpm, torque = "speeds_rpm" in by_name, "lossy_torques_Nm" in by_name
+    shown_roles = [role for role in (ONE_PIECE, IDLE) if role in _all_roles(results)]
+    has_state = any(results.status(index + 1).name for index in range(len(results.case.gears)))
+    speed_heading, speeds = _speed_column(by_name, rpm=rpm)
     columns = [
         text("gear"),
         *(Column(heading, is_sign=True, is_name=True) for heading in headings),
         *map(Column, ("ratio", "step", "eff.")),
-        text("speed, rpm" if rpm else "speed"),
-        text("torque, N*m" if torque else "torque"),
-        text(resting),
+        text(headed(speed_heading, "rpm" if rpm else "")),
+        text(headed("largest torque", "Nm" if torque else "")),
+        *map(text, shown_roles),
+        *[text("state")] * has_state,
     ]
     rows = [
         [
             Cell(line.gear),
             *element_signs(results, index, marks),
             *_figures(line, digits),
-            _largest(_speeds(by_key, index, rpm=rpm), 0 if rpm else 2, digits),
-            _largest(_torques(by_key, index), 0 if torque else 2, digits)
+            _largest(speeds(index), 0 if rpm else 2, digits),
+            _largest(_torques(by_name, index), 0 if torque else 2, digits)
             if results.calculable[index]
             else Cell(""),
-            _resting(results, index, bracketed=resting != IDLE),
+            *_by_role(results, index, shown_roles),
+            *[_state(results, index)] * has_state,
         ]
         for index, line in enumerate(design(results).gears)
     ]
@@ -147,25 +163,33 @@ def _figures(line: GearLine, digits: int | None) -> list[Cell]:
     ]
 
 
-def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
-    """Yield names and speeds of links, planets and disengaged elements."""
+def _speed_column(
+    by_name: dict[str, Table], *, rpm: bool
+) -> tuple[str, Callable[[int], list[tuple[str, float]]]]:
+    """Return the heading of the largest speeds, and names with speeds by index of the gear."""
     unit = "_rpm" if rpm else ""
-    for key, kind in (("W", ""), ("WSAT", tr("planet")), ("WFRI", tr("slip"))):
-        if key + unit in by_key:
-            for name, value in _column(by_key[key + unit], number):
-                # A planet's name such as `P1.planet` needs no prefix, a number does.
-                front = "" if "." in name else kind or tr("link") * name.isdigit()
-                yield f"{front} {name}".lstrip(), value
+    existing = (
+        (heading, by_name[name + unit])
+        for name, heading in SPEEDS.items()
+        if name + unit in by_name and not np.isnan(by_name[name + unit].values).all()
+    )
+    heading, shown = next(existing, ("largest speed", by_name[f"speeds{unit}"]))
+
+    def speeds(number: int) -> list[tuple[str, float]]:
+        return [(row.removesuffix(".planet"), value) for row, value in _column(shown, number)]
+
+    return heading, speeds
 
 
-def _torques(by_key: dict[str, Table], number: int) -> list[tuple[str, float]]:
+def _torques(by_name: dict[str, Table], number: int) -> list[tuple[str, float]]:
     """List the torques of shift elements, mechanisms and members, with losses if calculated.
 
     The list is empty if any torque is indeterminate, since that one can be the largest.
     """
-    names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in by_key else ("AMLGP", "AMLG")
-    for name in names:
-        column = [torque for torque in _column(by_key[name], number) if torque[0] != OUTPUT]
+    unit = "_Nm" if "lossy_torques_Nm" in by_name else ""
+    for name in ("lossy_torques", "torques"):
+        table = by_name[name + unit]
+        column = [torque for torque in _column(table, number) if torque[0] != OUTPUT]
         if not any(math.isnan(value) for _, value in column):
             return column
     return []
@@ -181,22 +205,32 @@ def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | N
     if not known:
         return Cell("")
     value, name = max(known, key=lambda pair: pair[0])
+    if value < ROUNDED_NUMBER:
+        return Cell("0", 0.0)
     decimals = decimals or int(ROUNDED_NUMBER < value < NEEDS_DECIMALS)
     return Cell(f"{exact(value, decimals, digits=digits).text} {name}", value)
 
 
-def _resting(results: Results, number: int, *, bracketed: bool) -> Cell:
-    """Return a cell with locked-up gear sets and, in brackets, idle ones; or the gear's fault."""
-    status = results.status(number + 1)
-    if status.name:
-        colour = "red" if status.is_fault else "yellow"
-        return state(status.name)._replace(style=colour)
+def _by_role(results: Results, number: int, shown: Sequence[Role]) -> Iterator[Cell]:
+    """Yield a cell with the names of the gear sets of each role in a gear."""
     names = [device.name for device in results.case.own_devices]
-    by_name = list(zip(names, roles(results, number), strict=True))
-    whole, idle = (
-        " ".join(n for n, role in by_name if role == wanted) for wanted in (ONE_PIECE, IDLE)
-    )
-    return Cell(f"{whole} ({idle})".strip() if idle and bracketed else whole or idle)
+    by_name = [*zip(names, roles(results, number), strict=True)]
+    for wanted in shown:
+        yield Cell(" ".join(name for name, role in by_name if role == wanted))
+
+
+def _state(results: Results, number: int) -> Cell:
+    """Return a cell with the state of a gear that does not simply drive."""
+    status = results.status(number + 1)
+    return state(status.name)._replace(style="red" if status.is_fault else "yellow")
+
+
+def _split(gears: Grid) -> Iterator[Grid]:
+    """Yield the table of gears without the largest values, then the table of these."""
+    largest = [n for n, column in enumerate(gears.columns) if column.heading.startswith("largest")]
+    places = range(len(gears.columns))
+    yield gears.with_columns([place for place in places if place not in largest])
+    yield gears.with_columns([0, *largest])
 
 
 def _all_roles(results: Results) -> set[Role]:
@@ -210,17 +244,21 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     if names:
         elements = enumerate(case.shift_elements, 1)
         yield ", ".join(f"{number} {element.name}" for number, element in elements)
-    signs = [f"{marks.engaged} {tr('engaged')}"] if any(gear.engaged for gear in case.gears) else []
-    if case.freewheels:
-        signs.append(f"{marks.holds} {tr('freewheel that holds')}")
-    signs += [tr("step: to the next smaller ratio")] * any(
-        line.next for line in design(results).gears
-    )
-    if signs:
+    if case.shift_elements:
+        signs = [f"{marks.engaged} {tr('engaged')}", f"{marks.open} {tr('disengaged')}"]
+        signs += [f"{marks.holds} {tr('freewheel that holds')}"] * bool(case.freewheels)
         yield "; ".join(signs)
-    of_first = tr("; of a mechanism the torque on its first link") * (case.drawing is None)
-    by_input = "" if text("speed, rpm") in gears.columns else tr(", by the input's")
-    yield f"{tr('speed, torque: the largest')}{by_input}{of_first}"
+    step = [tr("step: ratio divided by the next smaller ratio")]
+    step *= any(line.next for line in design(results).gears)
+    yield "; ".join([*step, tr("eff.: efficiency")])
+    headings = [column.heading for column in gears.columns]
+    about = [tr("planet speed: relative to its carrier")]
+    about *= any(heading.startswith(SPEEDS["planet_speeds"]) for heading in headings)
+    about += [tr("1.00 is the input speed or torque")] * ("largest torque" in headings)
+    if about:
+        yield "; ".join(about)
+    if case.drawing is None and case.mechanisms:
+        yield tr("torque of a mechanism: on its first link")
     occurring = _all_roles(results)
     said = [f"{tr(role)}: {tr(meaning)}" for role, meaning in MEANINGS.items() if role in occurring]
     if said:

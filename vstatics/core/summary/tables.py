@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.core.statics.results import Results
-from vstatics.core.statics.status import NEUTRAL
+from vstatics.core.statics.status import DRAGGED, LOCKED, NEUTRAL, OUTPUT_STANDS
 from vstatics.core.summary import Summary
 from vstatics.core.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
 from vstatics.core.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, grid_of, word
@@ -15,6 +15,11 @@ from vstatics.core.tables.ports import PortTable, port_tables, ports_grid
 from vstatics.core.tables.quantities import UNITS, Quantity, headed
 
 INERTIA, ACCELERATION = "inertia, kg*m^2", "acceleration, rad/s^2"
+SHOWN_STATES = {
+    **{status.name: status.english for status in (NEUTRAL, LOCKED, DRAGGED)},
+    OUTPUT_STANDS.name: "output at rest",
+}
+"""Words for states of gears whose names in data differ."""
 WITH_LOAD = " with load"
 """End of the key of a table whose numbers are in rpm, N*m or kW, not relative to the input."""
 
@@ -64,14 +69,12 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
 
 
 def state(name: str) -> Cell:
-    """Return the cell of a gear's state; the name `open` in data is printed as `neutral`.
+    """Return the cell of a gear's state, with the name in data as its datum.
 
     >>> state("open").text, state("open").datum, state("tied up").text
     ('neutral', 'open', 'tied up')
     """
-    if name == NEUTRAL.name:
-        return word(NEUTRAL.english)._replace(written_as=name)
-    return word(name)
+    return word(SHOWN_STATES.get(name, name))._replace(written_as=name)
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
@@ -99,7 +102,7 @@ def _transitions(summary: Summary) -> Grid:
         (shift.start, shift.end, shift.skipped, word(shift.word), shift.released, shift.engaged)
         for shift in summary.transitions
     ]
-    headings = "from", "to", "skips", "kind", "released", "engaged"
+    headings = "from", "to", "skips", "kind", "off-going", "oncoming"
     return grid_of("Transitions", headings, rows, key="transitions")
 
 
@@ -119,39 +122,40 @@ def _slip_powers(summary: Summary) -> Grid:
         for name, power in (shift.slip_power_kW if loaded else shift.slip_power).items()
         if power > 0
     ]
-    headings = "from", "to", "element", "shift", headed("power", "kW" if loaded else "")
-    title = "Slip power where an element closes: its torque after, its slip before"
+    headings = "from", "to", "shift element", "shift", headed("power", "kW" if loaded else "")
+    title = "Slip power of oncoming shift elements"
     return grid_of(title, headings, rows, key="slip power")
 
 
 def _planets(summary: Summary, *, loaded: bool) -> Grid:
     shown = quantity(PLANETS, loaded=loaded)
     headings = "planet", headed("speed", shown.unit), "gear"
-    lines = summary.largest.get(shown.key, ())
+    lines = summary.largest.get(shown.name, ())
     devices = summary.results.case.own_devices
     planets = [planet for device in devices for planet in device.planets]
     without_teeth = {planet.name for planet in planets if math.isnan(planet.speed)}
     # Gear pairs have rows without a planet, which are left out.
     known = (line for line in lines if line.row in without_teeth or not math.isnan(line.value))
     rows = [[line.row, *_cells(shown, line)] for line in known]
-    title = "Largest speeds of planets against their carriers"
-    return grid_of(title, headings, rows, key="planets" + WITH_LOAD * loaded)
+    title = "Largest speeds of planets relative to their carriers"
+    return grid_of(headed(title, shown.unit), headings, rows, key="planets" + WITH_LOAD * loaded)
 
 
 def _elements(summary: Summary, *, loaded: bool) -> Grid:
     """Return slip and torques of shift elements side by side."""
     named = {SLIPS: "slip", TORQUES: "torque", LOSSY_TORQUES: "with losses"}
     shown = [(quantity(key, loaded=loaded), name) for key, name in named.items()]
-    shown = [(item, name) for item, name in shown if summary.largest.get(item.key)]
+    shown = [(item, name) for item, name in shown if summary.largest.get(item.name)]
     headings = [heading for item, name in shown for heading in (headed(name, item.unit), "gear")]
-    columns = [[(item, line) for line in summary.largest[item.key]] for item, _ in shown]
+    columns = [[(item, line) for line in summary.largest[item.name]] for item, _ in shown]
     rows = [
         [pairs[0][1].row, *(cell for pair in pairs for cell in _cells(*pair))]
         for pairs in zip(*columns, strict=True)
     ]
-    title = "Largest slip when open, largest torque when engaged"
+    units = dict.fromkeys(UNITS[item.unit].text for item, _ in shown if item.unit)
+    title = ", ".join(["Largest slip and torque of shift elements", *units])
     key = "shift elements" + WITH_LOAD * loaded
-    return grid_of(title, ["element", *headings], rows, key=key)
+    return grid_of(title, ["shift element", *headings], rows, key=key)
 
 
 def _cells(shown: Quantity, line: Largest) -> Row:
@@ -161,15 +165,12 @@ def _cells(shown: Quantity, line: Largest) -> Row:
 def _sensitivities(summary: Summary) -> Iterator[Grid]:
     mechanisms = summary.results.case.mechanisms
     names = [mechanism.name for mechanism in mechanisms]
-    title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
+    title = "Sensitivity (u/i) di/du of the ratio i to basic ratios u"
     if any(mechanism.kind for mechanism in mechanisms):
-        title = (
-            "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u, of "
-            "variators and converters to their speed ratio"
-        )
+        title = "Sensitivity (u/i) di/du of the ratio i, u basic or speed ratio"
     by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     yield _by_gear(summary, title, "sensitivity", "mechanism", by_name)
-    title = "Sensitivity (n/ETA) dETA/dn of efficiencies ETA to each efficiency n"
+    title = "Sensitivity (n/ETA) dETA/dn of the efficiency ETA"
     by_name = zip(names, summary.efficiency_sensitivities.T.tolist(), strict=True)
     yield _by_gear(summary, title, "efficiency sensitivity", "mechanism", by_name)
 
@@ -217,10 +218,10 @@ def _margins(summary: Summary) -> Iterator[Grid]:
         (margin.element, exact(margin.capacity * size, decimals), margin.least, margin.gear)
         for margin in summary.margins
     ]
-    headings = "element", headed("capacity", unit), "least", "gear"
-    yield grid_of("Least margin, capacity by torque", headings, rows, key="margins")
+    headings = "shift element", headed("torque capacity", unit), "least margin", "gear"
+    yield grid_of("Least margin, torque capacity divided by torque", headings, rows, key="margins")
     by_element = [(margin.element, margin.by_gear) for margin in summary.margins]
-    yield _by_gear(summary, "Margins by gear", "margins by gear", "element", by_element)
+    yield _by_gear(summary, "Margins by gear", "margins by gear", "shift element", by_element)
 
 
 def _needed(summary: Summary) -> Grid:
@@ -234,8 +235,10 @@ def _needed(summary: Summary) -> Grid:
         )
         for element in summary.needed
     ]
-    headings = "element", headed("capacity", unit), "gear"
-    return grid_of("Needed capacity, with the reserve", headings, rows, key="needed capacity")
+    headings = "shift element", headed("torque capacity", unit), "gear"
+    return grid_of(
+        "Required torque capacity, with the reserve", headings, rows, key="needed capacity"
+    )
 
 
 def _inertias(summary: Summary) -> Grid:

@@ -1,7 +1,7 @@
 """The output of a command is a record: its JSON and JSON Schema are derived from its types.
 
 A record is a named tuple. Its keys are its fields, unless `json_keys` names other attributes. A
-`document` begins with its format and version. Annotations describe keys that are not plain:
+`document` begins with the keys of `head`. Annotations describe keys that are not plain:
 `Sometimes`, `Flat`, `Failure`, `Unfailed`, `Count`, `Known`. A missing value is null.
 """
 
@@ -29,6 +29,7 @@ import numpy as np
 
 from vstatics.core.annexes import module, module_of_type
 from vstatics.core.errors import Problem
+from vstatics.core.extras import __version__
 from vstatics.core.statics.result_arrays import Message
 
 T = TypeVar("T")
@@ -36,8 +37,10 @@ V = TypeVar("V")
 Schema = dict[str, Any]
 Answer = tuple[Any, ...] | dict[str, Any]
 """A record, or data that are plain already."""
-VERSION = 1
+VERSION = 2
 """Version of the format of every document."""
+PROGRAM = f"vstatics {__version__}"
+"""Name and version of the program that writes a document."""
 
 
 class Words(dict[str, Any]):
@@ -99,10 +102,10 @@ def document(form: str) -> Callable[[T], T]:
     ...     case: str
     ...     count: int
     ...     notes: Sometimes[Sequence[str]] = None
-    >>> plain_data(Steps("box", 2))
-    {'format': 'vstatics-steps', 'version': 1, 'case': 'box', 'count': 2}
+    >>> list(plain_data(Steps("box", 2)).items())[2:]
+    [('program', 'vstatics 0.1.0'), ('case', 'box'), ('count', 2)]
     >>> schema(Steps)["required"]
-    ['format', 'version', 'case', 'count']
+    ['format', 'version', 'program', 'case', 'count']
     """
     return _registering(_FORMS, form)
 
@@ -190,7 +193,7 @@ def _of_record(record: Any) -> dict[str, Any]:
     kind: Any = type(record)
     values = [(key, getattr(record, key.attribute)) for key in _keys(kind)]
     failed = [(key, value) for key, value in values if key.mark == FAILURE and value]
-    data = {"format": _FORMS[kind], "version": VERSION} if kind in _FORMS else {}
+    data = head(_FORMS[kind]) if kind in _FORMS else {}
     for key, value in [values[0], *failed] if failed else values:
         if key.mark == FLAT:
             data |= plain_data(value)
@@ -211,7 +214,7 @@ def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, 
     {'format': 'f', 'version': 1, 'file': 'box.yaml', 'case': {}}
     """
     data = answer if isinstance(answer, dict) else plain_data(answer)
-    front: dict[str, Any] = {key: data[key] for key in ("format", "version") if key in data}
+    front: dict[str, Any] = {key: data[key] for key in head("") if key in data}
     name = file if folders else os.path.basename(file)  # noqa: PTH119
     if "errors" in data:
         return {**data, "file": name}
@@ -309,7 +312,7 @@ def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
 
 
 def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
-    properties = head(_FORMS[kind]) if kind in _FORMS else {}
+    properties = head_schema(_FORMS[kind]) if kind in _FORMS else {}
     optional = []
     failed = {}
     for key in _keys(kind):
@@ -328,9 +331,19 @@ def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
     return {"if": has_failed, "then": failed, "else": record} if failed else record
 
 
-def head(form: str) -> Schema:
-    """Return the schema of the first keys of every document."""
-    return {"format": {"const": form}, "version": {"const": VERSION}}
+def head(form: str) -> dict[str, Any]:
+    """Return the first keys of every document: format, its version, and the program.
+
+    >>> head("vstatics-result")
+    {'format': 'vstatics-result', 'version': 2, 'program': 'vstatics 0.1.0'}
+    """
+    return {"format": form, "version": VERSION, "program": PROGRAM}
+
+
+def head_schema(form: str) -> Schema:
+    """Return the schema of the keys of `head`."""
+    program = {**TEXT, "description": "Name and version of the program that wrote the document."}
+    return {"format": {"const": form}, "version": {"const": VERSION}, "program": program}
 
 
 def of_file(name: str, title: str, content: Schema) -> Schema:

@@ -64,7 +64,7 @@ def to_dataframe(results: Results) -> pd.DataFrame:
             names.append((name, row))
             columns.append(table[..., index].ravel())
     variants = range(math.prod(axes))
-    gears = [gear.name for gear in results.case.gears]
+    gears = results.gears
     return pd.DataFrame(
         dict(enumerate(columns)),
         index=pd.MultiIndex.from_product([variants, gears], names=["variant", "gear"])

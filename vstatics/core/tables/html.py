@@ -122,7 +122,7 @@ def terms(entries: Iterable[tuple[str, str]]) -> Markup:
     return tag("dl", *(joined(tag("dt", term), tag("dd", text)) for term, text in entries))
 
 
-def table(grid: Grid, *, headed: bool = True) -> Markup:
+def table(grid: Grid, *, headed: bool = True, level: int = 3) -> Markup:
     """Build a scrollable table with a title; a table without rows is only the title.
 
     Numbers keep all digits in ``data-value``.
@@ -132,11 +132,13 @@ def table(grid: Grid, *, headed: bool = True) -> Markup:
     grid : Grid
     headed : bool
         Whether the title is shown; unnecessary if the text above already says it.
+    level : int
+        Level of the heading, 4 below the heading of a gear.
     """
     grid = grid.spoken
     if not grid.rows:
         return tag("p", grid.title)
-    heading = [tag("h3", grid.title)] * headed
+    heading = [tag(f"h{level}", grid.title)] * headed
     return tag("section", *heading, scrolled(bare(grid), grid.title), class_="table")
 
 
@@ -164,10 +166,10 @@ NARROW_TABLE = 72
 """Greatest width of tables that are set side by side, in characters."""
 
 
-def tables(grids: Iterable[Grid]) -> Iterator[Markup]:
-    """Yield tables with their titles; consecutive narrow tables are side by side."""
+def tables(grids: Iterable[Grid], level: int = 3) -> Iterator[Markup]:
+    """Yield tables with titles as headings of a level; narrow tables are side by side."""
     for narrow, group in groupby(grids, _is_narrow):
-        shown = map(table, group)
+        shown = (table(grid, level=level) for grid in group)
         yield from [tag("div", *shown, class_="side")] if narrow else shown
 
 

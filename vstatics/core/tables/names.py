@@ -18,12 +18,12 @@ from vstatics.core.tables.quantities import BY_NAME, Quantity
 
 
 def quantity_named(name: str) -> Quantity:
-    """Return the quantity with a name or alias.
+    """Return the quantity with a name or deck name.
 
     Parameters
     ----------
     name : str
-        Name, with the right upper and lower case.
+        Name or deck name, with the right upper and lower case.
 
     Raises
     ------
@@ -43,6 +43,26 @@ def quantity_named(name: str) -> Quantity:
     if name in BY_NAME:
         return BY_NAME[name]
     raise ReadError("E113", f"there is no table {quoted(name)}{nearest_quantity(name)}")
+
+
+def plain_name(name: str) -> str:
+    """Return the name that outputs write for a name or deck name; any other text is unchanged.
+
+    >>> plain_name("ETA"), plain_name("efficiency"), plain_name("eta")
+    ('efficiency', 'efficiency', 'eta')
+    """
+    return BY_NAME[name].name if name in BY_NAME else name
+
+
+def plain_names(text: str) -> str:
+    """Return a formula or heading with the names that outputs write instead of deck names.
+
+    Texts in quotes or brackets and names with a point are not names of tables.
+
+    >>> plain_names("ETA[low]"), plain_names('max(W["ETA",:]) - W.ratio')
+    ('efficiency[low]', 'max(speeds["ETA",:]) - W.ratio')
+    """
+    return _IN_FORMULA.sub(lambda match: plain_name(match[0]), text)
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
@@ -144,6 +164,9 @@ NAME = re.compile(r"[^\W\d]\w*")
 """Pattern of a name that is a plain word."""
 DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
 """Pattern of a name that needs no quotes between brackets, such as `P1.ring`."""
+_QUOTED = r"\"[^\"]*\"|'[^']*'"
+_IN_FORMULA = re.compile(rf"{_QUOTED}|\[(?:{_QUOTED}|[^\]\"'])*\]|[\w.]+")
+"""Parts of a formula: a text in quotes, brackets, or a name or number with its points."""
 BEFORE_NAME = "|"
 """Sign that precedes the name of a row in a listing."""
 
@@ -217,7 +240,7 @@ def by_name(results: Results, key: Any) -> Any:
     ----------
     results : Results
     key : str or tuple
-        Name or alias of a table; then a row, if the table has rows; then a gear by its name or
+        Name or deck name of a table; then a row, if the table has rows; then a gear by its name or
         number: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``,
         ``("speeds", "ring", "low")``. ``:`` selects all rows or gears.
 

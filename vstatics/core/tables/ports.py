@@ -133,7 +133,7 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
     >>> case = Transmission(2, [], [pair], [Gear()], load=Load(speed=2000, torque=100))
     >>> grid = ports_grid(port_tables(solve(case)), named=False)
     >>> [column.heading for column in grid.columns]
-    ['port', 'speed, rpm', 'torque, N*m', 'power, kW', 'way']
+    ['port', 'speed, rpm', 'torque, N*m', 'power, kW', 'direction']
     >>> grid.texts
     [['1', '2000.0', '100.0', '20.944', 'in'], ['2', '-500.0', '-392.0', '20.525', 'out'], \
 ['lost: meshes', '', '', '0.419', '']]
@@ -142,7 +142,7 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
         unit for _, unit in MEASURES if not any(math.isnan(gear.scales[unit]) for gear in gears)
     }
     measures = (headed(name, unit if unit in physical else "") for name, unit in MEASURES)
-    headings = [*["gear"] * named, "port", *measures, "way"]
+    headings = [*["gear"] * named, "port", *measures, "direction"]
     rows = ([*[gear.gear] * named, *row] for gear in gears for row in _rows(gear, physical))
     return grid_of("Ports", headings, rows, key="ports")
 

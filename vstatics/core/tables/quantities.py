@@ -1,8 +1,9 @@
 """All quantities of the results: their names, headings and units, and when they exist.
 
 A new quantity needs an array in `vstatics.core.statics.result_arrays.ARRAYS` and an entry here.
-Users can type its name or its alias (`names`). The tables, JSON, CSV, listing, schema of results,
-report, comparison of results and the end of a deck are all derived from these entries.
+Every output writes its name, except the listing, which writes its deck name. Users can type either
+(`names`). The tables, JSON, CSV, listing, schema of results, report, comparison of results, and the
+end of a deck are all derived from these entries.
 """
 
 from __future__ import annotations
@@ -15,7 +16,6 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.statics.results import Results
-from vstatics.core.statics.status import LOCKED
 
 KINDS: dict[type, type] = {np.float64: float, np.int16: int, np.bool_: bool}
 """Python type of the written numbers, by the data type of an array."""
@@ -25,11 +25,9 @@ class Quantity(NamedTuple):
     """Quantity of the results, as shown by all formats."""
 
     name: str
-    """Name in the library, usually of an attribute of `Results`."""
-    key: str
-    """Key in JSON and CSV: the alias or the name."""
-    alias: str
-    """Name in a deck, or in the style of a deck."""
+    """Name in JSON, CSV, sweeps and the library, where most are attributes of `Results`."""
+    deck_name: str
+    """Name in the listing and in decks, or in their style; accepted wherever a name is typed."""
     heading: str
     """Heading in a listing, without the colon."""
     own_title: str = ""
@@ -62,7 +60,7 @@ class Quantity(NamedTuple):
     @property
     def printed(self) -> str:
         """Name in a listing."""
-        return self.alias.replace("_", "").upper()
+        return self.deck_name.replace("_", "").upper()
 
     @property
     def title(self) -> str:
@@ -129,7 +127,7 @@ def in_unit(quantity: Quantity) -> Quantity:
     --------
     >>> from vstatics.core.tables.quantities import BY_NAME
     >>> slip = in_unit(BY_NAME["slip_speeds"])
-    >>> slip.name, slip.alias, slip.printed, slip.heading
+    >>> slip.name, slip.deck_name, slip.printed, slip.heading
     ('slip_speeds_rpm', 'WFRI_rpm', 'WFRIRPM', 'Slip speeds of clutches and brakes, rpm')
     """
     unit = quantity.with_load
@@ -137,9 +135,9 @@ def in_unit(quantity: Quantity) -> Quantity:
     heading = quantity.brief or quantity.heading
     return Quantity(
         f"{quantity.name}_{unit}",
-        f"{quantity.key}_{unit}",
-        f"{quantity.alias}_{unit}",
+        f"{quantity.deck_name}_{unit}",
         f"{heading}, {written.text}",
+        own_title=f"{quantity.own_title}, {written.text}" if quantity.own_title else "",
         own_rows=quantity.rows,
         exists=quantity.exists,
         decimals=written.decimals,
@@ -162,10 +160,8 @@ def _has_meshes(results: Results) -> bool:
 
 
 RELATIVE = (
-    # name in the library, key in JSON and CSV, alias
     Quantity(
         "distribution_matrix",
-        "AJK",
         "AJK",
         "Structural-distribution matrix, KLG = KL + KG",
         own_title="Structural-distribution matrix",
@@ -176,7 +172,6 @@ RELATIVE = (
     Quantity(
         "speeds",
         "W",
-        "W",
         "A. Speeds of the links in each gear",
         own_title="Speeds of the links",
         published=True,
@@ -186,14 +181,12 @@ RELATIVE = (
     Quantity(
         "planet_speeds",
         "WSAT",
-        "WSAT",
         "Speeds of the planets against the carrier",
         published=True,
         with_load="rpm",
     ),
     Quantity(
         "slip_speeds",
-        "WFRI",
         "WFRI",
         "Slip speeds of clutches and brakes",
         published=True,
@@ -202,9 +195,8 @@ RELATIVE = (
     Quantity(
         "torques",
         "AMLG",
-        "AMLG",
         "B. Torques of clutches and brakes, without losses",
-        own_title="Torques of shift elements, mechanisms and the output (Mx), without losses",
+        own_title="Torques without losses",
         members=(
             "Torques of mechanisms and output, KLG1 = KLG + 1, without losses",
             "Torques of the members of the elements and of the output, without losses",
@@ -216,9 +208,8 @@ RELATIVE = (
     Quantity(
         "lossy_torques",
         "AMLGP",
-        "AMLGP",
         "C. Torques of clutches and brakes, with losses",
-        own_title="Torques of shift elements, mechanisms and the output (Mx), with losses",
+        own_title="Torques with losses",
         members=(
             "Torques of mechanisms and output, with losses",
             "Torques of the members of the elements and of the output, with losses",
@@ -227,25 +218,23 @@ RELATIVE = (
         with_load="Nm",
         brief="Torques with losses",
     ),
-    Quantity("efficiency", "ETA", "ETA", "Efficiency of the gears", published=True, decimals=4),
+    Quantity("efficiency", "ETA", "Efficiency of the gears", published=True, decimals=4),
     Quantity(
         "power_sign",
         "IX",
-        "IX",
         "Sign of the power flow, first link drives (+1) or is driven (-1)",
+        own_title="Sign of the power flow through the first link",
         is_sign=True,
         published=True,
     ),
-    Quantity("ratio", "ratio", "RATIO", "Ratio of the gears, input speed to output speed"),
+    Quantity("ratio", "RATIO", "Ratio of the gears, input speed to output speed"),
     Quantity(
-        "idle",
         "idle",
         "IDLING",
         "Mechanisms without flow of power",
-        own_title="Mechanisms that are idle, or one piece",
+        own_title="Unloaded and locked-up mechanisms",
     ),
     Quantity(
-        "losses",
         "losses",
         "LOSS",
         "Power lost in the mechanisms",
@@ -253,13 +242,10 @@ RELATIVE = (
         with_load="kW",
         brief="Power lost",
     ),
+    Quantity("power_balance", "BALANCE", "Balance of power, external power less losses"),
+    Quantity("consistent", "CONSISTENT", "Directions of power agree with the losses"),
+    Quantity("locked", "LOCKED", "Locked by friction", own_title="Self-locking gears"),
     Quantity(
-        "power_balance", "power_balance", "BALANCE", "Balance of power, external power less losses"
-    ),
-    Quantity("consistent", "consistent", "CONSISTENT", "Directions of power agree with the losses"),
-    Quantity("locked", "locked", "LOCKED", LOCKED.english.capitalize()),
-    Quantity(
-        "dragged",
         "dragged",
         "DRAGGED",
         "Drag takes more than the input gives",
@@ -268,7 +254,6 @@ RELATIVE = (
     Quantity(
         "holding_torques",
         "AMWZ",
-        "AMWZ",
         "Torques that hold the given speeds, without losses",
         exists=_has_given_speeds,
         with_load="Nm",
@@ -276,16 +261,15 @@ RELATIVE = (
     Quantity(
         "lossy_holding_torques",
         "AMWZP",
-        "AMWZP",
         "Torques that hold the given speeds, with losses",
         exists=_has_given_speeds,
         with_load="Nm",
     ),
     Quantity(
         "drag_losses",
-        "drag_losses",
         "DRAG",
         "Power that drag of bearings, oil and open elements takes",
+        own_title="Power lost to drag",
         exists=_has_drag,
         decimals=4,
         with_load="kW",
@@ -293,22 +277,20 @@ RELATIVE = (
     ),
     Quantity(
         "holds",
-        "holds",
         "HOLDS",
         "Elements that are engaged, and freewheels that hold",
         exists=lambda results: bool(results.case.freewheels),
     ),
     Quantity(
         "mesh_torques",
-        "mesh_torques",
         "MESH",
         "Torques of the meshes, on the first wheel or planet, without losses",
+        own_title="Torques of the meshes without losses",
         exists=_has_meshes,
         with_load="Nm",
         brief="Torques of the meshes without losses",
     ),
     Quantity(
-        "lossy_mesh_torques",
         "lossy_mesh_torques",
         "MESHP",
         "Torques of the meshes, with losses",
@@ -322,14 +304,12 @@ RELATIVE = (
 _ASKED = (
     Quantity(
         "output_torque",
-        "output_torque",
         "Mx",
         "Output torque, without losses",
         own_rows="one",
         with_load="Nm",
     ),
     Quantity(
-        "lossy_output_torque",
         "lossy_output_torque",
         "MxP",
         "Output torque, with losses",
@@ -338,30 +318,26 @@ _ASKED = (
     ),
     Quantity(
         "mesh_losses",
-        "mesh_losses",
         "MESHLOSS",
         "Power lost in the meshes",
         exists=_has_meshes,
         decimals=4,
         with_load="kW",
     ),
-    Quantity("undecided", "undecided", "UNDECIDED", "Search for directions of power was cut short"),
-    Quantity("turned", "turned", "TURNED", "Losses turn the flow round"),
-    Quantity("choices", "choices", "CHOICES", "Sets of signs that agree with their flow"),
-    Quantity("tied_up", "tied_up", "TIEDUP", "Conditions for the speeds contradict each other"),
-    Quantity("conflict", "conflict", "CONFLICT", "A freewheel can neither hold nor overrun"),
-    Quantity("exact", "exact", "EXACT", "Calculated in fractions, as rounding leaves few digits"),
-    Quantity("balanced", "balanced", "BALANCED", "Torques without losses exist"),
-    Quantity("missing", "missing", "MISSING", "Conditions that the speeds lack"),
-    Quantity("excess", "excess", "EXCESS", "Conditions that others imply or contradict"),
+    Quantity("undecided", "UNDECIDED", "Search for directions of power was cut short"),
+    Quantity("turned", "TURNED", "Losses turn the flow round"),
+    Quantity("choices", "CHOICES", "Sets of signs that agree with their flow"),
+    Quantity("tied_up", "TIEDUP", "Conditions for the speeds contradict each other"),
+    Quantity("conflict", "CONFLICT", "A freewheel can neither hold nor overrun"),
+    Quantity("exact", "EXACT", "Calculated in fractions, as rounding leaves few digits"),
+    Quantity("balanced", "BALANCED", "Torques without losses exist"),
+    Quantity("missing", "MISSING", "Conditions that the speeds lack"),
+    Quantity("excess", "EXCESS", "Conditions that others imply or contradict"),
 )
 
 _PORTS = (
+    Quantity("input_power_kW", "PIN_kW", "Input power, kW", own_rows="one", unit="kW"),
     Quantity(
-        "input_power_kW", "input_power_kW", "PIN_kW", "Input power, kW", own_rows="one", unit="kW"
-    ),
-    Quantity(
-        "output_power_kW",
         "output_power_kW",
         "POUT_kW",
         "Output power with losses, kW",
@@ -394,6 +370,8 @@ PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
 """Quantities by the names above the tables of a listing, which also end a preceding deck."""
 
 BY_NAME = {
-    name: quantity for quantity in QUANTITIES + ASKED for name in (quantity.name, quantity.alias)
+    name: quantity
+    for quantity in QUANTITIES + ASKED
+    for name in (quantity.name, quantity.deck_name)
 }
-"""Quantities by name and by alias; see `vstatics.core.tables.names`."""
+"""Quantities by name and by deck name; see `vstatics.core.tables.names`."""

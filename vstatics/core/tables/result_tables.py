@@ -83,7 +83,7 @@ def of_messages(results: Results) -> Grid:
 def _by_gear(lists: Sequence[Table]) -> Grid:
     """Build the table with a row for each gear and a column for each list over the gears."""
     columns = [text("gear")]
-    columns += [Column(table.quantity.key.replace("_", " ")) for table in lists]
+    columns += [Column(table.quantity.name.replace("_", " ")) for table in lists]
     rows = [
         [Cell(gear), *(_number(table, float(table.values[0, index])) for table in lists)]
         for index, gear in enumerate(lists[0].columns)
@@ -93,7 +93,7 @@ def _by_gear(lists: Sequence[Table]) -> Grid:
 
 def _of_table(table: Table) -> Grid:
     kind = table.quantity.rows
-    over = "gear" if table.quantity.columns == "gears" else "device"
+    over = "gear" if table.quantity.columns == "gears" else "component"
     columns = [text(_HEADS.get(kind, ROWS[kind].singular))]
     columns += [Column(name, over=over) for name in table.columns]
     rows = [
@@ -101,11 +101,11 @@ def _of_table(table: Table) -> Grid:
         for name, values in zip(table.rows, table.values.tolist(), strict=True)
     ]
     return Grid(
-        f"{table.quantity.title} [{table.quantity.key}]", columns, rows, key=table.quantity.key
+        f"{table.quantity.title} [{table.quantity.name}]", columns, rows, key=table.quantity.name
     )
 
 
-_HEADS = {"elements": "element", "torques": "torque of"}
+_HEADS = {"elements": "shift element", "torques": "torque of"}
 """Headings above the names of rows that differ from the word for such a row."""
 
 

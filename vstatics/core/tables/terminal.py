@@ -59,6 +59,13 @@ def natural_width(grid: Grid) -> int:
     return _sum(_column(grid, group).natural for group in _groups(grid))
 
 
+def whole_width(grid: Grid) -> int:
+    """Return the least width of a table in which only headings are folded, in characters."""
+    grid = grid.spoken
+    columns = (_column(grid, group) for group in _groups(grid))
+    return _sum(max(column.least, column.whole) for column in columns)
+
+
 def _sum(widths: Iterable[int]) -> int:
     """Return the width of a table from the widths of columns, with gaps of two blanks."""
     return sum(width + 2 for width in widths)

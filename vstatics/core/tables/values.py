@@ -41,7 +41,7 @@ def tables(results: Results) -> list[Table]:
             filled.append(Table(quantity, case.link_names, case.devices, matrix))
             continue
         kind = quantity.rows
-        rows = [quantity.key] if kind == "one" else names[kind]
+        rows = [quantity.name] if kind == "one" else names[kind]
         array = np.asarray(results.existing(quantity.name), dtype=np.float64)
         filled.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
     return filled
@@ -52,7 +52,7 @@ def places(table: Table) -> list[tuple[str, str, str | None]]:
 
     The distribution matrix does not depend on the gear: its rows are ``link:device``.
     """
-    key, of_matrix = table.quantity.key, table.quantity.columns == "devices"
+    key, of_matrix = table.quantity.name, table.quantity.columns == "devices"
     return [
         (key, f"{row}:{column}", None) if of_matrix else (key, row, column)
         for row in table.rows
@@ -74,7 +74,6 @@ WORDS = {
     "KLG = KL + KG": "KLG = KL + KG + KSPR",
     "mechanisms and output": "mechanisms, springs and output",
     "the elements and of the output": "the elements, of springs and of the output",
-    "mechanisms and the output": "mechanisms, springs and the output",
 }
 """Words of headings and their replacements for a case with springs."""
 
@@ -83,13 +82,12 @@ def among_springs(quantity: Quantity) -> Quantity:
     """Return a quantity with headings that mention springs.
 
     >>> from vstatics.core.tables.quantities import BY_NAME
-    >>> among_springs(BY_NAME["torques"]).title
-    'Torques of shift elements, mechanisms, springs and the output (Mx), without losses'
+    >>> among_springs(BY_NAME["torques"]).members[0]
+    'Torques of mechanisms, springs and output, KLG1 = KLG + 1, without losses'
     """
     members = quantity.members
     return quantity._replace(
         heading=_worded(quantity.heading),
-        own_title=_worded(quantity.own_title),
         members=None if members is None else (_worded(members[0]), _worded(members[1])),
     )
 

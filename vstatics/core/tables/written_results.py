@@ -25,7 +25,7 @@ Figures = list[list[Figure]]
 
 
 class WrittenResult(NamedTuple):
-    """Written result of a case: the tables by key."""
+    """Written result of a case: the tables by name."""
 
     tables: dict[str, Figures]
     case: Transmission | None
@@ -51,8 +51,10 @@ class WrittenResult(NamedTuple):
     @property
     def has_own(self) -> bool:
         """True if the rows of torques are members of gear sets instead of mechanisms."""
-        rows = {key: list(self.rows.get(key, ())) for key in ("AMLG", "WFRI", "idle")}
-        return bool(rows["AMLG"]) and rows["AMLG"][:-1] != [*rows["WFRI"], *rows["idle"]]
+        torques, elements, devices = (
+            list(self.rows.get(table, ())) for table in ("torques", "slip_speeds", "idle")
+        )
+        return bool(torques) and torques[:-1] != elements + devices
 
     @property
     def gear_names(self) -> Sequence[str]:

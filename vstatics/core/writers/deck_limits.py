@@ -31,7 +31,7 @@ def check_deck(case: Transmission) -> None:
     >>> check_deck(Transmission(2, [], [pair], [Gear()], inertias={1: 0.1}))
     Traceback (most recent call last):
         ...
-    vstatics.core.errors.CaseError: a deck can't hold the inertia of 1, the stiffness of pair; ...
+    vstatics.core.errors.CaseError: a deck cannot hold the inertia of 1, the stiffness of pair; ...
     """
     problems = [f"the {what} of {listed(names, SHOWN)}" for what, names in _unheld(case) if names]
     springs = [spring.name for spring in case.springs]
@@ -39,7 +39,9 @@ def check_deck(case: Transmission) -> None:
         plural = "s" if springs[1:] else ""
         problems.insert(0, f"the spring{plural} {listed(springs, SHOWN)}")
     if problems:
-        message = f"a deck can't hold {', '.join(problems)}; expected YAML or JSON, which hold them"
+        message = (
+            f"a deck cannot hold {', '.join(problems)}; expected YAML or JSON, which hold them"
+        )
         raise CaseError("E116", message)
 
 
@@ -108,7 +110,7 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
     )
     yield "drag in gears", _gears(case, "drag", lambda gear: any(map(_acts, gear.drag.values())))
     yield (
-        "the drag of open elements in gears",
+        "the drag of disengaged shift elements in gears",
         _gears(case, "open_drag", lambda gear: any(map(_acts, gear.open_drag.values()))),
     )
     yield "balances of gears", _gears(case, "balance", lambda gear: gear.balance is not None)

@@ -6,6 +6,7 @@ import math
 
 from vstatics.core.statics.results import Results
 from vstatics.core.tables import csv
+from vstatics.core.tables.answer import PROGRAM
 from vstatics.core.tables.values import places, tables
 
 CONVENTIONS = (
@@ -22,9 +23,9 @@ They are written as rows without a value, because CSV has no comments for spread
 def write(results: Results, *, raw: bool = False) -> str:
     """Write the results of a case as CSV.
 
-    The columns are table, row, gear and value. AJK does not depend on the gear: its rows are
-    ``link:device``, without a gear. A value that does not exist is empty. The last rows state the
-    conventions, also without a value.
+    The columns are table, row, gear and value. The distribution matrix does not depend on the
+    gear: its rows are ``link:device``, without a gear. A value that does not exist is empty. The
+    last rows state the conventions and the program, also without a value.
 
     Parameters
     ----------
@@ -54,7 +55,8 @@ def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
 
 
 def tail(*, several: bool) -> str:
-    """Write the rows of the conventions."""
+    """Write the rows of the conventions and of the program."""
+    about = [("conventions", convention) for convention in CONVENTIONS]
     return csv.lines(
-        [""] * several + ["conventions", convention, "", ""] for convention in CONVENTIONS
+        [""] * several + [table, text, "", ""] for table, text in [*about, ("program", PROGRAM)]
     )

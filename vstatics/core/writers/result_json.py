@@ -10,12 +10,11 @@ from typing import Any
 
 from vstatics.core.errors import printable
 from vstatics.core.statics.results import Results, expect_one_case
-from vstatics.core.tables.answer import with_file
+from vstatics.core.tables.answer import head, with_file
 from vstatics.core.tables.values import tables
 from vstatics.core.writers.named import mapping
 
 FORMAT = "vstatics-result"
-VERSION = 1
 
 CONVENTIONS = {
     "ratio": "w_input/w_output",
@@ -23,9 +22,9 @@ CONVENTIONS = {
     "speeds": "relative to the input speed",
     "torques": "relative to the input torque; external torques act on a link, positive like "
     "the input's; a device's torque is that on its first link; the output torque, in the last "
-    "row of AMLG and AMLGP, is that given to the load",
+    "row of torques and lossy_torques, is that given to the load",
     "powers": "relative to the input power; when coasting all of them turn, and losses are below 0",
-    "power_sign": "IX: +1 the first link drives, -1 it is driven, 0 idle",
+    "power_sign": "+1 the first link drives, -1 it is driven, 0 idle",
     "null": "does not exist, or is not determined",
 }
 
@@ -38,22 +37,21 @@ def document(results: Results) -> dict[str, Any]:
     """
     case = results.case
     result: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
+        **head(FORMAT),
         "conventions": CONVENTIONS,
         "case": mapping(case) | {"idle": case.idle},
-        "gears": [gear.name for gear in case.gears],
+        "gears": results.gears,
     }
     shown = tables(results)
     if case.has_own_rows:
-        result["rows"] = {t.quantity.key: list(t.rows) for t in shown if t.quantity.rows != "one"}
+        result["rows"] = {t.quantity.name: list(t.rows) for t in shown if t.quantity.rows != "one"}
     for table in shown:
         quantity, kind = table.quantity, table.quantity.kind
         rows = [
             [None if math.isnan(value) else kind(value) for value in row]
             for row in table.values.tolist()
         ]
-        result[quantity.key] = rows[0] if quantity.rows == "one" else rows
+        result[quantity.name] = rows[0] if quantity.rows == "one" else rows
     result["messages"] = [str(message) for message in results.messages]
     return result
 
@@ -78,13 +76,13 @@ def text(data: dict[str, Any]) -> str:
 
     Examples
     --------
-    >>> print(text({"W": [[1.0, 1.0], [0.5, None]], "ETA": [0.9]}))
+    >>> print(text({"speeds": [[1.0, 1.0], [0.5, None]], "ratio": [2.0]}))
     {
-      "W": [
+      "speeds": [
         [1.0, 1.0],
         [0.5, null]
       ],
-      "ETA": [0.9]
+      "ratio": [2.0]
     }
     """
     return _braced((_text(key), _value(key, value)) for key, value in data.items())

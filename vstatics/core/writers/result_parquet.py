@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from vstatics.core.statics.results import Results
+from vstatics.core.tables.answer import PROGRAM
 from vstatics.core.tables.parquet import GROUP, row_groups
 from vstatics.core.tables.values import places, tables
 
@@ -19,8 +20,9 @@ NAMES = ("case", "table", "row", "gear")
 def rows(file: str, results: Results) -> bytes:
     """Return the rows of a result as a stream of Arrow, for `joined`.
 
-    The columns are case, table, row, gear and value. AJK does not depend on the gear: its rows
-    are ``link:device``, without a gear. A value that does not exist is null.
+    The columns are case, table, row, gear and value. The distribution matrix does not
+    depend on the gear: its rows are ``link:device``, without a gear. A value that does not exist
+    is null.
     """
     pa = import_module("pyarrow")  # costs start-up time, and may be missing
     shown = tables(results)
@@ -37,7 +39,7 @@ def rows(file: str, results: Results) -> bytes:
 
 
 def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
-    """Yield a Parquet file of all results in pieces.
+    """Yield a Parquet file of all results in pieces, with the program in its metadata.
 
     Parameters
     ----------
@@ -45,7 +47,8 @@ def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
         Streams of `rows`; empty streams are skipped.
     """
     pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
-    schema = pa.schema([*((name, pa.string()) for name in NAMES), ("value", pa.float64())])
+    columns = [*((name, pa.string()) for name in NAMES), ("value", pa.float64())]
+    schema = pa.schema(columns, metadata={"program": PROGRAM})
     read = (pa.ipc.open_stream(part).read_all().cast(schema) for part in filter(None, parts))
     sink = _Drained()
     with parquet.ParquetWriter(pa.PythonFile(sink, mode="w"), schema) as writer:

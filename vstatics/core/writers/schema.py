@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from vstatics.core.tables.answer import NUMBER, TEXT, Schema, documents, head, list_of, object_of
+from vstatics.core.tables.answer import (
+    NUMBER,
+    TEXT,
+    Schema,
+    documents,
+    head_schema,
+    list_of,
+    object_of,
+)
 from vstatics.core.tables.names import ROWS
 from vstatics.core.tables.quantities import QUANTITIES, Quantity
 from vstatics.core.writers.result_json import CONVENTIONS, FORMAT
@@ -25,7 +33,7 @@ def json_schema(of_case: Schema) -> Schema:
     """
     texts = list_of(TEXT)
     properties: Schema = {
-        **head(FORMAT),
+        **head_schema(FORMAT),
         "conventions": object_of(dict.fromkeys(CONVENTIONS, TEXT)),
         "case": {"$ref": "#/$defs/case", "description": "The case as it was calculated."},
         "gears": {**texts, "description": "Names of the gears."},
@@ -36,11 +44,11 @@ def json_schema(of_case: Schema) -> Schema:
             "links and elements, planets, members, meshes; and for one with springs.",
         },
     }
-    properties |= {quantity.key: _table(quantity) for quantity in QUANTITIES}
+    properties |= {quantity.name: _table(quantity) for quantity in QUANTITIES}
     properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
-    sometimes = ["rows", *(quantity.key for quantity in QUANTITIES if not quantity.always)]
+    sometimes = ["rows", *(quantity.name for quantity in QUANTITIES if not quantity.always)]
     content = {
-        "description": "Tables of one case under the names of the deck; null: no value.",
+        "description": "Tables of one case by name; null: no value.",
         **object_of(properties, optional=sometimes),
     }
     case_schema = {key: value for key, value in of_case.items() if key not in ("$schema", "$defs")}

@@ -123,8 +123,8 @@ HEADINGS = {
 
 
 NO_FOLLOWING = (
-    "the published listing has no field for the speed of another link, and its number leaves "
-    "the gear open; expected another format, such as `-f listing`"
+    "the published listing has no field for the speed of another link, and with a number instead "
+    "the gear is indeterminate; expected another format, such as `-f listing`"
 )
 
 
@@ -168,8 +168,8 @@ def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
     problems = []
     for index in np.flatnonzero(~same).tolist():
         message = (
-            "the signs of idle mechanisms in the published listing change the efficiency of gear "
-            f"{results.case.gears[index].name} from {before[index]:.4g} to {after[index]:.4g}"
+            "the signs of unloaded mechanisms in the published listing change the efficiency of "
+            f"gear {results.case.gears[index].name} from {before[index]:.4g} to {after[index]:.4g}"
         )
         problems.append(Problem("W895", message, ("gears", index + 1)))
     return not_allowed(problems, results.case.untold)

@@ -115,7 +115,7 @@ def report_command(
     for one case, with sliders for its numbers and for the time of a simulation.
 
     Pictures need matplotlib and networkx, the vibration section needs scipy: pip install
-    ".[plot,torsion]" in the folder of the source. Without them these parts are left out.
+    ".[plot,torsion]" in the source folder. Without them these parts are left out.
 
     \b
     Examples:
@@ -149,7 +149,7 @@ def report_command(
 
         return serve_page(cases[0], page.digits, page.lang, settings)
     assert output is not None  # noqa: S101 - it is required
-    to = formats.each_by_itself(output, cases, ["html"], "a page", most=2)
+    to = formats.each_by_itself(output, cases, ["html"], "a page")
     if len(cases) == 1 and (listing := _listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")

@@ -15,7 +15,7 @@ import click
 from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import documents, files, formats
-from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate_one
+from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
 from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.errors import ReadError, of_file
@@ -25,12 +25,9 @@ from vstatics.core.texts import Language, speaking
 from vstatics.page.cli.scenarios import naming_of, run_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from vstatics.page.serve.document_fields import Texts
     from vstatics.page.serve.server import PageServer
     from vstatics.page.serve.states import Calculated
-    from vstatics.pictures.runs import PicturedRun
 
 TOKEN_BYTES = 24
 """Number of random bytes in the token of the address; three bytes give four characters."""
@@ -162,7 +159,7 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
         naming_of(outcome),
         texts_read,
         [*file_names, *sorted(tables)],
-        _run_once(outcome),
+        cache(partial(run_of, outcome)),  # a run is calculated when first shown
         outcome.is_run,
     )
 
@@ -178,8 +175,3 @@ def _read(file: str, texts: Texts) -> tuple[dict[str, bytes], list[str]]:
                 file_names.append(case)
                 texts_read[case] = texts.get(case) or files.read_input(case, regular=True)[0]
     return texts_read, file_names
-
-
-def _run_once(outcome: CalculatedCase) -> Callable[[], PicturedRun | None]:
-    """Return a function that calculates and caches the run of a scenario."""
-    return cache(partial(run_of, outcome))

@@ -49,9 +49,10 @@ def _gear(explanation: Explanation, digits: int | None) -> Iterator[Markup]:
         if part.key == "matrix":
             continue
         shown = _lines(part.lines)
-        name, colon, comment = part.heading.partition(":")
-        note = [tag("span", f"{colon}{_typeset(comment)}", class_="note")] * bool(comment)
-        yield tag("div", tag("h4", name, *note), scrolled(shown, name), class_="explained")
+        name, _, comment = part.heading.partition(":")
+        note = [tag("p", _typeset(comment.strip()), class_="note")] * bool(comment)
+        heading = tag("h4", name)
+        yield tag("div", heading, *note, scrolled(shown, name), class_="explained")
 
 
 _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")

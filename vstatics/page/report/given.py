@@ -20,7 +20,7 @@ _NAMED = (
     *("inertias", "masses", "springs"),
 )
 """Keys of a case that are shown in tables or texts of their own on the page."""
-_LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
+_LABELS = {"idle": "sign of unloaded mechanisms", "coast": "coasting"}
 
 
 def given(
@@ -67,7 +67,7 @@ def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Gri
         kind = str(data.pop("kind")).replace("_", " ")
         links = {member: data.pop(member) for member in element.members}
         rows.append((element.name, word(kind), _said(links), _said(data)))
-    return grid_of("Elements", ["element", "kind", "links", "teeth and the rest"], rows)
+    return grid_of("Gear sets", ["gear set", "kind", "links", "teeth and the rest"], rows)
 
 
 def _mechanisms(case: Transmission) -> Grid:
@@ -131,7 +131,10 @@ def _shift_elements(case: Transmission) -> Grid:
     ]
     headings = ("shift element", "kind", "first", "second")
     more = (
-        *("drag, by the input torque", "capacity, by the input torque"),
+        *(
+            "drag torque, relative to the input torque",
+            "torque capacity, relative to the input torque",
+        ),
         *("static by kinetic torque", "friction pack, SI"),
         *ELASTIC,
     )
@@ -144,7 +147,7 @@ def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
         (name, _said({key: value for key, value in gear.items() if key != "engaged"}))
         for name, gear in gears.items()
     )
-    return grid_of("What gears give besides", ["gear", "given"], (row for row in rows if row[1]))
+    return grid_of("Further data of the gears", ["gear", "given"], (row for row in rows if row[1]))
 
 
 def _said(value: Any) -> str:

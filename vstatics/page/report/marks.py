@@ -10,13 +10,13 @@ from vstatics.core.tables.quantities import QUANTITIES
 from vstatics.page.report.tools.marks import LOSS_SHARE, POWERS
 from vstatics.pictures.paged.marks import with_mark
 
-_OF_GEARS = {"ratio": "ratio", "step": "step", "efficiency": "ETA"} | {
-    quantity.key.replace("_", " "): quantity.key
+_OF_GEARS = {"ratio": "ratio", "step": "step", "efficiency": "efficiency"} | {
+    quantity.name.replace("_", " "): quantity.name
     for quantity in QUANTITIES
     if quantity.rows == "one"
 }
 """Keys of quantities by the heading of their column in the table with a row for each gear."""
-_WITH_ROWS = {quantity.key for quantity in QUANTITIES if quantity.columns == "gears"}
+_WITH_ROWS = {quantity.name for quantity in QUANTITIES if quantity.columns == "gears"}
 """Keys of quantities whose tables have a column for each gear."""
 
 
@@ -29,10 +29,10 @@ def marked(grid: Grid) -> Grid:
     >>> from vstatics.core.tables.result_tables import of_results
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear()], link_names=["in", "out"])
     >>> by_key = {grid.key: marked(grid) for grid in of_results(solve(case))}
-    >>> by_key["W"].cells[1][1].marks
-    {'result': 'W', 'row': 'out', 'gear': '1', 'number': '-0.25'}
+    >>> by_key["speeds"].cells[1][1].marks
+    {'result': 'speeds', 'row': 'out', 'gear': '1', 'number': '-0.25'}
     >>> [cell.marks.get("result") for cell in by_key["gears"].cells[0]][:3]
-    [None, 'ETA', 'ratio']
+    [None, 'efficiency', 'ratio']
     """
     if grid.key == "gears":
         names = [_OF_GEARS.get(column.heading, "") for column in grid.columns]

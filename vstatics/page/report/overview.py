@@ -68,7 +68,7 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
     for loaded in (True, False):
         for key in (LOSSY_TORQUES, TORQUES):
             shown = quantity(key, loaded=loaded)
-            extreme = overall(largest.get(shown.key, ()))
+            extreme = overall(largest.get(shown.name, ()))
             if extreme is not None and extreme.gear:
                 unit = tr(UNITS[shown.unit].text) if shown.unit else tr(RELATIVE)
                 value = rounded(abs(extreme.value), shown.decimals, material.digits)
@@ -76,7 +76,8 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
                 if material.has_marks:
                     text = _in_unit(value, unit, abs(extreme.value), extreme.gear, loaded=loaded)
                 text = joined(text, f", {extreme.row}")
-                yield tr("largest element torque"), _in_gear(material, text, extreme.gear)
+                name = tr("largest torque of a shift element")
+                yield name, _in_gear(material, text, extreme.gear)
                 return
 
 
@@ -93,7 +94,7 @@ def _circulation(material: Material) -> Iterator[tuple[str, str]]:
         share, gear = max(known, key=itemgetter(0))
         part = rounded(100 * share, 1, material.digits)
         text = _in_gear(material, tr("{part} % of the input power", part=part), gear)
-        yield tr("largest circulation"), text if share > 0 else tr("none")
+        yield tr("largest recirculating power"), text if share > 0 else tr("none")
 
 
 def _alerts(messages: Sequence[str]) -> str:

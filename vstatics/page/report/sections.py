@@ -26,12 +26,12 @@ from vstatics.page.report.tools.marks import marked_links
 from vstatics.pictures.paged.drawn import Drawn, name_of
 from vstatics.pictures.paged.parts import Part, figures, gear_link, of_gear, on_screen
 
-ALREADY = ("ETA", "ratio")
+ALREADY = ("efficiency", "ratio")
 """Columns of the table of results by gear that the table of gears has already, by heading."""
 WELL = {
     "power balance": (0.0, "power balance 0"),
     "consistent": (1.0, "directions of power agree with the losses"),
-    "locked": (0.0, "none locked by friction"),
+    "locked": (0.0, "no self-locking gear"),
 }
 """Value of a column of the results by gear if all is well, and the sentence that replaces it."""
 PORTS, LARGEST = "ports", ("planets", "shift elements")
@@ -180,7 +180,8 @@ def _flows(material: Material) -> Iterator[Markup]:
 
 def _power(flow: GearFlow, material: Material) -> Iterator[Markup]:
     if flow.ideal is None:
-        yield tag("p", _no_power(flow))
+        why = tr(flow.note).capitalize()
+        yield tag("p", tr("{Why}, so there is no power to show", Why=why))
         return
     digits = material.digits
     powers = without_zeros(power_grid(flow))._replace(
@@ -192,10 +193,6 @@ def _power(flow: GearFlow, material: Material) -> Iterator[Markup]:
     lines = (tag("li", line.strip()) for line in remarks(flow, digits, balanced=False))
     numbers = table(powers, headed=False)
     yield tag("div", numbers, tag("ul", *lines), class_="power")
-
-
-def _no_power(flow: GearFlow) -> str:
-    return tr("{Why}, so there is no power to show", Why=tr(flow.note).capitalize())
 
 
 def _equations(material: Material) -> Iterator[Markup]:

@@ -33,8 +33,8 @@ def size_of(sheet: Markup) -> tuple[float, float]:
     return (float(match[1]), float(match[2])) if match else (0.0, 0.0)
 
 
-def with_room(pictures: Sequence[Drawn], sheets: float = STICK_ROOM) -> int:
-    """Return how many small pictures fit on a number of sheets, two in a row.
+def with_room(pictures: Sequence[Drawn]) -> int:
+    """Return how many small pictures fit on the sheets for stick diagrams, two in a row.
 
     >>> low, high = (Drawn("stick", [Markup(f'<svg viewBox="0 0 200 {h}">')]) for h in (60, 340))
     >>> with_room([low] * 20), with_room([high] * 20)
@@ -53,7 +53,7 @@ def with_room(pictures: Sequence[Drawn], sheets: float = STICK_ROOM) -> int:
         else:
             rows.append(len(sizes) * (high + CAPTION))
             is_open = is_small
-        if sum(rows) > sheets * PAGE_HEIGHT:
+        if sum(rows) > STICK_ROOM * PAGE_HEIGHT:
             return number - (number % 2 if is_small else 0)
     return len(pictures)
 

@@ -24,7 +24,7 @@ from vstatics.pictures.drawing.labels import (
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import Pen, blank
 from vstatics.pictures.drawing.style import MARGIN, TITLE, Style
-from vstatics.pictures.drawing.svg import MarkGroup, told
+from vstatics.pictures.drawing.svg import told
 
 LETTER_HEIGHT = LINE_HEIGHT * TITLE + MARGIN
 """Height of the line with the letter and the name of a case, with a margin above. [pt]"""
@@ -108,11 +108,8 @@ def _move(figure: Figure, pen: Pen, corner: Point) -> None:
         box: Any = artist.get_clip_box()
         if box is not None:
             artist.set_clip_box(TransformedBbox(box, place))
-        artist.set_gid(_grouped(artist.get_gid(), pen.groups))
+        said = artist.get_gid()
+        mark = json.loads(said) if said and said.startswith("{") else json.loads(told())
+        groups = [*pen.groups, *mark["groups"]]
+        artist.set_gid(json.dumps({**mark, "groups": groups}, ensure_ascii=False))
         pen.figure.add_artist(artist)
-
-
-def _grouped(said: str | None, groups: Sequence[MarkGroup]) -> str:
-    """Return the mark of an artist within further groups."""
-    mark = json.loads(said) if said and said.startswith("{") else json.loads(told())
-    return json.dumps({**mark, "groups": [*groups, *mark["groups"]]}, ensure_ascii=False)

@@ -56,11 +56,12 @@ class _Losses(NamedTuple):
     @property
     def key(self) -> list[Meaning]:
         """Entries of the key, which explain the areas of the losses."""
-        return [(True, NameInKey(name), loss_look(row, self.style)) for row, name in self._drawn()]
-
-    def _drawn(self) -> list[tuple[int, str]]:
         seen = [np.abs(row).max(initial=0.0) > NO_LOSS_SHARE for row in self.shares]
-        return [(row, name) for row, name in enumerate(self.names) if seen[row]]
+        return [
+            (True, NameInKey(name), loss_look(row, self.style))
+            for row, name in enumerate(self.names)
+            if seen[row]
+        ]
 
     def part(self, places: Sequence[int]) -> _Losses:
         """Return the losses of a selection of gears."""
@@ -102,7 +103,7 @@ def draw(
     known = np.concatenate([losses.efficiency, *(other.efficiency for other in alike)])
     lowest = min(float(np.nanmin(known)), 0.99)
     scale = AxisScale(lowest - 0.12 * (1 - lowest), 1.0)
-    what = style.text("efficiency, and what each mechanism takes")
+    what = style.text("efficiency and losses of the mechanisms")
     if all(case.coasts(case.gears[place]) for place in chosen):
         what += style.text(" (coasting)")
     return list(_pages(title(case, what), losses, scale, style))
@@ -194,7 +195,7 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
     >>> names, shares.round(6)
     (['D1'], array([[0.04]]))
     """
-    by_name = {table.quantity.key: table for table in tables(results)}
+    by_name = {table.quantity.name: table for table in tables(results)}
     names, losses = list(by_name["losses"].rows), by_name["losses"].values
     if "drag_losses" in by_name:
         names.append(style.text("drag"))

@@ -28,7 +28,7 @@ from vstatics.pictures.flow.sheets import (
 )
 from vstatics.pictures.flow.signs import MILD_HATCH, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
-from vstatics.pictures.flow.titles import FlowTitles, titles
+from vstatics.pictures.flow.titles import titles
 
 BAND_WIDTH = 30.0
 """Width of a band of power 1. [pt]"""
@@ -55,27 +55,25 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
     >>> [[figure]] = each(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), [()])
     >>> [text.get_text() for text in figure.texts if "circulates" in text.get_text()][-1]
-    'circulates 1.000: 100.0% of the power in'
+    'recirculating power 1.000: 100.0% of the power in'
     """
     every = flows(results)
     numbers = [gears or range(1, len(every) + 1) for gears in shown]
     chosen = [every[number - 1] for selected in numbers for number in selected]
     placings = iter(placed(chosen, style))
     for selected in numbers:
-        gears = [
-            FlowGear(flow, next(placings), _titles(results, flow, number, style))
-            for number in selected
-            for flow in [every[number - 1]]
-        ]
-        yield list(
-            _alone(results, gears[0], style) if len(gears) == 1 else _all(results, gears, style)
-        )
-
-
-def _titles(results: Results, flow: GearFlow, number: int, style: Style) -> FlowTitles | None:
-    if flow.shown is None:
-        return None
-    return titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
+        gears = []
+        for number in selected:
+            flow, said = every[number - 1], None
+            if flow.shown is not None:
+                said = titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
+            gears.append(FlowGear(flow, next(placings), said))
+        if len(gears) == 1:
+            yield list(_alone(results, gears[0], style))
+            continue
+        room = style.width - 2 * WIDE_MARGIN
+        name = title(results.case, style.text("power flow"))
+        yield list(sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style))
 
 
 def placed(gear_flows: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
@@ -113,12 +111,6 @@ def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[Flow
     )
 
 
-def _all(results: Results, gears: Sequence[FlowGear], style: Style) -> Iterator[Figure]:
-    name = title(results.case, style.text("power flow"))
-    room = style.width - 2 * WIDE_MARGIN
-    yield from sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style)
-
-
 def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
     """Yield the pages of a single gear, which is named in the title."""
     subject = style.text("power flow")
@@ -140,15 +132,15 @@ def key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
         said.is_mild(node) for said, row in drawn for node in row.graph.place if said.is_open(node)
     ]
     loop = loop_colour(style)
-    by_convention = "divided by convention, turns as one piece"
-    mild = "divided within friction, turns as one piece"
+    by_convention = "divided by convention, locked up"
+    mild = "divided within friction, locked up"
     mild_look = {"facecolor": style.paper, "edgecolor": style.ink, "hatch": MILD_HATCH}
-    doubtful = "circulates, may not be in the metal"
+    doubtful = "recirculating power, may be an artefact of the model"
     return [
         (drawn, "power", {"facecolor": style.power}),
         (False in pieces, by_convention, hatched_look(style.power, style)),
         (True in pieces, mild, {**mild_look, "width": 0.5}),
         (lost, "lost", {"facecolor": style.lost}),
-        (False in loops, "circulates", {"facecolor": loop}),
+        (False in loops, "recirculating power", {"facecolor": loop}),
         (True in loops, doubtful, hatched_look(loop, style)),
     ]

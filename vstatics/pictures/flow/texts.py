@@ -63,7 +63,7 @@ class FlowTexts(NamedTuple):
     def loop(self, number_of_loop: int) -> str:
         """Return the text of a loop: recirculating power, and a remark on possible artefacts."""
         loop, text = self.side.loops[number_of_loop], self.style.text
-        said = f"{text('circulates')} {number(loop.power)}"
+        said = f"{text('recirculating power')} {number(loop.power)}"
         if not math.isnan(self.flow.kilowatts):
             said += f", {self._kilowatts(loop.power)}"
         said += f": {self._share(loop.power)}"
@@ -77,7 +77,7 @@ class FlowTexts(NamedTuple):
         if len(self.side.loops) < 2 or math.isnan(self.side.circulating):
             return ""
         total = self.power(self.side.circulating).replace("\n", ", ")
-        said = self.style.text("circulates in all")
+        said = self.style.text("recirculating power in all")
         return f"{said} {total}: {self._share(self.side.circulating)}"
 
     def _share(self, power: float) -> str:
@@ -127,6 +127,6 @@ def heading(flow: GearFlow, wide: float, style: Style) -> str:
         lines.append(f"{style.text('not determined')}: {unknown}")
     lines.append(FlowTexts(flow, side, style).circulating)
     for loop in side.locked_in:
-        text = style.text("within one piece, not drawn")
+        text = style.text("within a locked-up group, not drawn")
         lines.append(f"{text}: {number(loop.power)}, {' > '.join(n.name for n in loop.nodes)}")
     return "\n".join(wrapped(line, wide) for line in lines if line)

@@ -67,7 +67,7 @@ def lever_names(
     for place, (cell, right) in enumerate(zip(page.cells, ends, strict=True)):
         said = [cell.lever.name]
         if gear.is_one_piece(place):
-            said.append(style.text("one piece"))
+            said.append(style.text("locked up"))
         if place in same:
             said.append(style.text("as in gear {gear}", gear=same[place]))
         names.append(wrapped(", ".join(said), right - cell.left))

@@ -95,10 +95,10 @@ def key_of(
     length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {
-        "in": text("input, and what is joined to it"),
-        "out": text("output, and what is joined to it"),
+        "in": text("input and links joined to it"),
+        "out": text("output and links joined to it"),
         "port": text("speed or torque given"),
-        "stands": text("stands"),
+        "stands": text("at rest"),
         "brake": text("held by a brake"),
         "freewheel": text("freewheel that holds"),
         "housing": text("housing"),
@@ -152,5 +152,5 @@ def _held_by(case: Transmission, names: str) -> Iterator[str]:
     """Yield the symbols of a held point, by the names of the brakes."""
     if not names:
         yield "housing"
-    kinds = [any_freewheel(case, [name]) for name in names.split(", ") if name]
-    yield from ("freewheel" if is_freewheel else "brake" for is_freewheel in kinds)
+    for name in filter(None, names.split(", ")):
+        yield "freewheel" if any_freewheel(case, [name]) else "brake"

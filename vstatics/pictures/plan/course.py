@@ -70,11 +70,13 @@ def course(case: Transmission, plan: KinematicPlan, motion: PicturedRun) -> Plan
     nonzero_input = np.where(moving, w_input, np.nan)
     on_plan = moving.copy()
     for condition in _rigid(case, plan):
-        fast = (
-            speeds[condition.other]
-            if condition.other != HOUSING
-            else _given(condition.speed, speeds, w_input)
-        )
+        given = condition.speed
+        if condition.other != HOUSING:
+            fast = speeds[condition.other]
+        elif isinstance(given, SpeedOf):
+            fast = given.factor * speeds[given.link]
+        else:
+            fast = given * w_input
         on_plan &= np.abs(speeds[condition.link] - fast) <= ON_PLAN * largest
     paths = [speeds[ray.links[0]] / nonzero_input for ray in plan.rays]
     return PlanCourse(motion.time[instants], out / nonzero_input, np.stack(paths, axis=1), on_plan)
@@ -90,12 +92,6 @@ def _rigid(case: Transmission, plan: KinematicPlan) -> Iterator[Condition]:
         ]
         if not elements or any(element.stiffness is None for element in elements):
             yield condition
-
-
-def _given(speed: float | SpeedOf, speeds: dict[int, Floats], w_input: Floats) -> Floats:
-    if isinstance(speed, SpeedOf):
-        return speed.factor * speeds[speed.link]
-    return speed * w_input
 
 
 def right_of(motion: PicturedRun, style: Style) -> float:

@@ -98,11 +98,6 @@ class BoxSection(HalfSection):
         return max(map(width, wheels), default=0.0) + SLOT_GAP
 
     @property
-    def _inner(self) -> float:
-        middle = max(self.text.size[0], width(self.side))
-        return self.letters * (max(middle, self._slot * len(self.columns), LEAST_BOX) + 2 * PAD)
-
-    @property
     def half(self) -> float:
         """Half the height of the box [pt]."""
         lines = self.text.lines.count("\n")
@@ -117,7 +112,9 @@ class BoxSection(HalfSection):
     @property
     def width(self) -> float:
         """Distance between the ends of the lines at the sides [pt]."""
-        return self._inner + 2 * ARM
+        middle = max(self.text.size[0], width(self.side))
+        inner = max(middle, self._slot * len(self.columns), LEAST_BOX) + 2 * PAD
+        return self.letters * inner + 2 * ARM
 
     @property
     def faces(self) -> Span:

@@ -180,6 +180,6 @@ def meanings(state: SchemeState, style: Style) -> list[Meaning]:
     is_pale, pale = state.idle or state.idle_links, {"color": style.faint}
     return [
         (state.engaged, "engaged", {"facecolor": style.engaged}),
-        (state.pieces, "turns as one piece", piece),
+        (state.pieces, "rotates as a block", piece),
         (is_pale, "carries no torque", pale),
     ]

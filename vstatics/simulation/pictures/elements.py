@@ -42,8 +42,19 @@ def states(motion: Motion) -> list[ElementStates]:
 
     An element without torque, or with drag torque alone, is disengaged.
     """
-    gripped = [(place, name, _gripped(motion, place)) for place, name in loaded(motion)]
-    return [_states(motion, *element) for element in gripped if element[2].any()]
+    fastest = np.abs(motion.speeds).max(initial=0.0)
+    listed = []
+    for place, name in loaded(motion):
+        torques, slips = _gripped(motion, place), np.abs(motion.slips[:, place])
+        if torques.any():
+            carries = torques[:-1] + torques[1:] > SAME_RUN_SPEED * torques.max()
+            near = SAME_RUN_SPEED * max(fastest, slips.max())
+            moves = np.maximum(slips[:-1], slips[1:]) > near  # it slips at either instant
+            slipping, sticking = (
+                tuple(spans(motion.time, carries & some)) for some in (moves, ~moves)
+            )
+            listed.append(ElementStates(name, place, slipping, sticking))
+    return listed
 
 
 def _gripped(motion: Motion, place: int) -> Floats:
@@ -57,16 +68,6 @@ def _gripped(motion: Motion, place: int) -> Floats:
         sticks = motion.beside["sticks"][name] > 0
         return np.where(sticks | (torques > capacities * (1 - SAME_RUN_SPEED)), torques, 0.0)
     return np.minimum(torques, capacities)
-
-
-def _states(motion: Motion, place: int, name: str, torques: Floats) -> ElementStates:
-    """Return the states of an element, which slips between two instants if it slips at either."""
-    slips = np.abs(motion.slips[:, place])
-    carries = torques[:-1] + torques[1:] > SAME_RUN_SPEED * torques.max()
-    near = SAME_RUN_SPEED * max(np.abs(motion.speeds).max(initial=0.0), slips.max())
-    moves = np.maximum(slips[:-1], slips[1:]) > near
-    slipping = tuple(spans(motion.time, carries & moves))
-    return ElementStates(name, place, slipping, tuple(spans(motion.time, carries & ~moves)))
 
 
 def spans(time: Floats, holds: Booleans) -> Iterator[Span]:

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.published.two_masses import TwoMasses
-from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.matrices import MotionSystem
@@ -43,7 +42,15 @@ class PublishedEquations:
         """Return M_in and M_out [N*m]."""
         torques, time = [0.0, 0.0], min(time, self.last)
         for end, law in self.laws:
-            torques[end] += _torque(law, time, state[end], state[2 + end])
+            speed, angle = state[end], state[2 + end]
+            match law:
+                case Points():
+                    seen = {"time": time, "speed": speed, "angle": angle}
+                    torques[end] += law.at(seen[law.over])
+                case Road():
+                    torques[end] += float(law.torque(speed))
+                case _:
+                    torques[end] += law.function(time, speed, angle)
         return torques[0], -torques[1]
 
     def w_f(self, state: Floats) -> float:
@@ -102,12 +109,3 @@ class PublishedEquations:
         if self.phase.locked:
             return self.passed(time, state) / self.masses.slip
         return self.phase.direction * self.friction(time, state) / self.masses.slip
-
-
-def _torque(law: Points | Formula | Road, time: float, speed: float, angle: float) -> float:
-    match law:
-        case Points():
-            return law.at({"time": time, "speed": speed, "angle": angle}[law.over])
-        case Road():
-            return float(law.torque(speed))
-    return law.function(time, speed, angle)

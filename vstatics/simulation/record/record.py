@@ -171,8 +171,8 @@ class Record:
             for indices in (broken, others)
         )
         text = (
-            f"what breaks away is open (first at {time:.6g} s): {alternatives} could in place of "
-            f"{shown}, whose slip is shown"
+            f"more than one set of slipping shift elements is consistent (first at {time:.6g} s): "
+            f"{shown} is shown, {alternatives} could slip instead"
         )
         self.messages.append(Message("N606", text))
 
@@ -335,8 +335,8 @@ class Record:
         self.sharing.add(sharing)
         names = ", ".join(contacts[index].name for index in sharing)
         text = (
-            f"{names} hold together more than is needed (first at {equations.time:.6g} s): how "
-            "they share the torque is open, shown is the split of least norm"
+            f"{names} together hold more than needed (first at {equations.time:.6g} s), so their "
+            "torque split is indeterminate; the split with the smallest sum of squares is shown"
         )
         self.messages.append(Message("N602", text))
 

@@ -28,7 +28,9 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
         if peak.torque
     ]
     if rows:
-        yield grid_of("Largest torques", ["device", "torque [N*m]", "time [s]"], rows, key="peaks")
+        yield grid_of(
+            "Largest torques", ["component", "torque [N*m]", "time [s]"], rows, key="peaks"
+        )
     if motion.reached:
         targets = (
             (
@@ -74,7 +76,7 @@ def _events(motion: Motion) -> Grid:
         cells: Row = [exact(event.time, digits=9), event.element, event_cell]
         cells.append(shown(event.energy if event.event == "impact" else None))
         rows.append(cells[: 3 + with_energy])
-    columns = [Column("time [s]"), text("element"), text("event"), Column("energy [J]")]
+    columns = [Column("time [s]"), text("shift element"), text("event"), Column("energy [J]")]
     title = "Events" if rows else "Events: none"
     return Grid(title, columns[: 3 + with_energy], rows, key="events")
 

@@ -304,19 +304,6 @@ def named_numbers() -> tuple[KeyShape, ...]:
     )
 
 
-def _state(rate: Parsed) -> ByKey:
-    return ByKey(
-        "State",
-        "A number that changes by itself.",
-        (
-            KeyShape("rate", rate, "Its change with time, by a formula.", required=True),
-            KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
-            KeyShape("min", ANYTHING, "It does not fall below."),
-            KeyShape("max", ANYTHING, "It does not rise above."),
-        ),
-    )
-
-
 def _sequence(when: Parsed, value: Parsed) -> ByForm:
     step = ByKey(
         "Step",
@@ -371,31 +358,59 @@ def _no_steps(_: str) -> NoReturn:
     raise ValueError(f"expected {_STEPS}")
 
 
+_GENERAL_KEYS = (
+    KeyShape("name", TEXT, "Name of the scenario, on one line."),
+    KeyShape("description", TEXT, "What happens, as long as you like."),
+    KeyShape("source", TEXT, "Where its data come from."),
+    KeyShape("case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)),
+    KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
+    KeyShape(
+        "start", START, "The speeds at t = 0; not needed where `speeds` determine all of them."
+    ),
+)
+"""Keys of description, case, duration and start."""
+
+_SHIFT_KEYS = (
+    KeyShape(
+        "converters",
+        ByName("converter", CONVERTER),
+        "Torque converters by their names, in place of those of the case.",
+    ),
+    KeyShape(
+        "shifts",
+        ListOf(SHIFT, "shifts", unique=False),
+        "Shifts by names of gears, in their order; of several at one time the last holds.",
+    ),
+)
+"""Keys of shifts, and of converters that replace converters of the case."""
+
+_EVALUATION_KEYS = (
+    KeyShape(
+        "targets",
+        Numbers("link", ByForm("a speed, or a list of speeds", SPEED, ListOf(SPEED))),
+        "Speeds of links in rad/s, or in km/h on a road: when they are reached.",
+        examples=({"vehicle": [8.3, 27.8]},),
+    ),
+    KeyShape(
+        "samples",
+        ByName("number", SAMPLES),
+        "Distributions of numbers of this scenario or its case, by their paths.",
+    ),
+)
+"""Keys of target speeds and of samples."""
+
+
 def scenario_shape(words: Vocabulary) -> ByKey:
     """Return the keys of a scenario whose formulas can use the names of a vocabulary."""
     return ByKey(
         "Scenario",
         "What happens to a case over time; bare numbers are in SI.",
         (
-            *_general_keys(),
+            *_GENERAL_KEYS,
             *_keys_over_time(words),
-            *_shift_keys(),
+            *_SHIFT_KEYS,
             *_control_keys(words),
-            *_evaluation_keys(),
-        ),
-    )
-
-
-def _general_keys() -> tuple[KeyShape, ...]:
-    """Return the keys of description, case, duration and start."""
-    return (
-        KeyShape("name", TEXT, "Name of the scenario, on one line."),
-        KeyShape("description", TEXT, "What happens, as long as you like."),
-        KeyShape("source", TEXT, "Where its data come from."),
-        KeyShape("case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)),
-        KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
-        KeyShape(
-            "start", START, "The speeds at t = 0; not needed where `speeds` determine all of them."
+            *_EVALUATION_KEYS,
         ),
     )
 
@@ -478,30 +493,24 @@ def _motion_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
     )
 
 
-def _shift_keys() -> tuple[KeyShape, ...]:
-    """Return the keys of shifts, and of converters that replace converters of the case."""
-    return (
-        KeyShape(
-            "converters",
-            ByName("converter", CONVERTER),
-            "Torque converters by their names, in place of those of the case.",
-        ),
-        KeyShape(
-            "shifts",
-            ListOf(SHIFT, "shifts", unique=False),
-            "Shifts by names of gears, in their order; of several at one time the last holds.",
-        ),
-    )
-
-
 def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
     """Return the keys of named numbers and tables, and of states and sequences."""
     value = curve("a number, or a formula", ANY_MEASURE, words.only(*OF_MOTION, *OF_TORQUES))
+    state = ByKey(
+        "State",
+        "A number that changes by itself.",
+        (
+            KeyShape("rate", value, "Its change with time, by a formula.", required=True),
+            KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
+            KeyShape("min", ANYTHING, "It does not fall below."),
+            KeyShape("max", ANYTHING, "It does not rise above."),
+        ),
+    )
     return (
         *named_numbers(),
         KeyShape(
             "states",
-            ByName("state", _state(value)),
+            ByName("state", state),
             "Numbers that change by themselves, dx/dt = rate, by their names.",
             examples=({"p": {"rate": "(command - p)/0.06"}},),
         ),
@@ -515,23 +524,6 @@ def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
             "sequences",
             ByName("sequence", _sequence(condition(words), value)),
             "What is done one after the other, each once a condition is true.",
-        ),
-    )
-
-
-def _evaluation_keys() -> tuple[KeyShape, ...]:
-    """Return the keys of target speeds and of samples."""
-    return (
-        KeyShape(
-            "targets",
-            Numbers("link", ByForm("a speed, or a list of speeds", SPEED, ListOf(SPEED))),
-            "Speeds of links in rad/s, or in km/h on a road: when they are reached.",
-            examples=({"vehicle": [8.3, 27.8]},),
-        ),
-        KeyShape(
-            "samples",
-            ByName("number", SAMPLES),
-            "Distributions of numbers of this scenario or its case, by their paths.",
         ),
     )
 

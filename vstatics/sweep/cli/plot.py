@@ -12,7 +12,7 @@ from vstatics.core.cli.shared.options import refuse
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.sweep.pictures import render_sweep
-from vstatics.sweep.pictures.columns import DrawnColumns
+from vstatics.sweep.pictures.columns import drawn_columns
 
 if TYPE_CHECKING:
     from vstatics.pictures.cli.options import AskedPicture
@@ -34,7 +34,7 @@ def plot_written_sweep(
     """
     from vstatics.core.readers import sweep_tables
 
-    kind, columns = asked.kind, DrawnColumns(asked.x, asked.y, asked.z, asked.by)
+    kind, columns = asked.kind, drawn_columns(asked.x, asked.y, asked.z, asked.by)
     refuse(
         (
             kind == "histogram" and (columns.x or columns.z),

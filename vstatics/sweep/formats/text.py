@@ -59,7 +59,13 @@ def rows(form: Format, chunk: Chunk) -> bytes:
         part = slice(start, start + ROWS_AT_ONCE)
         codes = chunk.status[part].tolist()
         gears = chunk.of_gear[part].tolist() if chunk.gears else [0] * len(codes)
-        parts.append(_formatted(row, _numbers(chunk, part), list(zip(codes, gears, strict=True))))
+        variants = chunk.variants[part]
+        values = len(chunk.names)
+        numbers = np.empty((len(variants), 1 + values + len(chunk.headings)))
+        numbers[:, 0] = variants
+        numbers[:, 1 : 1 + values] = chunk.values[part]
+        numbers[:, 1 + values :] = chunk.columns[part]
+        parts.append(_formatted(row, numbers, list(zip(codes, gears, strict=True))))
     return "".join(parts).encode()
 
 
@@ -79,16 +85,6 @@ def _formatted(row: _Row, numbers: Floats, words: list[WordCodes]) -> str:
     several = any(codes != words[0] for codes in words)
     pattern = "".join(map(row.pattern, words)) if several else row.pattern(words[0]) * len(words)
     return pattern % tuple(varied.ravel().tolist())
-
-
-def _numbers(chunk: Chunk, part: slice) -> Floats:
-    variants = chunk.variants[part]
-    values = len(chunk.names)
-    numbers = np.empty((len(variants), 1 + values + len(chunk.headings)))
-    numbers[:, 0] = variants
-    numbers[:, 1 : 1 + values] = chunk.values[part]
-    numbers[:, 1 + values :] = chunk.columns[part]
-    return numbers
 
 
 def _quoted(form: Format, name: str) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, listed, quoted
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.suggestions import nearest
+from vstatics.core.tables.names import plain_names
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
 
 
@@ -20,6 +21,15 @@ class DrawnColumns(NamedTuple):
     y: Sequence[str] = ()
     z: str = ""
     by: str = ""
+
+
+def drawn_columns(x: str, y: Sequence[str], z: str, by: str) -> DrawnColumns:
+    """Return the columns that a user names, in which deck names of tables are allowed.
+
+    >>> drawn_columns("load.torque", ["ETA[low]"], "", "").y
+    ('efficiency[low]',)
+    """
+    return DrawnColumns(plain_names(x), tuple(map(plain_names, y)), plain_names(z), plain_names(by))
 
 
 class DrawnRows(NamedTuple):

@@ -18,7 +18,7 @@ from vstatics.pictures.drawing.lengths import checked_width
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.plotting import format_of_picture
 from vstatics.sweep.pictures import COLUMNS, render_sweep, sweep_figures
-from vstatics.sweep.pictures.columns import DrawnColumns, numbers
+from vstatics.sweep.pictures.columns import DrawnColumns, drawn_columns, numbers
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -121,7 +121,7 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         expected = f"; expected one of {', '.join(COLUMNS)}"
         hint = nearest(kind, COLUMNS) or expected
         raise ValueError(f"there is no picture {kind!r} of a sweep{hint}")
-    selected = DrawnColumns(x, (y,) if isinstance(y, str) else tuple(y), z, by)
+    selected = drawn_columns(x, (y,) if isinstance(y, str) else y, z, by)
     _check(sweep, kind, selected)
     style = Style(lang, dark, width=checked_width(width), height=math.inf)
     return SweepPicture(sweep, kind, style, selected)

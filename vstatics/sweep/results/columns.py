@@ -15,7 +15,7 @@ from vstatics.core.readers.expressions.evaluation import FUNCTIONS, LAST
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
-from vstatics.core.tables.names import NAME
+from vstatics.core.tables.names import NAME, plain_names
 from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.results.documents import Subject
@@ -217,7 +217,7 @@ def _headings(
     expression: Expression, names: NameFinder, targets: Sequence[Varied], given_name: str
 ) -> Iterator[tuple[tuple[int, int], str]]:
     """Yield gear, row and heading of each column, with the name given to the expression."""
-    node, text = expression.node, given_name or _BLANK.sub(" ", expression.text)
+    node, text = expression.node, given_name or plain_names(_BLANK.sub(" ", expression.text))
     if isinstance(node, VariedNumber) and not given_name:
         yield (0, 0), targets[node.column].name
         return

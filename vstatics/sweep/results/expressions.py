@@ -28,6 +28,7 @@ from vstatics.core.readers.expressions.evaluation import LAST, REDUCTIONS, evalu
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Tree, parse
 from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
+from vstatics.core.tables.names import plain_name
 from vstatics.sweep.results.documents import Subject
 from vstatics.sweep.results.meanings import Name, NameFinder, Selection, Tables, value_of
 from vstatics.sweep.variants.targets import Varied
@@ -54,7 +55,7 @@ class Expression:
     row : str
         Noun for a row, such as ``link``, if the value has this axis.
     table : str
-        Name of the table as written, if the expression is part of a table.
+        Name of the table, if the expression is part of a table.
     """
 
     text: str
@@ -181,7 +182,7 @@ def resolved_expression(
         tuple(names.gears) if per_gear else None,
         tuple(names.rows(table)) if table else None,
         names.row(table) if table else "",
-        tree.name if isinstance(tree, TableName) and picked else "",
+        plain_name(tree.name) if isinstance(tree, TableName) and picked else "",
     )
     return expression, part
 

@@ -132,10 +132,6 @@ def known_paths(case: Transmission) -> list[str]:
     return [*numbers_of(case), *part_numbers(case)]
 
 
-def _names_in(case: Transmission) -> set[str]:
-    return {*case.link_names, *case.devices}
-
-
 def no_path(text: str, case: Transmission) -> str:
     """Return the message about a path without a number, or "" if the text can be a name.
 
@@ -149,7 +145,7 @@ def no_path(text: str, case: Transmission) -> str:
     """
     parts = plain_keys(text)
     paths = known_paths(case)
-    if len(parts) > 1 and parts[0] in _FIXED and parts[0] not in _names_in(case):
+    if len(parts) > 1 and parts[0] in _FIXED and parts[0] not in {*case.link_names, *case.devices}:
         message = f"numbers of {quoted(parts[0])} don't vary in a sweep of a case, which is of"
         return f"{message} tables of gears: expected one of those, such as `load.speed`"
     known = [*map(plain_keys, paths)]

@@ -157,19 +157,15 @@ def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Col
     """Return the columns that the line of headings declares."""
     line = _text(head, file, number)
     start = Place(file, number, 1, line)
-    separator = _separator(line, start)
+    if not line.strip():
+        raise refusal("read an empty line, expected names such as D1.ratio", start)
+    separator = separator_of(line)
     cells = _cells(line, separator)
     cells = cells[: len(headings_of([text for text, _ in cells]))]
     placed = [(unguarded(name), start._replace(column=column)) for name, column in cells]
     names = [name for name, _ in placed]
     chosen_targets = targets_of(placed, subject)
     return _Columns(file, number, separator, Decimals(separator), names, *chosen_targets)
-
-
-def _separator(line: str, place: Place) -> str:
-    if not line.strip():
-        raise refusal("read an empty line, expected names such as D1.ratio", place)
-    return separator_of(line)
 
 
 def targets_of(

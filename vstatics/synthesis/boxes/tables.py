@@ -111,7 +111,7 @@ def _sets(boxes: Sequence[RankedBox]) -> Iterable[str]:
 def _of_scheme(boxes: Sequence[RankedBox]) -> list[str]:
     """Return the headings of code, ports and elements, and of a held link if present."""
     has_held = bool(boxes) and boxes[0].found.box.held is not None
-    return ["code", "input", "output", *["held"] * has_held, "elements"]
+    return ["code", "input", "output", *["held"] * has_held, "shift elements"]
 
 
 def _figures(box: RankedBox) -> Values:

@@ -47,7 +47,7 @@ def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
         )
         for box, *others in cores.values()
     ]
-    headings: list[str | Column] = ["box", *names, *front, *signs, "code", "elements"]
+    headings: list[str | Column] = ["box", *names, *front, *signs, "code", "shift elements"]
     return grid_of("Boxes in their order", headings, rows, optional=names)
 
 
@@ -196,7 +196,7 @@ def element_grid(box: ListedBox) -> Grid:
         )
         for name, gear in box.gears.items()
     ]
-    return grid_of("Torques of engaged elements, slips of open ones", ["gear", *columns], rows)
+    return grid_of("Torques and slips of shift elements", ["gear", *columns], rows)
 
 
 def set_grid(box: ListedBox) -> Grid:
@@ -215,8 +215,8 @@ def set_grid(box: ListedBox) -> Grid:
         ]
         losses = [exact(100 * gear.losses.get(set_name, math.nan)) for set_name in box.ratios]
         rows.append((name, *speeds, *losses, gear.circulating, gear.drag))
-    title = "Speeds and losses of sets, power that circulates, drag"
-    return grid_of(title, ["gear", *columns, "circulating", "drag"], rows)
+    title = "Speeds and losses of sets, recirculating power, drag"
+    return grid_of(title, ["gear", *columns, "recirculating", "drag"], rows)
 
 
 def _of(values: Mapping[str, float], name: str) -> Cell:

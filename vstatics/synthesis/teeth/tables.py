@@ -39,7 +39,7 @@ def teeth_grids(result: FoundTeeth) -> Iterator[Grid]:
         (table.layout.name, int(table.total), len(table.rows), len(table.ratios))
         for table in result.tables
     )
-    yield grid_of("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
+    yield grid_of("Choice", ["gear set", "teeth and planets", "teeth", "ratios"], rows)
 
 
 def _error(value: float) -> Cell:
@@ -70,7 +70,7 @@ def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
     modules = "modules [mm]"
     return grid_of(
         "Teeth",
-        ("element", "teeth", "planets", "ratio", modules),
+        ("gear set", "teeth", "planets", "ratio", modules),
         rows,
         optional=[] if best.modules else [modules],
     )

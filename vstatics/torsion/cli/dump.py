@@ -16,7 +16,7 @@ from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case, show
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.values import value
 from vstatics.core.readers.reading import Reading
-from vstatics.core.tables.answer import Schema, documents, head, list_of, schema
+from vstatics.core.tables.answer import Schema, documents, head_schema, list_of, schema
 from vstatics.torsion.cli.case import gear_names, gears_answer, slope_notes, static_torque
 from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpAnswer, DumpTorque
 
@@ -118,7 +118,8 @@ def json_schema() -> Schema:
     """Return the schema of ``vstatics torsion dump -f json`` for numbers, a gear or gears."""
     from vstatics.torsion.clutch.gear_dump import GearDump
 
-    of_gear, torques, start = schema(GearDump), schema(DumpTorque)["required"], head(DUMP_FORM)
+    of_gear, torques = schema(GearDump), schema(DumpTorque)["required"]
+    start = head_schema(DUMP_FORM)
     failed, successful = of_gear["then"], of_gear["else"]
     properties = (
         start | successful["properties"] | failed["properties"] | {"gears": list_of(of_gear)}

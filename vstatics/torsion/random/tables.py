@@ -18,7 +18,7 @@ def random_grids(gears: Sequence[GearRandom]) -> Iterator[Grid]:
         for gear in gears
         for name, device in gear.devices.items()
     ]
-    yield grid_of("Devices: RMS", ["gear", "device", *_DEVICES], devices, key="devices")
+    yield grid_of("Components: RMS", ["gear", "component", *_DEVICES], devices, key="devices")
     links = [(gear.name, name, *link) for gear in gears for name, link in gear.links.items()]
     yield grid_of("Links: RMS", ["gear", "link", *_LINKS], links, key="links")
     widths = [

@@ -22,7 +22,7 @@ def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
         (f"Inertias reduced to {to} [kg*m^2]", "link", [gear.inertias for gear in gears]),
         (
             f"Compliances reduced to {to} [rad/(N*m)]",
-            "device",
+            "component",
             [gear.compliances for gear in gears],
         ),
         (f"Ratios w_{to}/w_link", "link", [gear.ratios for gear in gears]),

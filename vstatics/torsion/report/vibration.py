@@ -128,4 +128,4 @@ def _gear_markup(gear: GearModes, drawn: Drawn | None, digits: int | None) -> It
         yield from figures(drawn, name_of(drawn.kind))
     shown = (grid for grid in modes_grids([gear]) if grid.key in OF_GEAR)
     without_gear = (grid.with_columns(range(1, len(grid.columns))) for grid in shown)
-    yield from tables(grid.with_digits(digits) for grid in without_gear)
+    yield from tables((grid.with_digits(digits) for grid in without_gear), level=4)

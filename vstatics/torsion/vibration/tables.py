@@ -42,10 +42,12 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     for gear in gears:
         if gear.modes:
             yield _by_mode(gear, "link", "amplitudes of links", lambda mode: mode.shape, _part)
-            torques = "torques of devices at these amplitudes [N*m/rad]"
+            torques = "torques of components at these amplitudes [N*m/rad]"
             yield _by_mode(gear, "torque of", torques, lambda mode: mode.torques)
             yield _by_mode(gear, "link", "shares of kinetic energy", lambda m: m.kinetic, _part)
-            yield _by_mode(gear, "device", "shares of elastic energy", lambda m: m.elastic, _part)
+            yield _by_mode(
+                gear, "component", "shares of elastic energy", lambda m: m.elastic, _part
+            )
 
 
 def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
@@ -70,8 +72,8 @@ def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
             for number, mode in enumerate(gear.modes, 1)
         )
         yield grid_of(
-            "Where most of the energy is",
-            ("gear", "mode", "device", "share", "link", "share"),
+            "Largest shares of energy",
+            ("gear", "mode", "component", "share", "link", "share"),
             energies,
             key="energy",
         )
@@ -124,7 +126,7 @@ def identified_grids(omega: float, identified: Identified) -> Iterator[Grid]:
         (name, value, identified.dampings.get(name))
         for name, value in identified.compliances.items()
     )
-    headings = "device", "compliance [rad/(N*m)]", _DAMPING
+    headings = "component", "compliance [rad/(N*m)]", _DAMPING
     title = f"Calculated {identified.omega:.5g} rad/s, measured {omega:.5g}: "
     title += f"all compliances by {(identified.omega / omega) ** 2:.5g}"
     yield grid_of(title, headings, rows, key="identified", optional=[_DAMPING])
@@ -164,7 +166,7 @@ def damped_grids(decrements: Mapping[str, float], damped: Damped) -> Iterator[Gr
     rows.append(("mode", damped.decrement, "", ""))
     yield grid_of(
         f"Dampings at {damped.omega:.5g} rad/s",
-        ["device", "decrement", "share of elastic energy", _DAMPING],
+        ["component", "decrement", "share of elastic energy", _DAMPING],
         rows,
         key="dampings",
     )

@@ -30,7 +30,6 @@ from vstatics.vehicle.case.vehicle import Vehicle
 if TYPE_CHECKING:
     from vstatics.vehicle.operation.cycle_steps import GearChoice
     from vstatics.vehicle.operation.drive_cycle import CycleAnswer, DriveCycle
-    from vstatics.vehicle.operation.fuel_map import FuelMap
     from vstatics.vehicle.operation.shifting import ShiftSpeed
     from vstatics.vehicle.operation.trace import Trace
 
@@ -202,12 +201,16 @@ def _driven(
         If the case, the trace or the fuel map is in error, with positions.
     """
     from vstatics.vehicle.operation.drive_cycle import drive
+    from vstatics.vehicle.operation.fuel_map import read_fuel_map
 
     vehicle = Vehicle.of(results.case)
     if vehicle is None:
         message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
         raise ReadError([of_file("E427", outcome.file, message)])
-    fuel = _fuel(outcome.file, vehicle.fuel)
+    fuel = None
+    if vehicle.fuel:
+        path = os.path.join(os.path.dirname(outcome.file), vehicle.fuel)  # noqa: PTH118, PTH120
+        fuel = read_fuel_map(*files.read_input(path, regular=True))
     try:
         return drive(results.case, trace, choice, fuel)
     except CaseError as error:
@@ -222,12 +225,3 @@ def _located(problem: Problem, trace: Trace, file: str) -> Problem:
     if isinstance(row, int):
         return problem._replace(path=(), place=trace.table.place(row))
     return problem if problem.place else problem.in_file(file)
-
-
-def _fuel(case: str, name: str) -> FuelMap | None:
-    from vstatics.vehicle.operation.fuel_map import read_fuel_map
-
-    if not name:
-        return None
-    path = os.path.join(os.path.dirname(case), name)  # noqa: PTH118, PTH120
-    return read_fuel_map(*files.read_input(path, regular=True))

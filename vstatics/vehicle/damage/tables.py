@@ -22,7 +22,7 @@ def damage_grid(damages: Mapping[str, DeviceDamage], title: str = "Damage") -> G
     for name, damage in damages.items():
         cycles = sum(cycle.counted for cycle in damage.cycles)
         rows.append((name, damage.damage, damage.repeats, damage.largest_stress / 1e6, cycles))
-    headings = "device", "damage", "repeats", "largest stress [MPa]", "cycles"
+    headings = "component", "damage", "repeats", "largest stress [MPa]", "cycles"
     return grid_of(title, headings, rows, key="damage")
 
 

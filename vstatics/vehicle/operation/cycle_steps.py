@@ -123,16 +123,12 @@ class CycleSteps(NamedTuple):
         force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
         return np.where(trace.speed > 0, force, 0.0)
 
-    @property
-    def wheel_speeds(self) -> Floats:
-        """Speeds of the output, without sign [rad/s]."""
-        return self.trace.speed / self.vehicle.radius * self.vehicle.final_drive
-
     def link_speeds(self, kind: str) -> Floats:
         """Return the speeds of the input or output links [rad/s]."""
         link_of = self.case.gear_input if kind == "input" else self.case.gear_output
         links = np.array([link_of(gear) - 1 for gear in self.case.gears])
-        speeds: Floats = self.wheel_speeds * self.ratios[self.gears, links[self.gears]]
+        output = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive  # without sign
+        speeds: Floats = output * self.ratios[self.gears, links[self.gears]]
         return speeds
 
     @property

@@ -140,11 +140,13 @@ def read_trace(data: bytes, file: str) -> Trace:
         raise ReadError(problems)
     duration = np.diff(times)
     acceleration = np.diff(speeds) / duration
+    grades = np.array(table.numbers.get("grade", np.zeros(len(table.lines))))
+    slopes = np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))
     return Trace(
         duration,
         (speeds[1:] + speeds[:-1]) / 2,
         acceleration,
-        _slopes(table)[:-1],
+        slopes[:-1],
         list(table.texts.get("gear", [])[:-1]),
         table,
     )
@@ -177,8 +179,3 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
     for row, name, expected in sorted(wrong, key=lambda fault: fault[0])[:MOST_SHOWN_FAULTS]:
         message = f"{name}: read {table.numbers[name][row]:g}, expected {expected}"
         yield Problem("E122", message, (), table.place(row))
-
-
-def _slopes(table: UnitTable) -> Floats:
-    grades = np.array(table.numbers.get("grade", np.zeros(len(table.lines))))
-    return np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))

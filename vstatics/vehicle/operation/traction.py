@@ -126,7 +126,7 @@ def performance(case: Transmission) -> Performance:
     }
     ahead = [case.gears[index].name for index in pull.ahead]
     known = [gears[name].top_speed for name in ahead if math.isfinite(gears[name].top_speed)]
-    return Performance(gears, max(known, default=math.nan), pull.time_to(HUNDRED))
+    return Performance(gears, max(known, default=math.nan), pull.time_to_100())
 
 
 class Traction:
@@ -238,12 +238,12 @@ class Traction:
             )
         return largest
 
-    def time_to(self, speed: float) -> float:
-        """Return the time from rest to a speed, by Gaussian quadrature [s]."""
-        ends = {0.0, speed, *np.linspace(0.0, speed, STEPS_TO_100 + 1).tolist()}
+    def time_to_100(self) -> float:
+        """Return the time from rest to 100 km/h, by Gaussian quadrature [s]."""
+        ends = {0.0, HUNDRED, *np.linspace(0.0, HUNDRED, STEPS_TO_100 + 1).tolist()}
         for gear in self.ahead:
             ends |= {float(self.per_engine[gear] * point) for point, _ in self.vehicle.engine}
-        edges = np.array(sorted(end for end in ends if 0 <= end <= speed))
+        edges = np.array(sorted(end for end in ends if 0 <= end <= HUNDRED))
         places, weights = np.polynomial.legendre.leggauss(4)
         half = np.diff(edges) / 2
         middles = (edges[:-1] + edges[1:]) / 2

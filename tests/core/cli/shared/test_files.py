@@ -56,7 +56,7 @@ def test_a_write_that_breaks_off_leaves_the_old_file(
     monkeypatch.setattr(os, "replace", full)
     said = vstatics("run", MZKT, "-o", "old.lst")
     assert said.gives_nothing()
-    assert said.err == "old.lst: error: can't be written: No space left on device\n"
+    assert said.err == "old.lst: error: cannot be written: No space left on device\n"
     assert (names(folder), old.read_text(encoding="utf-8")) == (["old.lst"], "old")
 
 
@@ -71,7 +71,7 @@ def test_a_gear_tied_up_fails_but_its_results_are_written(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("target", "reason"),
     [
-        ("nowhere/deep/new", "there is no directory nowhere/deep, make it"),
+        ("nowhere/deep/new", "there is no directory nowhere/deep; create it"),
         ("", "Is a directory"),
         ("file/new", "Not a directory"),
     ],
@@ -81,7 +81,7 @@ def test_what_cannot_be_written_is_told(target: str, reason: str) -> None:
     for command in (["run", MZKT, "-o", target], ["convert", MZKT, target, "--to", "deck"]):
         said = vstatics(*command)
         assert said.gives_nothing()
-        assert said.err == f"{target}: error: can't be written: {reason}\n"
+        assert said.err == f"{target}: error: cannot be written: {reason}\n"
     assert names(Path()) == ["file"]
 
 
@@ -144,8 +144,8 @@ def test_nothing_is_written_over_what_is_read(folder: Path, given: tuple[str, ..
 
 def test_a_handle_that_there_cannot_be_is_told() -> None:
     said = vstatics("run", MZKT, "-o", "/dev/fd/99999999999999999999")
-    assert said.fails("can't be written")
-    assert "an error of vstatics" not in said.err
+    assert said.fails("cannot be written")
+    assert "an error in vstatics" not in said.err
 
 
 @pytest.mark.usefixtures("folder")

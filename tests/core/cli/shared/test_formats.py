@@ -72,7 +72,7 @@ def test_another_suffix_is_refused_before_anything_is_read(command: str) -> None
         (("plot", MZKT, ZF, MZKT, "--kind", "plan", "-o", "new.pdf"), "for several (new/)"),
         (("plot", MZKT, "--kind", "plan", "-o", "new.gif"), "expected .svg .png .pdf"),
         (("sweep", MZKT, "--vary", "D1.ratio=-2", "-o", "new.txt"), "can't tell the format"),
-        (("convert", MZKT, "new.txt"), "can't tell the format of new.txt"),
+        (("convert", MZKT, "new.txt"), "cannot determine the format of new.txt"),
         (("run", MZKT, "-f", "json", "-o", "new.csv"), "-f json is not the format of new.csv"),
         (("flow", MZKT, "-f", "json", "-o", "new.txt"), "expected .json"),
         (("summary", MZKT, "-f", "text", "-o", "new.md"), "expected .txt or .lst or .out"),
@@ -101,7 +101,7 @@ def test_without_openpyxl_a_workbook_is_refused_at_once(
 ) -> None:
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
     said = vstatics(command, "nowhere.yaml", "-o", "new.xlsx")
-    message = 'XLSX needs the package openpyxl: pip install "vstatics[xlsx]", or "vstatics[all]"\n'
+    message = 'XLSX needs the package openpyxl: pip install ".[xlsx]" in the source folder, or pip install openpyxl\n'
     assert (said.status, said.all, names()) == (1, message, [])
 
 
@@ -208,11 +208,11 @@ def test_a_workbook_of_a_case_has_a_sheet_for_each_table() -> None:
     """Numbers are those of the library, as numbers."""
     vstatics("run", ZF, "-o", "new.xlsx")
     found, results = sheets("new.xlsx"), solve(load(ZF))
-    speeds = found["W"]
+    speeds = found["speeds"]
     assert speeds[0] == ("link", *(gear.name for gear in results.case.gears))
     for row, expected in zip(speeds[1:], results.speeds.T.tolist(), strict=True):
         assert row[1:] == pytest.approx(expected, rel=1e-15)
-    assert ("W", "Speeds of the links [W]") in found["tables"]
+    assert ("speeds", "Speeds of the links [speeds]") in found["tables"]
     assert found["idle"][1][1] in (True, False)
 
 

@@ -154,7 +154,7 @@ def test_a_disk_that_is_full_at_the_parts_is_told_of_them() -> None:
     done = subprocess.run(line, preexec_fn=full, capture_output=True, text=True, check=False)
     told, last = done.stderr.splitlines()
     assert (done.returncode, Path("all.jsonl").exists()) == (1, False)
-    assert told.endswith("all.jsonl.parts/parts: error: can't be written: File too large [E030]")
+    assert told.endswith("all.jsonl.parts/parts: error: cannot be written: File too large [E030]")
     assert last.endswith("all.jsonl was not written; the same command with --resume goes on")
 
 
@@ -182,7 +182,7 @@ def test_a_run_with_a_bad_case_goes_on_when_it_is_mended() -> None:
 
 def test_nothing_to_go_on_with_is_told_and_nothing_is_left() -> None:
     said = vstatics("run", *NAMES, "-o", "all.jsonl", "--resume")
-    assert (said.status, "there is no run to go on with; every case" in said.err) == (0, True)
+    assert (said.status, "there is no earlier run to resume; every case" in said.err) == (0, True)
     assert sorted(path.name for path in Path.cwd().iterdir()) == [
         "all.jsonl",
         "bad.yaml",

@@ -166,7 +166,7 @@ def test_results_of_another_build_are_calculated_again_with_a_word() -> None:
         path.write_text("\n".join([json.dumps(earlier), *lines]), encoding="utf-8")
         said = vstatics("run", *CASES, "-o", "out", "-f", "json", "--resume")
         assert said.err.startswith(
-            "out: what is there is of another build of vstatics; every case is calculated\n"
+            "out: the finished work belongs to another build of vstatics; every case is calculated\n"
         )
         assert "3 of 4 cases calculated, 1 with errors, 1 failed:" in said.err
         assert resumed()[0] == ["tied"]
@@ -205,7 +205,7 @@ def test_lines_of_a_record_that_are_none_are_passed_over() -> None:
 
 def test_each_format_has_a_run_of_its_own() -> None:
     said = vstatics("run", *CASES, "-o", "out", "--resume")
-    assert "out: there is no run to go on with; every case is calculated\n" in said.err
+    assert "out: there is no earlier run to resume; every case is calculated\n" in said.err
     assert resumed()[0] == ["tied"]
 
 
@@ -230,7 +230,9 @@ def test_a_case_whose_file_of_points_was_changed_is_calculated_again() -> None:
         Path("drag.csv").write_text(f"speed [rad/s],torque [N*m]\n0,{torque}\n", encoding="utf-8")
         assert vstatics(*command).status == 0
         result = Path("points/drag.json")
-        found.append((json.loads(result.read_text("utf-8"))["ETA"][0], result.stat().st_mtime_ns))
+        found.append(
+            (json.loads(result.read_text("utf-8"))["efficiency"][0], result.stat().st_mtime_ns)
+        )
     (first, written), again, (changed, _) = found
     assert (first, changed) == (pytest.approx(0.95), pytest.approx(0.85))
     assert again == (first, written)

@@ -228,7 +228,7 @@ def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
     )
     *_, message, last = done.stderr.decode().splitlines()
     assert (done.returncode, done.stdout) == (1, b"")
-    assert message == "out/a.json: error: can't be written: File too large [E030]"
+    assert message == "out/a.json: error: cannot be written: File too large [E030]"
     assert last == f"stopped after 1 of 3 cases; {KEPT}"
     assert names("out") == ["small.json"]
 
@@ -241,7 +241,7 @@ def test_a_stream_that_is_full_ends_the_run(form: str) -> None:
     done = subprocess.run(
         ["bash", "-c", line], capture_output=True, check=False, env=environment(), timeout=60
     )
-    message = "<stdout>: error: can't be written: No space left on device [E030]\n"
+    message = "<stdout>: error: cannot be written: No space left on device [E030]\n"
     assert (done.returncode, done.stderr.decode()) == (1, message)
 
 

@@ -138,7 +138,10 @@ def test_missing_kwz_and_kmz_are_warned_of_at_the_end() -> None:
     assert reading.case == MZKT7922
     assert [problem.severity for problem in reading.warnings] == ["warning"] * 2
     for problem, field in zip(reading.warnings, ("KWZ", "KMZ"), strict=True):
-        assert problem.message == f"{field} is missing: taken as 0; a cut file looks the same"
+        assert (
+            problem.message
+            == f"{field} is missing and read as 0; a file that was cut off looks the same"
+        )
         assert problem.place is not None
         assert problem.place.line == last
 
@@ -156,7 +159,7 @@ def test_results_end_the_input() -> None:
 def test_a_second_report_is_an_error() -> None:
     text = PUBLISHED.decode() + "\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nKJG= 3\n"
     (error,) = errors_of(text)
-    assert "KJG: another report begins here, expected one case in a file" in str(error)
+    assert "KJG: another case begins here, expected a single case in a file" in str(error)
 
 
 def test_planet_warning_has_the_place_of_its_ratio() -> None:

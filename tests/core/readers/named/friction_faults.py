@@ -93,7 +93,7 @@ FAULTS = [
         "friction-slips-out-of-order.yaml",
         7,
         83,
-        "shift_elements.FH.friction.coefficient[2][1]: read 10, expected a slip of 20 rad/s or more: slips are in ascending order",
+        "shift_elements.FH.friction.coefficient[2][1]: read 10, expected a slip of 20 rad/s or more: slips must ascend",
     ),
     ("spring-limit-0.yaml", 9, 58, "springs.tyre.limit: read 0, expected a torque above 0"),
     (

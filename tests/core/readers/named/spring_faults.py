@@ -67,7 +67,7 @@ FAULTS = [
         "damping-of-rigid.yaml",
         10,
         56,
-        "mechanisms.M.damping: there is a damping without `stiffness`: what is rigid can't be damped",
+        "mechanisms.M.damping: read a damping without `stiffness`: a rigid component cannot be damped",
     ),
     ("stiffness-0.yaml", 5, 65, "springs.axle.stiffness: read 0, expected a stiffness above 0"),
     (
@@ -135,7 +135,7 @@ FAULTS = [
         "spring-neither.yaml",
         5,
         3,
-        "springs.axle: there is no `stiffness`, no `compliance`, no `points` and no `damping`, expected one of them",
+        "springs.axle: read none of `stiffness`, `compliance`, `points` and `damping`, expected one of them",
     ),
     (
         "spring-equal-links.yaml",
@@ -153,13 +153,13 @@ FAULTS = [
         "spring-without-links.yaml",
         6,
         12,
-        "springs.support: expected `links`, those of a shaft, or `twist`, a coefficient for each link",
+        "springs.support: expected `links`, the two links of a shaft, or `twist`, a coefficient for each link",
     ),
     (
         "spring-twist-empty.yaml",
         5,
         17,
-        "springs.axle.twist: the twist is empty, expected at least one link with its coefficient",
+        "springs.axle.twist: read an empty twist, expected at least one link with its coefficient",
     ),
     (
         "spring-twist-0.yaml",
@@ -189,13 +189,13 @@ FAULTS = [
         "spring-named-like-a-mechanism.yaml",
         6,
         3,
-        "springs.M: `M` is the name of a mechanism too, expected another",
+        "springs.M: `M` is also the name of a mechanism, expected another name",
     ),
     (
         "mechanism-named-like-a-clutch.yaml",
         10,
         3,
-        "mechanisms.C: `C` is the name of a shift element too, expected another",
+        "mechanisms.C: `C` is also the name of a shift element, expected another name",
     ),
     (
         "springs-a-list.yaml",

@@ -7,7 +7,7 @@ FAULTS = [
         "mass-and-inertia.yaml",
         1,
         22,
-        "masses.axle: link axle is in `inertias`, too: it turns or moves straight",
+        "masses.axle: link axle is in `inertias`, too: it either rotates or moves straight",
     ),
     (
         "mass-below-0.yaml",
@@ -43,13 +43,13 @@ FAULTS = [
         "strut-that-turns.yaml",
         3,
         30,
-        "springs.s.strut: its twist names no link of `masses`, expected one: a strut is in m and N",
+        "springs.s.strut: the twist names no link of `masses`, expected at least one: a strut acts along a straight line",
     ),
     (
         "strut-half-counter-chamber.yaml",
         3,
         29,
-        "springs.s.strut: expected `counter_area` and `counter_length` above 0 beside `counter_pressure`",
+        "springs.s.strut: expected `counter_area` and `counter_length` above 0 with `counter_pressure`",
     ),
     (
         "strut-at-its-bottom.yaml",
@@ -61,13 +61,13 @@ FAULTS = [
         "strut-beyond-numbers.yaml",
         3,
         29,
-        "springs.s.strut: its stiffness is beyond all numbers, expected sizes of a strut",
+        "springs.s.strut: its stiffness is infinite, expected realistic dimensions",
     ),
     (
         "strut-beside-stiffness.yaml",
         3,
         33,
-        "springs.s.stiffness: read `stiffness` beside `strut`, expected none",
+        "springs.s.stiffness: read `stiffness` with `strut`, expected only one of them",
     ),
     (
         "strut-without-length.yaml",
@@ -85,13 +85,13 @@ FAULTS = [
         "limit-of-a-limit.yaml",
         4,
         61,
-        "springs.tyre.limit.of: `rear` slips or rubs itself, expected a spring without `limit` and `friction`",
+        "springs.tyre.limit.of: `rear` has a limit or friction of its own, expected a spring without `limit` and `friction`",
     ),
     (
         "limit-without-times.yaml",
         4,
         46,
-        "springs.tyre.limit: expected `of` and `times` both, or none of them",
+        "springs.tyre.limit: expected both `of` and `times`, or neither",
     ),
     (
         "limit-times-0.yaml",

@@ -119,7 +119,7 @@ def test_yaml_aliases_share_nodes() -> None:
         ("", 1, 1, "the file is empty"),
         ("# only words\n", 1, 1, "the file is empty"),
         ("a: 1\n---\nb: 2\n", 2, 1, "a second document starts here"),
-        ("a: &x\n- *x\n", 2, 3, "alias *x stands inside what it repeats"),
+        ("a: &x\n- *x\n", 2, 3, "alias *x is inside the part that it repeats"),
         ("a: &x 1\nb: *y", 2, 4, "alias *y of no anchor before it"),
         ("a:\n ? {b: c}\n : d", 2, 4, "a key that is a list or a mapping"),
         ("a: b: c", 1, 5, "mapping values are not allowed"),

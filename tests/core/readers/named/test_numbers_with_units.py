@@ -60,7 +60,7 @@ def test_a_calculation_stands_before_the_unit(text: str, kind: Quantity, value: 
         ("2 mw", "power", "; did you mean `MW`?"),
         ("1,5 kW", "power", "(with a decimal point)"),
         ("90 °C", "power", "expected a power with its unit"),
-        ("1e308 krpm", "speed", "expected a speed that is not so large"),
+        ("1e308 krpm", "speed", "expected a speed that is smaller"),
         ("1/0 rpm", "speed", "expected a denominator other than 0"),
     ],
 )
@@ -80,7 +80,7 @@ def test_without_a_unit_a_number_is_relative_to_the_input() -> None:
     [
         ("1.2.3", "expected a number or a calculation such as -96/39"),
         ("1,5", "(with a decimal point)"),
-        ("fast", "such as `2100 rpm` or `220 rad/s`, or one relative to the input speed"),
+        ("fast", "such as `2100 rpm` or `220 rad/s`, or a number relative to the input speed"),
         ("3 rmp", "or one relative to the input speed; did you mean `rpm`?"),
     ],
 )

@@ -25,11 +25,11 @@ from vstatics.core.writers.named import mapping, write_json, write_yaml
 
 # file, line, column, words of the message: the place of the one fault in the file
 FAULTS = [
-    ("alias-of-itself.yaml", 9, 24, "alias *gear stands inside what it repeats"),
+    ("alias-of-itself.yaml", 9, 24, "alias *gear is inside the part that it repeats"),
     ("alias-unknown.yaml", 9, 18, "alias *elements of no anchor before it"),
     ("coast-quoted.yaml", 2, 8, "coast: read 'true', expected `true` or `false` without quotes"),
     ("coast-yes.yaml", 2, 8, "coast: read 'yes', expected `true` or `false`"),
-    ("control-character.yaml", 6, 50, "U+0007, a character that YAML has not"),
+    ("control-character.yaml", 6, 50, "U+0007, a character that YAML does not allow"),
     (
         "efficiency-above-1.yaml",
         6,
@@ -77,7 +77,7 @@ FAULTS = [
         "idle: read 'publish', expected `exact` or `published`; did you mean `published`?",
     ),
     ("input-is-output.yaml", 2, 9, "output: input and output are both link 1"),
-    ("key-empty.yaml", 9, 3, "gears: an empty key, expected a name"),
+    ("key-empty.yaml", 9, 3, "gears: read an empty key, expected a name"),
     ("key-is-a-list.yaml", 9, 3, "a key that is a list or a mapping, expected text"),
     ("key-twice.yaml", 11, 1, "key `name` is given twice, the first is on line 2, column 1"),
     ("key-unknown.yaml", 7, 1, "unknown key `gaers`; did you mean `gears`?"),
@@ -117,7 +117,7 @@ FAULTS = [
         "links-too-many.yaml",
         1,
         8,
-        "links: read 100000000 links, but 2 shift elements and 1 mechanisms can join 7 at most",
+        "links: read 100000000 links, but 2 shift elements and 1 mechanisms can connect at most 7",
     ),
     ("links-missing.yaml", 1, 1, "`links` is missing"),
     (
@@ -149,7 +149,7 @@ FAULTS = [
         "number-too-large.yaml",
         6,
         46,
-        "mechanisms.D1.ratio: read '1e999999999', expected a number that is not so large",
+        "mechanisms.D1.ratio: read '1e999999999', expected a smaller number",
     ),
     (
         "number-with-comma.yaml",
@@ -196,7 +196,7 @@ FAULTS = [
         "number-too-large.json",
         4,
         71,
-        "mechanisms.D1.ratio: read '1e999', expected a number that is not so large",
+        "mechanisms.D1.ratio: read '1e999', expected a smaller number",
     ),
     ("octal.json", 2, 12, "not JSON: read '03', expected a value"),
     ("single-quotes.json", 2, 3, "not JSON: read ''links'', expected a key in double quotes"),

@@ -177,11 +177,11 @@ def test_a_result_has_the_case_and_is_read_as_one(tmp_path: Path) -> None:
         ("springs: {s: {twist: [a], stiffness: 3}}", "read a list, expected a mapping: a number for"),
         (
             "links: 9\nsprings: {s: {links: [1], stiffness: 3}}",
-            "read 9 links, but 0 shift elements, 0 mechanisms and 1 springs can join 2 at most",
+            "read 9 links, but 0 shift elements, 0 mechanisms and 1 springs can connect at most 2",
         ),
         (
             "links: 100000000\nsprings: {s: {twist: {1: 1, 2: 3}, stiffness: 3}}",
-            "1 springs can join 2 at most",
+            "1 springs can connect at most 2",
         ),
     ],
 )  # fmt: skip
@@ -199,7 +199,7 @@ springs:
   b: {links: [dics, wheel], stiffness: 8}
 """)
     assert told == (
-        "case.yaml:5:15: warning: link `dics` is joined to nothing else; did you mean `disc`? [W102]"
+        "case.yaml:5:15: warning: link `dics` appears only once, so it is connected to nothing; did you mean `disc`? [W102]"
     )
 
 
@@ -228,8 +228,8 @@ gears: {x: []}
     assert loaded(text).devices == ["G", "G"]  # as ever, where nothing is told by names alone
     [told] = messages(text + "inertias: {a: 1}")
     assert told == (
-        "case.yaml:4:12: error: elements.G: `G` is the name of a shift element too, "
-        "expected another [E257]"
+        "case.yaml:4:12: error: elements.G: `G` is also the name of a shift element, "
+        "expected another name [E257]"
     )
 
 
@@ -273,7 +273,7 @@ def test_inertias_that_are_none_are_no_case(nothing: str) -> None:
         ("inertias: {a: x}", "case.yaml:1:15: error: inertias.a: read 'x', expected an inertia in"),
         (
             "links: 4\ninertias: {1: 3}",
-            "read 4 links, but 0 shift elements, 0 mechanisms and 1 inertias can join 1 at most",
+            "read 4 links, but 0 shift elements, 0 mechanisms and 1 inertias can connect at most 1",
         ),
         (
             "inertias: {engine: 1, dics: 2}\nshift_elements: {C: [engine, disc]}",

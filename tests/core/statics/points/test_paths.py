@@ -54,9 +54,11 @@ def test_a_number_is_varied_once() -> None:
 
 
 def test_arrays_go_together_on_one_axis() -> None:
-    with pytest.raises(ValueError, match="expected arrays of one axis"):
+    with pytest.raises(ValueError, match="expected arrays with one axis"):
         solve(CASE, vary={"drag.out": np.ones((2, 2))})
-    with pytest.raises(ValueError, match=re.escape("one length, read drag.out (2,), drag.in (3,)")):
+    with pytest.raises(
+        ValueError, match=re.escape("equal lengths, read drag.out (2,), drag.in (3,)")
+    ):
         solve(CASE, vary={"drag.out": [1, 2], "drag.in": [1, 2, 3]})
     with pytest.raises(ValueError, match="not both"):
         solve(CASE, vary={"drag.out": 1}, ratios=[[-2.0]])

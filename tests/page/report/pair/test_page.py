@@ -62,7 +62,7 @@ def numbers(page: Page, case: str) -> dict[tuple[str, ...], float | None]:
 def results(file: Path) -> dict[tuple[str, ...], float | None]:
     """The same as the program calculates it, of tables that a page has."""
     return {
-        (one.quantity.key, "" if one.quantity.rows == "one" else row, gear): (
+        (one.quantity.name, "" if one.quantity.rows == "one" else row, gear): (
             None if math.isnan(number) else number
         )
         for one in tables(solve(load(file)))

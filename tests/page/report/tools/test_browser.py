@@ -89,32 +89,32 @@ def test_numbers_are_shown_in_the_units_that_are_chosen_and_keep_theirs(
     page: Any, box: Path
 ) -> None:
     results = solve(load(box))
-    told = {one.quantity.key: one for one in tables(results)}
-    before = {one.key: page.evaluate(CELLS, one.key) for one in RELATIVE}
+    told = {one.quantity.name: one for one in tables(results)}
+    before = {one.name: page.evaluate(CELLS, one.name) for one in RELATIVE}
     sizes = {"rpm": 1.0, "Nm": LBF_FT, "kW": HP}
     for units in ("si", "us"):
         chosen(page, units)
         for one in RELATIVE:
             if not one.with_load or one.rows == "one":
                 continue
-            table = told.get(f"{one.key}_{one.with_load}")
+            table = told.get(f"{one.name}_{one.with_load}")
             if table is None:
                 continue
             by = sizes[one.with_load] if units == "us" else 1.0
             own = dict(zip(table.rows, table.values.tolist(), strict=True))
             columns = list(table.columns)
-            shown = seen(page, one.key)
+            shown = seen(page, one.name)
             assert shown
             for (row, gear), number in shown.items():
                 wanted = own[row][columns.index(gear)] / by
-                assert number == pytest.approx(wanted, rel=1e-5, abs=0.06), (one.key, row, gear)
+                assert number == pytest.approx(wanted, rel=1e-5, abs=0.06), (one.name, row, gear)
     chosen(page, "relative")
-    assert {one.key: page.evaluate(CELLS, one.key) for one in RELATIVE} == before
+    assert {one.name: page.evaluate(CELLS, one.name) for one in RELATIVE} == before
 
 
 def test_headings_tell_the_unit_and_a_table_stands_once(page: Any) -> None:
     title = page.locator("#tables h3", has_text="Speeds of the links").first
-    for units, said in (("relative", "links [W]"), ("si", "links, rpm [W]")):
+    for units, said in (("relative", "links [speeds]"), ("si", "links, rpm [speeds]")):
         chosen(page, units)
         assert title.text_content() == f"Speeds of the {said}"
         assert page.locator("#tables h3:visible", has_text="Speeds of the links").count() == 1
@@ -131,7 +131,7 @@ def test_units_follow_sliders(browser: Any, box: Path) -> None:
         for ratio in (-3, -2.5):
             here.type("P1.ratio", str(ratio))
             here.has_ratio(1 - ratio)
-            speed = seen(here.page, "W")["-out", "low"]
+            speed = seen(here.page, "speeds")["-out", "low"]
             assert speed == pytest.approx(3000 / (1 - ratio), abs=0.06)
 
 
@@ -179,20 +179,20 @@ def test_of_two_cases_one_without_a_load_has_no_number_in_units(
 def test_rows_of_a_link_are_left_and_escape_brings_all_back(page: Any) -> None:
     rows = """(key) => [...document.querySelector(`main td[data-result="${key}"]`).closest("tbody").rows]
       .filter((one) => !one.hidden).map((one) => one.cells[0].textContent)"""
-    every = page.evaluate(rows, "AMLG")
+    every = page.evaluate(rows, "torques")
     page.fill("#links", "aside")
-    assert page.evaluate(rows, "W") == ["aside"]
-    assert page.evaluate(rows, "AMLG") == ["P2"]
-    assert page.evaluate(rows, "WFRI") == []
+    assert page.evaluate(rows, "speeds") == ["aside"]
+    assert page.evaluate(rows, "torques") == ["P2"]
+    assert page.evaluate(rows, "slip_speeds") == []
     hidden = page.locator("main tbody tr[hidden]").count()
     assert page.text_content("#hidden-rows") == f"rows hidden: {hidden}"
     page.fill("#links", "nobody")
     assert page.text_content("#hidden-rows") == "no link nobody"
-    assert page.evaluate(rows, "AMLG") == every
+    assert page.evaluate(rows, "torques") == every
     page.fill("#links", "ring")
-    assert set(page.evaluate(rows, "AMLG")) == {"B1", "C1", "P1", "P2"}
+    assert set(page.evaluate(rows, "torques")) == {"B1", "C1", "P1", "P2"}
     page.press("#links", "Escape")
-    assert page.evaluate(rows, "AMLG") == every
+    assert page.evaluate(rows, "torques") == every
     assert page.locator("main tbody tr[hidden]").count() == 0
 
 
@@ -207,7 +207,7 @@ def test_tables_are_saved_with_all_digits_whatever_is_shown(page: Any, box: Path
     lines = csv.DictReader(io.StringIO(vstatics("run", box, "-f", "csv").out))
     wanted = {(one["table"], unguarded(one["row"]), one["gear"]): one["value"] for one in lines}
     chosen(page, "us")
-    for key in ("W", "WFRI", "AMLG", "AMLGP", "losses"):
+    for key in ("speeds", "slip_speeds", "torques", "lossy_torques", "losses"):
         section = page.locator("section.table", has=page.locator(f'td[data-result="{key}"]'))
         text = downloaded(page, section.locator("[data-save=csv]"))
         [_, *gears], *rows = csv.reader(io.StringIO(text))

@@ -16,7 +16,7 @@ def test_a_torque_is_of_the_links_where_the_matrix_has_its_device() -> None:
     chance = seeded(7)
     for _ in range(count(20, 200)):
         case = random_train(chance, regular=True)
-        [grid] = [one for one in of_results(solve(case)) if one.key == "AMLG"]
+        [grid] = [one for one in of_results(solve(case)) if one.key == "torques"]
         rows = [row[0] for row in with_tool_marks(grid, case).cells]
         *devices, output = [[int(one) for one in row.marks["links"].split()] for row in rows]
         assert output == [case.main_output - 1]

@@ -350,7 +350,10 @@ def test_other_filters_take_up_what_is_found(searched: Searched) -> None:
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        ((), "holds 3 of 6 finished pieces of this search, which was stopped; go on with --resume"),
+        (
+            (),
+            "holds 3 of 6 finished pieces of this search, which was stopped; continue with --resume",
+        ),
         (("--resume", "--tolerance", 0.02), "of another search: tolerance changed; repeat that"),
         (("--resume", "--bounds", "2:3"), "of another search: bounds changed"),
     ],
@@ -471,7 +474,7 @@ def test_without_the_extra_for_pictures_a_directory_has_all_but_the_pictures(
     assert said.status == 0
     assert said.err.count("warning") == 1
     assert (
-        'no box has a diagram: a diagram needs the package matplotlib: pip install "vst' in said.err
+        'no box has a diagram: a diagram needs the package matplotlib: pip install ".[' in said.err
     )
     drawn, plain = (
         {file.name: file for file in Path(name).iterdir()} for name in ("drawn", "plain")

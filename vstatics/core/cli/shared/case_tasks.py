@@ -75,7 +75,7 @@ def tasks(
         if len(results) < len(inputs):
             to_one_file = "write all to one file, -o all.jsonl, where they keep their folders, or "
             lines.append(
-                "cases of one name are told apart by their folders: "
+                "cases with the same name need different folders: "
                 f"{to_one_file * (suffix in TABULAR)}each folder to a directory of its own"
             )
         raise click.UsageError("nothing was calculated:\n  " + "\n  ".join(lines))

@@ -86,7 +86,7 @@ def _shown_of_case(
 
 
 def _given_up(task: CaseTask) -> Done:
-    message = "the process that calculated it died, twice (out of memory, or killed)"
+    message = "the process that calculated it died twice (out of memory, or killed)"
     return Done(task.file, [of_file("E011", task.file, message)])
 
 

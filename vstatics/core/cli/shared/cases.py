@@ -446,5 +446,5 @@ def unexpected(name: str, error: Exception) -> Problem:
     if trace is not None:
         where = f" in {os.path.basename(trace.tb_frame.f_code.co_filename)}:{trace.tb_lineno}"  # noqa: PTH119
     text = " ".join(f"{type(error).__name__}: {error}".split())
-    message = f"an error of vstatics, please report it with this case: {text}{where}"
+    message = f"an error in vstatics, please report it with this case: {text}{where}"
     return of_file("E002", name, message)

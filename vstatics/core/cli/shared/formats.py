@@ -145,14 +145,9 @@ class OutputOptions(NamedTuple):
 
 
 def each_by_itself(
-    output: str, cases: Sequence[str], formats: Sequence[str], what: str, *, most: int = 1
+    output: str, cases: Sequence[str], formats: Sequence[str], what: str
 ) -> Destination:
-    """Return the destination of a text or picture of each case; several cases need a directory.
-
-    Parameters
-    ----------
-    most : int
-        Number of cases that one picture can show.
+    """Return the destination of a page or picture; more than two cases need a directory.
 
     Raises
     ------
@@ -160,10 +155,9 @@ def each_by_itself(
     """
     several = len(cases) > 1
     to = OutputOptions(formats, None, output, TextStyle()).destination(cases, several=several)
-    if len(cases) > most and not to.is_folder:
+    if len(cases) > 2 and not to.is_folder:
         folder = os.path.splitext(output)[0]  # noqa: PTH122
-        number = "one case" if most == 1 else "one case or two"
-        message = f"{what} is of {number}: expected a directory for several ({folder}/)"
+        message = f"{what} is of one case or two: expected a directory for several ({folder}/)"
         raise click.UsageError(message)
     return to
 

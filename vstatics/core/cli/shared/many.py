@@ -148,21 +148,16 @@ def _begun(
         raise click.UsageError(f"{finished.folder} is a file: expected a directory") from None
     finished.lock()
     if resume:
-        return _not_done(todo, finished, quiet=quiet)
+        with _other_options_as_wrong_use():
+            why_not = finished.resume()
+        if why_not:
+            if not quiet:
+                files.say(f"{finished.folder}: {why_not}; every case is calculated")
+            finished.begin()
+            return todo
+        return [task for task in todo if not finished.is_done(task.file, str(task.target))]
     finished.begin()
     return todo
-
-
-def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> list[CaseTask]:
-    """Return the remaining cases of an earlier run, or all if resuming is impossible."""
-    with _other_options_as_wrong_use():
-        why_not = finished.resume()
-    if why_not:
-        if not quiet:
-            files.say(f"{finished.folder}: {why_not}; every case is calculated")
-        finished.begin()
-        return todo
-    return [task for task in todo if not finished.is_done(task.file, str(task.target))]
 
 
 @contextmanager

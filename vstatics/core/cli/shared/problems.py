@@ -47,7 +47,7 @@ class Telling(NamedTuple):
             count, names = len(ids), listed(sorted(set(ids)))
             message = f"{count} {plural('warning', count)} ({names}), which --strict makes fail"
             yield of_file(
-                "E013", file, f"{message}; without -q {'it is' if count == 1 else 'they are'} told"
+                "E013", file, f"{message}; without -q {'it is' if count == 1 else 'they are'} shown"
             )
 
     def fails(self, problems: Iterable[Problem]) -> bool:

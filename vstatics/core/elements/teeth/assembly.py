@@ -91,11 +91,13 @@ def assembled(layout: AxisLayout) -> Iterator[Doubt]:
             for text, whole, part in filter(None, sums)
             if whole % (part * count)
         ]
-        message = f"{count} equally spaced planets can't be assembled: "
+        message = f"{count} equally spaced planets cannot be assembled: "
         if len(layout.group.trains) > 1:
             message = message.replace("planets", f"planets {', '.join(train)}", 1)
         message += failed[0] if failed else ""
-        where = f"they fit at multiples of 1/{places} turn" if places > 1 else "only one fits"
+        where = (
+            f"they fit at multiples of 1/{places} turn" if places > 1 else "only one planet fits"
+        )
         yield Doubt("W317", message + where, None)
 
 
@@ -105,7 +107,7 @@ def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
     if whole % count:
         yield Doubt(
             "W318",
-            f"{count} equally spaced planets can't be assembled: "
+            f"{count} equally spaced planets cannot be assembled: "
             f"(left + right)/planets = {whole}/{count} is not whole",
             None,
         )

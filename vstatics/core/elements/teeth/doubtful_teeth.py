@@ -60,7 +60,7 @@ def doubts(drawing: Drawing) -> Iterator[Problem]:
     >>> given = Element("P", "planetary", members, {"sun": 47, "ring": 97}, planets=5)
     >>> (problem,) = doubts(Drawing(3, [given]))
     >>> print(problem.message.replace("; ", "\\n"))
-    5 equally spaced planets can't be assembled: (sun + ring)/planets = 144/5 is not whole
+    5 equally spaced planets cannot be assembled: (sun + ring)/planets = 144/5 is not whole
     they fit at multiples of 1/144 turn
     4 or 6 planets fit
     nearest that fit: sun 46, ring 94 (ratio -2.0435) or sun 49, ring 101 (ratio -2.0612)
@@ -93,7 +93,9 @@ def _doubts(element: Element) -> Iterator[Doubt]:
     elif element.kind == "chain" and _whole(element):
         for name, teeth in element.teeth.items():
             if teeth < UNCUT:
-                message = f"{name} {teeth:g} runs roughly: a chain wants {UNCUT} teeth or more"
+                message = (
+                    f"{name} {teeth:g} runs roughly: expected {UNCUT} teeth or more for a chain"
+                )
                 yield Doubt("N316", message, name)
 
 

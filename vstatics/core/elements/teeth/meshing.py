@@ -55,7 +55,7 @@ def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
                 wheel.key,
             )
         elif wheel.teeth < UNCUT:
-            message = f"{wheel} needs a shifted profile: below {UNCUT} teeth are undercut"
+            message = f"{wheel} needs a shifted profile: fewer than {UNCUT} teeth are undercut"
             yield Doubt("N317", message, wheel.key, has_cure=False)
 
 
@@ -64,7 +64,7 @@ def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
     for ring, wheel in meshes:
         more = ring.teeth - wheel.teeth
         if ring.internal and more <= 0:
-            yield Doubt("W320", f"{wheel} doesn't fit into {ring}", ring.key)
+            yield Doubt("W320", f"{wheel} does not fit into {ring}", ring.key)
         elif ring.internal and more < INSIDE:
             yield Doubt(
                 "W321",
@@ -100,5 +100,5 @@ def hunting(meshes: Sequence[Mesh], against: str) -> Iterator[Doubt]:
     )
     if others:
         names = (f"{mesh.first} and {mesh.second} ({mesh.divisor})" for mesh in others)
-        message += f"; likewise {', '.join(names)}"
+        message += f"; also {', '.join(names)}"
     yield Doubt("N318", message, first.key, has_cure=False)

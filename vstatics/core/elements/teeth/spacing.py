@@ -33,7 +33,7 @@ def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
     hopeless = [
         Doubt(
             "W311",
-            f"no planet `{planet}` fits between the wheels around it",
+            f"no planet `{planet}` fits between the gears around it",
             layout.key(wheels[-1]),
         )
         for planet, rims in layout.group.planets.items()
@@ -63,8 +63,9 @@ def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
             sun, ring = map(layout.label, sorted(wheels, key=lambda wheel: wheel.internal))
             yield Doubt(
                 "N311",
-                f"no standard {layout.label(rim)} fits between: ({ring} - {sun})/2 = "
-                f"{float(teeth):g} is not whole; speeds of planets take it as it is",
+                f"the {layout.label(rim)} would need {float(teeth):g} teeth (({ring} - {sun})/2); "
+                "its speed is calculated with this number; `allow: [N311]` is usual for a real "
+                "gearbox",
                 layout.key(wheels[-1]),
             )
         for other in others:
@@ -79,9 +80,9 @@ def _off_axis(layout: AxisLayout, first: CentralWheel, other: CentralWheel, chan
         wanted += f" {'-' if first.internal else '+'} 2 {layout.label(first.rim)}"
     message = f"{layout.label(other)} {other.teeth} is not {wanted} = {other.teeth - change}"
     if abs(change) <= SHIFT:
-        message += ": runs with shifted profiles only"
+        message += ": this needs shifted profiles"
         return Doubt("N312", message, layout.key(other))
-    return Doubt("W312", f"{message}: their axes don't coincide", layout.key(other))
+    return Doubt("W312", f"{message}: their axes do not coincide", layout.key(other))
 
 
 def _modules(layout: AxisLayout) -> Iterator[Doubt]:
@@ -95,8 +96,8 @@ def _modules(layout: AxisLayout) -> Iterator[Doubt]:
                 shifted = abs(here[0] - there[0]) <= SHIFT
                 message = (
                     f"coaxial with {'shifted profiles, or with ' if shifted else ''}"
-                    f"different modules: that of {layout.label(rim)} is "
-                    f"{float(ratio):.5g} times that of {layout.label(first)} ({ratio})"
+                    f"different modules: the module of {layout.label(rim)} is "
+                    f"{float(ratio):.5g} times the module of {layout.label(first)} ({ratio})"
                 )
                 yield Doubt("N313", message, rim, has_cure=False)
 
@@ -113,15 +114,17 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
         first, second, apart = (float(side) / 2 for side in sides)
         names = f"{layout.label(rim)} and {layout.label(partner)}"
         message = (
-            f"{names} can't mesh: on axes at the radii {first:g} and {second:g} modules their "
-            f"distance {apart:g} would have to lie between {abs(first - second):g} and "
+            f"{names} cannot mesh: with axes at the radii {first:g} and {second:g} modules their "
+            f"distance {apart:g} would have to be between {abs(first - second):g} and "
             f"{first + second:g}"
         )
         rims = layout.group.planets
         if all(len(rims[layout.group.planet_of[toothed]]) == 1 for toothed in (rim, partner)):
             yield Doubt("W313", message, rim)
         else:
-            yield Doubt("N314", f"{message}, if all rims have one module", rim, has_cure=False)
+            yield Doubt(
+                "N314", f"{message}, if all gears have the same module", rim, has_cure=False
+            )
 
 
 def _sides(
@@ -154,10 +157,10 @@ def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
             continue
         names = f"{rim} {teeth} and {member} {passed.teeth}"
         if layout.element.kind == "ravigneaux":
-            message = f"tips of {names} would touch where they stood side by side"
+            message = f"tips of {names} would touch if the gears were in one plane"
             yield Doubt("N315", message, layout.key(passed), has_cure=False)
         else:
-            yield Doubt("W314", f"tips of {names} touch, which are not to mesh", rim)
+            yield Doubt("W314", f"tips of {names} touch, but these gears do not mesh", rim)
 
 
 def _touching_neighbours(layout: AxisLayout, count: int) -> Iterator[Doubt]:
@@ -194,8 +197,9 @@ def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterato
     if distance - apart - TIPS < TIP_CLEARANCE:
         yield Doubt(
             "W316",
-            f"{layout.label(rim)} and {layout.label(partner)} of neighbouring planets touch with "
-            f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}",
+            f"{layout.label(rim)} and {layout.label(partner)} of neighbouring planets touch at "
+            f"their tips: the axes are {distance:.4g} modules apart, expected more than "
+            f"{apart + 2:g}",
             None,
         )
 

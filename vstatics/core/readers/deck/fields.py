@@ -79,7 +79,7 @@ class Fields:
     def counts(self, key: str, gears: int, *, required: bool) -> list[int]:
         """Read the number of values that each gear has in a field; -1 for an unreadable number."""
         if key not in self.scan.fields and not required:
-            message = f"{key} is missing: taken as 0; a cut file looks the same"
+            message = f"{key} is missing and read as 0; a file that was cut off looks the same"
             place = self.scan.source.place(*self._end())
             self.scan.problems.append(Problem("W101", message, place=place))
             return [0] * gears
@@ -153,8 +153,8 @@ class Fields:
     def _fits(self, label: str, size: int) -> bool:
         """Check that the file is long enough to contain `size` values."""
         if size > self.capacity:
-            cannot = f"the file has {self.capacity} characters and cannot hold so many"
-            self.error(label, f"read {size}, expected fewer: {cannot}")
+            cannot = f"the file has {self.capacity} characters and cannot hold as many values"
+            self.error(label, f"read {size}, expected a smaller number: {cannot}")
         return size <= self.capacity
 
     def _missing(self, key: str, expected: str) -> None:
@@ -163,7 +163,7 @@ class Fields:
             return  # the field exists, and the error in it was reported
         for word, line in self.scan.unknown.items():
             if nearest(word, [name]):
-                hint = f"; line {line} starts with `{word}`, which is no field"
+                hint = f"; line {line} starts with `{word}`, which is not a field"
                 break
         self.scan.error(f"{key} is missing: expected {expected}{hint}", *self._end())
 

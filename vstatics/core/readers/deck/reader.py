@@ -242,7 +242,7 @@ def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
         wrong = ""
         if kind not in NAMED:
             kinds = ", ".join(f"{letter} ({what})" for letter, what in NAMED.items())
-            wrong = f"`{kind}` names nothing, expected one of {kinds}"
+            wrong = f"`{kind}` is not a kind of name, expected one of {kinds}"
         elif kind == "T" and number:
             wrong = "the title has no number, expected `NAME T:`"
         elif kind != "T" and largest is not None and not 1 <= int(number) <= largest:

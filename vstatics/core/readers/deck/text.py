@@ -175,7 +175,7 @@ def _only_report(result: Scan, first: int) -> None:
     """Add an error if a second report follows the first."""
     for number, line in enumerate(result.source.lines[first:], first + 1):
         if head(line) == "KJG":
-            result.error("KJG: another report begins here, expected one case in a file", number)
+            result.error("KJG: another case begins here, expected a single case in a file", number)
             return
 
 
@@ -305,7 +305,7 @@ def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
     """Decode the text as damaged UTF-8, so that a cut file does not become gibberish."""
     before = Source(file, data[:start].decode("utf-8-sig")).lines
     text = data.decode("utf-8-sig", errors="replace")
-    message = f"byte 0x{data[start]:02X} is no UTF-8 here: the file is damaged or cut"
+    message = f"byte 0x{data[start]:02X} is not UTF-8 here: the file is damaged or cut off"
     return text, [
         Problem("E104", message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
     ]

@@ -262,7 +262,13 @@ class _ValueReader(Generic[Number]):
                 if self.total < self.need and not self._wrong(token, error, tokens[position:]):
                     return False
                 count, number = 1, self.parse(STAND_IN)
-            self._add_needed(token, count, number)
+            needed = min(count, max(self.need - self.total, 0))
+            self.numbers.extend([number] * needed)
+            self.spots.extend([token.spot] * needed)
+            self.total += count
+            self.end = token.line, token.after
+            if self.total > self.need and self.surplus is None:
+                self.surplus = token
         return True
 
     def _check_behind(self, before: list[Token], behind: list[Token]) -> None:
@@ -309,15 +315,6 @@ class _ValueReader(Generic[Number]):
     def _fail(self, message: str, token: Token) -> None:
         self.scan.error(message, *token.spot)
         self.failed = True
-
-    def _add_needed(self, token: Token, count: int, number: Number) -> None:
-        needed = min(count, max(self.need - self.total, 0))
-        self.numbers.extend([number] * needed)
-        self.spots.extend([token.spot] * needed)
-        self.total += count
-        self.end = token.line, token.after
-        if self.total > self.need and self.surplus is None:
-            self.surplus = token
 
     def _count(self) -> None:
         """Report too few or too many values."""

@@ -188,13 +188,13 @@ class _Parser:
         self.check_depth(depth, at)
         parts = 1 + len(operands) - len(nodes) + sum(node.parts for node in nodes)
         if parts > MOST_TREE_PARTS:
-            raise self.source.error("too many comparisons, one inside another", at)
+            raise self.source.error("read too many nested comparisons, expected fewer", at)
         return Applied(name, tuple(operands), at, depth, parts)
 
     def check_depth(self, depth: int, at: int) -> None:
         if depth > MOST_DEPTH:
             raise self.source.error(
-                f"more than {MOST_DEPTH} operations, one inside another; sum() may help", at
+                f"more than {MOST_DEPTH} nested operations, expected fewer; sum() can help", at
             )
 
     def operator(self) -> str:
@@ -225,7 +225,7 @@ class _Parser:
             message = no_operand(self.source, self.at, sign, self.before, self.language.operands)
             raise self.source.error(message, self.at)
         if self.before in _WORD_SIGNS and self.end_of_before == self.at:
-            raise self.source.error(f"expected a blank behind {quoted(self.before)}", self.at)
+            raise self.source.error(f"expected a blank after {quoted(self.before)}", self.at)
         tree, end = read
         self.take(self.source.text[self.at : end], end)
         return tree
@@ -241,7 +241,7 @@ class _Parser:
         at, name = self.at, _PREFIXES[sign]
         if sign == "not" and _BINDS[sign] < least:
             raise self.source.error(
-                f"put `not ...` behind {quoted(self.before)} in brackets: (not ...)", at
+                f"put `not ...` after {quoted(self.before)} in brackets: (not ...)", at
             )
         self.take(sign, at + len(sign))
         operand = self.expression(_BINDS[name], depth + 1)
@@ -274,7 +274,7 @@ class _Parser:
             return self.operation(name, self.bracketed(depth + 1, call=True), at)
         if name in language.functions:
             raise self.source.error(
-                f"`{name}` is a function, expected `(` behind it, such as "
+                f"`{name}` is a function, expected `(` after it, such as "
                 f"{name}({language.example})",
                 behind,
             )
@@ -343,7 +343,7 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
     if read == ",":
         return "read `,`, expected an operator, or an end"
     if read == ")":
-        return "read `)`, but no bracket is open"
+        return "read `)` without an opening bracket"
     if source.has("[", at):
         return "read `[`, but rows and gears belong to a table, such as speeds[:,1]"
     if read in ELSEWHERE and read != "!":

@@ -180,5 +180,5 @@ def _no_subscript(written: str, text: str) -> str:
         return f"the quote {text[0]} is not closed"
     expected = "expected a name, a number such as #2, or `:` for all"
     if written and not written.startswith(("#", ":")):
-        expected += f'; a name that is no plain word goes in quotes: "{written}"'
+        expected += f'; write a name with other characters in quotes: "{written}"'
     return f"read {quoted(written) if written else 'nothing'}, {expected}"

@@ -172,7 +172,9 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
         if isinstance(number, Law) and not whole and path[0] == "drag":
             if path not in spots.unreadable:
                 spots.tell(
-                    path, "it depends on speed, in N*m, expected a `load` with speed and torque"
+                    path,
+                    "a drag that depends on speed is in N*m, expected a `load` with "
+                    "speed and torque",
                 )
         elif not isinstance(number, WithUnit):
             relative[part] = number

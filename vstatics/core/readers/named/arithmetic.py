@@ -158,7 +158,7 @@ class _Calculation:
             raise ValueError(f"expected at most {MOST_ARITHMETIC_BRACKETS} open brackets")
         value = self.joined(0, brackets)
         if not self.match(_CLOSED):
-            raise ValueError(f"{expected(self.text)}, and `)` behind it")
+            raise ValueError(f"{expected(self.text)}, and `)` after it")
         return value
 
 
@@ -173,5 +173,5 @@ def _applied(sign: str, left: float, right: float) -> float:
 
 def _finite(value: float) -> float:
     if not math.isfinite(value):
-        raise ValueError("expected a number that is not so large")
+        raise ValueError("expected a smaller number")
     return value

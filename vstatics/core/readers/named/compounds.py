@@ -27,7 +27,7 @@ from vstatics.core.readers.named.nodes import (
 )
 from vstatics.core.readers.named.references import UnknownNameError
 
-NO_MERGE = "merge key `<<` is not taken, write its keys out"
+NO_MERGE = "the merge key `<<` is not accepted, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
 
 
@@ -39,7 +39,7 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
         if is_merge(key):
             spots.complain(spot, NO_MERGE, key, UNKNOWN_KEY)
         elif is_null(key) or not key.text:
-            spots.complain(spot, "an empty key, expected a name", key, UNKNOWN_KEY)
+            spots.complain(spot, "read an empty key, expected a name", key, UNKNOWN_KEY)
         elif key.text in seen:
             first = seen[key.text]
             other = f"the first is on line {first.line}, column {first.column}"

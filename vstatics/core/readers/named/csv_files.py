@@ -79,7 +79,7 @@ def csv_rows(
         With the expected content.
     """
     if not are_read():
-        hint = "`loads` reads files beside its `name`, if that has a folder"
+        hint = "`loads` reads files from the folder of `name`, if it has a folder"
         raise ValueError(f"expected the points themselves: a text has no folder; {hint}")
     noted = _RECORDED.get()
     if noted is not None:

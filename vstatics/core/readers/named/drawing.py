@@ -70,7 +70,7 @@ def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterat
     for number, part in enumerate(drawing.parts, 1):
         for planet in part.planet_links:
             if f"{part.name}.{planet}" in names:
-                message = f"planet {planet} is called `{part.name}.{planet}`, as a link is"
+                message = f"planet {planet} has the name `{part.name}.{planet}`, like a link"
                 yield Problem("E106", f"{message}; expected another name", ("elements", number))
 
 

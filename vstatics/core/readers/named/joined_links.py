@@ -98,7 +98,7 @@ def loose_links(
         hint = spots.document.hint(name, others) if count < MOST_HINTS else ""
         if hint or number not in carriers:
             node = first[name]
-            message = f"link `{shown(name)}` is joined to nothing else{hint}"
+            message = f"link `{shown(name)}` appears only once, so it is connected to nothing{hint}"
             yield Problem("W102", message, (), spots.document.source.place(node.line, node.column))
 
 

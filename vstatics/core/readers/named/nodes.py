@@ -109,12 +109,14 @@ class DocumentText:
     def check_depth(self, depth: int, line: int, column: int) -> None:
         """Stop if values are nested more deeply than in any case."""
         if depth > MOST_DEEP:
-            self.stop(f"nested deeper than {MOST_DEEP} levels, expected at most that", line, column)
+            self.stop(
+                f"nested deeper than {MOST_DEEP} levels, expected at most this depth", line, column
+            )
 
     def check_characters(self, text: str, line: int, column: int) -> None:
         """Stop at a lone surrogate, half of a character, which escapes can create."""
         if any("\ud800" <= character <= "\udfff" for character in text):
-            self.stop("half a character (a lone surrogate)", line, column)
+            self.stop("read half a character (a lone surrogate)", line, column)
 
 
 def is_null(node: Node) -> bool:
@@ -174,7 +176,7 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
     except UnicodeDecodeError as error:
         if b"\0" in data[: error.start] and encoding == "utf-8":
             DocumentText(Source(file, "")).stop(
-                f"a zero byte: this is no text, expected {expected}", 1, 1
+                f"read a zero byte, so this is not a text, expected {expected}", 1, 1
             )
         document = DocumentText(Source(file, data.decode(encoding, "replace")))
         before = Source(file, data[: error.start].decode(encoding, "ignore")).lines
@@ -185,7 +187,9 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
     if not text.strip():
         document.stop(f"the file is empty, expected {expected}", 1, 1)
     if "\0" in text:
-        document.stop("a zero byte: this is no text", *document.place(document.text.find("\0")))
+        document.stop(
+            "read a zero byte, so this is not a text", *document.place(document.text.find("\0"))
+        )
     return document
 
 
@@ -197,7 +201,7 @@ class Spot(NamedTuple):
     node: Node
 
     def key(self, part: str | int, key: str, node: Node) -> Spot:
-        """Return the spot of the value under a key, which is called `part` in the model."""
+        """Return the spot of the value under a key, which has the name `part` in the model."""
         return Spot((*self.path, part), _joined(self.label, shown(key)), node)
 
     def item(self, part: str | int, number: int, node: Node) -> Spot:

@@ -130,7 +130,7 @@ class References:
         if self.links_known and behind.startswith("*") and not unit(behind)[0]:
             link = "the name of a link" if self.link_names else "`link` and its number"
             known = self._known(behind[1:].strip(), self.link_names) if self.link_names else ""
-            raise UnknownNameError(f"expected {link} behind the `*`{known}")
+            raise UnknownNameError(f"expected {link} after the `*`{known}")
         return None
 
     def _number(self, link: str) -> int | None:
@@ -155,7 +155,7 @@ class References:
         if not self.elements_known:
             return NO_ELEMENT
         if not numbers:
-            raise UnknownNameError("but there are no shift elements")
+            raise UnknownNameError("but the case has no shift elements")
         known = self._known(text, numbers)
         raise UnknownNameError(f"expected the name of a shift element{known}")
 

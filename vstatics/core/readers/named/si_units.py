@@ -128,7 +128,7 @@ def measured(text: str, measure: Measure) -> float:
         if dimension in _dimensions()[measure]:
             value = value * above / below
             if not math.isfinite(value):
-                raise ValueError(f"expected {with_article(measure)} that is not so large")
+                raise ValueError(f"expected {with_article(measure)} that is smaller")
             return value
     other = {forms[0]: kind for kind, forms in _dimensions().items()}.get(dimension)
     if other:

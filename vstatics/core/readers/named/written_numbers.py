@@ -55,7 +55,12 @@ def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
             value, unit = number_of(node)
         except ValueError:
             continue
-        start = _start(text, starts[node.line - 1] + node.column - 1, node)
+        at = starts[node.line - 1] + node.column - 1
+        match = _PROPERTIES.match(text, at)
+        at = match.end() if match else at
+        at += not node.plain and text[at : at + 1] in ("'", '"')
+        # -1 for a value with escapes
+        start = at if node.text and text.startswith(node.text, at) else -1
         end = start + len(node.text.rstrip().removesuffix(unit).rstrip())
         if start >= 0:
             spots[keys] = NumberSpot(value, unit, start, end)
@@ -72,14 +77,6 @@ def _scalars(node: Node, keys: Keys) -> Iterator[tuple[Keys, Scalar]]:
         case MappingNode(entries=entries):
             for key, value in entries:
                 yield from _scalars(value, (*keys, key.text))
-
-
-def _start(text: str, at: int, node: Scalar) -> int:
-    """Return the offset of a value in the text, or -1 for a value with escapes."""
-    match = _PROPERTIES.match(text, at)
-    at = match.end() if match else at
-    at += not node.plain and text[at : at + 1] in ("'", '"')
-    return at if node.text and text.startswith(node.text, at) else -1
 
 
 def with_written(
@@ -113,7 +110,7 @@ def with_written(
         spot = spots[keys]
         new = text[spot.start : spot.end] if value == spot.value else number_text(value)
         if changed.setdefault(spot.start, (spot.end, new)) != (spot.end, new):
-            raise ValueError(f"{dotted(keys)} stands where another number stands, too")
+            raise ValueError(f"{dotted(keys)} appears where another number appears, too")
     for start in sorted(changed, reverse=True):
         end, new = changed[start]
         text = text[:start] + new + text[end:]

@@ -44,7 +44,7 @@ def yaml_tree(document: DocumentText) -> Node:
     unprintable = _UNPRINTABLE.search(document.text)
     if unprintable:
         document.stop(
-            f"U+{ord(unprintable[0]):04X}, a character that YAML has not",
+            f"U+{ord(unprintable[0]):04X}, a character that YAML does not allow",
             *document.place(unprintable.start()),
         )
     return _Builder(document, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).root()
@@ -68,7 +68,9 @@ class _Builder:
         root = self.node(self.next(), 1)
         self.next()
         if not isinstance(self.next(), yaml.StreamEndEvent):
-            self.document.stop("a second document starts here, expected one in a file", *self.last)
+            self.document.stop(
+                "a second document starts here, expected a single document in a file", *self.last
+            )
         return root
 
     def next(self) -> yaml.Event:
@@ -85,7 +87,7 @@ class _Builder:
                 and mark.index
                 and _TEXT_WITH_BRACKETS.match(self.document.text, mark.index - 1)
             ):
-                reason += "; what has brackets in it stands in quotes in a list, as 'ratio[1]'"
+                reason += "; write a name with brackets in quotes within a list, such as 'ratio[1]'"
             reason += self._spaced_ratio(mark.index) if mark else ""
             if mark and self.document.text[mark.index : mark.index + 1] == "\t":
                 reason = "read a tab, expected blanks: no tab indents a line"
@@ -125,7 +127,7 @@ class _Builder:
                 node = self.scalar(event, line, column)
         tag = getattr(event, "tag", None)
         if tag and tag not in _TAGS[type(node)]:
-            message = f"tag {shown(tag.replace(_STANDARD, '!!'))} is not taken, expected none"
+            message = f"tag {shown(tag.replace(_STANDARD, '!!'))} is not accepted, expected no tag"
             self.document.add(message, line, column, identity="E108")
         if anchor:
             self.anchors[anchor] = node, self.values - before
@@ -158,7 +160,7 @@ class _Builder:
             self.document.stop(f"alias *{name} of no anchor before it{hint}", *self.last)
         node, size = known
         if node is None:
-            self.document.stop(f"alias *{name} stands inside what it repeats", *self.last)
+            self.document.stop(f"alias *{name} is inside the part that it repeats", *self.last)
         self.values += size
         if self.values > MOST_VALUES:
             self.document.stop(

@@ -89,7 +89,14 @@ class _SheetElements:
         if name == "row":
             self._begin_row(int(given.get("r", self._row + 1)))
         elif name == "c":
-            self._begin_cell(given)
+            place = _PLACE.fullmatch(given.get("r", ""))
+            column = _column_of(place[1]) if place else self._column + 1
+            if column <= self._column or not self.rows:
+                raise ValueError(f"cell {given.get('r', '')} is not in order")
+            self._attributes, self._contents = given, {}
+            self._column = column
+            self._cells += 1
+            self._check()
         elif name in ("v", "f", "t"):
             self._contents.setdefault(name, [])
         elif name == "mergeCell":
@@ -118,16 +125,6 @@ class _SheetElements:
         self._row, self._column = number, 0
         self._check()
         self.rows.append([])
-
-    def _begin_cell(self, given: Mapping[str, str]) -> None:
-        place = _PLACE.fullmatch(given.get("r", ""))
-        column = _column_of(place[1]) if place else self._column + 1
-        if column <= self._column or not self.rows:
-            raise ValueError(f"cell {given.get('r', '')} is not in order")
-        self._attributes, self._contents = given, {}
-        self._column = column
-        self._cells += 1
-        self._check()
 
     def _check(self) -> None:
         if self._row > MOST_ROWS or self._column > MOST_COLUMNS:
@@ -173,7 +170,8 @@ class _SheetElements:
         place = _PLACE.fullmatch(first)
         if place and last:
             self._report(
-                f"{ref} are merged into one cell, expected a value in each: unmerge and fill them",
+                f"{ref} are merged into one cell, expected a value in each cell: "
+                "unmerge and fill them",
                 int(place[2]),
                 _column_of(place[1]),
             )

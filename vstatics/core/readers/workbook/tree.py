@@ -231,8 +231,9 @@ class TreeOfSheets:
         for path, *values in rows[1:]:
             notes = [cell for cell in (path, *values) if cell.column > 2]
             if notes:
-                message = f"read {quoted(notes[0].text)}, but beside path and value nothing stands"
-                self._refuse(notes[0], f"{message}; a note goes to a sheet of its own")
+                message = f"read {quoted(notes[0].text)}, "
+                message += "but the columns after path and value must be empty"
+                self._refuse(notes[0], f"{message}; write notes on another sheet")
                 continue
             if path.column > 1 or [cell.column for cell in values] != [2]:
                 self._refuse(path, "expected a path and a value")

@@ -152,15 +152,19 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
     return efficiencies
 
 
+TWO = ("two torques", "satisfy")
+
+
 def _messages(case: Transmission, points: Any) -> Iterator[Message]:
     for gear, settled, state in zip(case.gears, points.gears, points.open.tolist(), strict=True):
         if state in (NONE, SEVERAL):
-            words = "no torques agree" if state == NONE else "more than one torque agrees"
-            text = f"{words} with the losses that depend: there are no torques with losses"
+            words = "no torque is" if state == NONE else "more than one torque is"
+            text = f"{words} consistent with the losses that depend on speed or torque, so torques "
+            text += "with losses are unknown"
             yield Message("W426", text, gear.name)
         if state in (NO_BALANCE, TWO_BALANCES):
             link = sought_link(gear, settled)
-            none, two = "none of the torques on {} balances", "two of the torques on {} balance"
-            text = (none if state == NO_BALANCE else two).format(case.link_name(link))
-            text = f"balance: {text} the battery: there are no torques"
+            how_many, satisfy = ("no torque", "satisfies") if state == NO_BALANCE else TWO
+            on = f"{how_many} on {case.link_name(link)} {satisfy} the battery balance"
+            text = f"balance: {on}, so the torques are unknown"
             yield Message("W427", text, gear.name)

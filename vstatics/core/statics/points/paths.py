@@ -68,7 +68,7 @@ def together(vary: Mapping[str, ArrayLike]) -> tuple[dict[str, Floats], int]:
         shape = ()
     if len(shape) != 1:
         shapes = ", ".join(f"{path} {array.shape}" for path, array in arrays.items())
-        raise ValueError(f"vary: expected arrays of one axis and one length, read {shapes}")
+        raise ValueError(f"vary: expected arrays with one axis and equal lengths, read {shapes}")
     return {path: np.broadcast_to(array, shape) for path, array in arrays.items()}, shape[0]
 
 

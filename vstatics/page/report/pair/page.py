@@ -37,7 +37,7 @@ ON_ONE_SCALE = ("steps", "efficiency")
 """Kinds of pictures in which both cases share a scale."""
 OF_SHIFTS = ("transitions", "margins", "margins by gear", "needed capacity")
 LARGEST = ("planets", "shift elements", "planets with load", "shift elements with load")
-SIGN = "Changes are by the size of A: below 0 where a number falls, so where a negative one grows."
+SIGN = "Changes are relative to the magnitude of A; they are negative where a number decreases."
 """Text that explains the sign of a change, which is as in `compare`."""
 
 
@@ -170,7 +170,7 @@ def _figures(material: Material) -> Grid:
         ("spread", design.spread),
         ("lowest efficiency", min(known, default=math.nan)),
         (f"largest element torque, {RELATIVE}", [*torques, math.nan][0]),
-        ("largest circulation, % of the input power", 100 * max(shares, default=math.nan)),
+        ("largest recirculating power, % of the input power", 100 * max(shares, default=math.nan)),
     ]
     figure_rows = ((Cell(heading(name)), value) for name, value in rows)
     return grid_of("Figures", ["figure", "value"], figure_rows).with_digits(material.digits)

@@ -47,7 +47,8 @@ def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
     >>> pair = Mechanism(1, 2, 0, -4.0, name="pair")
     >>> case = Transmission(2, [], [pair], [Gear()], link_names=["in", "out"])
     >>> by_key = {grid.key: with_tool_marks(grid, case) for grid in of_results(solve(case))}
-    >>> [row[0].marks.get("links") for row in by_key["W"].cells], by_key["AMLG"].cells[0][0].marks
+    >>> torques = by_key["torques"].cells[0][0].marks
+    >>> [row[0].marks.get("links") for row in by_key["speeds"].cells], torques
     (['0', '1'], {'links': '0 1'})
     """
     return _with_units(_with_links(grid, case))

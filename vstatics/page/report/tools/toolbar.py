@@ -73,7 +73,7 @@ def tools_of(case: Transmission, label: str = "", digits: int | None = None) -> 
 
 def _known() -> dict[str, Any]:
     """Return the units of all results, and the words, decimals and conversions of units."""
-    results = {entry.key: _result(entry.of, entry.unit or entry.with_load) for entry in QUANTITIES}
+    results = {entry.name: _result(entry.of, entry.unit or entry.with_load) for entry in QUANTITIES}
     for name in POWERS.values():
         if name == LOSS_SHARE:
             continue
@@ -81,7 +81,7 @@ def _known() -> dict[str, Any]:
         results[name] = _result("" if relative == name else relative, "kW", real=True)
     for name in ("input_power_kW", "output_power_kW"):
         results[name] = _result("", "kW", is_in_unit=True)
-    decimals = {entry.key: entry.decimals for entry in QUANTITIES if entry.decimals != 3}
+    decimals = {entry.name: entry.decimals for entry in QUANTITIES if entry.decimals != 3}
     return {
         "results": {name: entry for name, entry in results.items() if entry["unit"]},
         "decimals": decimals,

@@ -112,14 +112,13 @@ class AxesBoard:
                 partner for coupling in couplings for partner in coupling.links if partner != link
             ]
             shifted = all(coupling.is_shifted for coupling in couplings)
-            if couplings and shifted and len(set(partners)) == 1 and self._long(partners[0], link):
-                shafts[link] = partners[0]
+            if couplings and shifted and len(set(partners)) == 1:
+                shaft = partners[0]
+                # Only a shaft with more stations than the link can carry the link.
+                counts = [sum(end in s.links for s in self.stations) for end in (shaft, link)]
+                if (counts[0], link) > (counts[1], shaft):
+                    shafts[link] = shaft
         return shafts
-
-    def _long(self, shaft: int, link: int) -> bool:
-        """Return True for a shaft with more stations than a link that may rotate on the shaft."""
-        counts = [sum(end in station.links for station in self.stations) for end in (shaft, link)]
-        return (counts[0], link) > (counts[1], shaft)
 
     @cached_property
     def rim(self) -> frozenset[int]:
@@ -174,16 +173,15 @@ class AxesBoard:
         first, _, second = self.radii[index]
         for axis, radius in zip(station.axes, (first, second), strict=True):
             for row in rows.order:
+                if row in occupied:
+                    continue
                 distance = abs(rows.heights[axis] - rows.heights[row])
-                towards = rows.sides[row] * (rows.heights[axis] - rows.heights[row]) > 0
-                if row not in occupied and radius > distance - self._room(row, towards):
+                is_above = rows.sides[row] * (rows.heights[axis] - rows.heights[row]) > 0
+                reach = [abs(other.reach[is_above]) for other in self.stations if row in other.axes]
+                room = max([SIGNS if is_above else 18.0, *reach])
+                if radius > distance - room:
                     occupied.append(row)
         return occupied
-
-    def _room(self, axis: int, is_above: bool) -> float:  # noqa: FBT001
-        """Return the free distance from an axis to gears of neighbouring axes [pt]."""
-        reach = [station.reach[is_above] for station in self.stations if axis in station.axes]
-        return max([SIGNS if is_above else 18.0, *map(abs, reach)])
 
     def bell(self, index: int, way: int) -> tuple[int, float]:
         """Return the index of an internal gear in a pair, and the offset of the web.

@@ -88,7 +88,8 @@ def _order(
     ends = [tuple(station.axes) for station in stations if station.kind == "pair"]
     ends = [pair for pair in ends if not set(pair) & idlers.keys()] + list(idlers.values())
     rows = [axis for axis in range(count) if axis not in idlers]
-    return min(_orders(rows), key=lambda order: _cost(order, ends))
+    orders = permutations(rows) if len(rows) <= MOST_PERMUTED else [tuple(rows)]
+    return min(orders, key=lambda order: _cost(order, ends))
 
 
 def _room(axis: int, stations: Sequence[Station]) -> float:
@@ -112,10 +113,6 @@ def _idlers(count: int, stations: Sequence[Station]) -> list[tuple[int, tuple[in
                 idlers.append((axis, (first, second)))
     used = [neighbour for _, pair in idlers for neighbour in pair]
     return [idler for idler in idlers if idler[0] not in used]
-
-
-def _orders(rows: Sequence[int]) -> list[tuple[int, ...]]:
-    return list(permutations(rows)) if len(rows) <= MOST_PERMUTED else [tuple(rows)]
 
 
 def _cost(order: Sequence[int], ends: Sequence[Sequence[int]]) -> tuple[int, list[int]]:

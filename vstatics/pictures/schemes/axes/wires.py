@@ -155,10 +155,6 @@ def wheel_crossings(placing: AxesPlaces, lines: Mapping[int, LinkLines]) -> int:
 
 def crossings(lines: Mapping[int, LinkLines]) -> list[WireCrossing]:
     """Return the points where lines of two links cross."""
-    return list(dict.fromkeys(_crossings(lines)))
-
-
-def _crossings(lines: Mapping[int, LinkLines]) -> Iterator[WireCrossing]:
     levels: list[tuple[float, float, float, int]] = []
     uprights: list[tuple[float, float, float, int]] = []
     for link, wires in lines.items():
@@ -167,10 +163,13 @@ def _crossings(lines: Mapping[int, LinkLines]) -> Iterator[WireCrossing]:
                 levels.append((min(x, x2) + EPSILON, max(x, x2) - EPSILON, y, link))
             else:
                 uprights.append((x, min(y, y2) + EPSILON, max(y, y2) - EPSILON, link))
-    for x, low, high, link in uprights:
-        for left, right, y, crossed in levels:
-            if left < x < right and low < y < high and crossed != link:
-                yield WireCrossing((x, y), link, crossed)
+    met = (
+        WireCrossing((x, y), link, crossed)
+        for x, low, high, link in uprights
+        for left, right, y, crossed in levels
+        if left < x < right and low < y < high and crossed != link
+    )
+    return list(dict.fromkeys(met))
 
 
 def overlaps(lines: Mapping[int, LinkLines]) -> int:

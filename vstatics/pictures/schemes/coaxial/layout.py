@@ -119,7 +119,8 @@ class _FrameMaker:
         if step.kind == "set":
             self._set(step)
         elif step.kind == "top":
-            self._stand(Upright("top", step.number, [self._top(self.train.tops[step.number])]))
+            bar = self._last_of(self.below + self.above, self.train.tops[step.number])
+            self._stand(Upright("top", step.number, [bar]))
         else:
             pair = (
                 self.train.pairs[step.number] if step.kind == "pair" else (step.number, step.number)
@@ -195,9 +196,6 @@ class _FrameMaker:
             self._last_of(self.below, carrier) if is_low else None,
             self._last_of(self.above[::-1], carrier) if is_high else None,
         )
-
-    def _top(self, link: int) -> Bar:
-        return self._last_of(self.below + self.above, link)
 
     def _nearest(self, first_link: int, second_link: int, place: int) -> list[Bar]:
         """Return two neighbouring bars, or the nearest bars of two links."""

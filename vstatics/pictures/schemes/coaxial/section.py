@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import count
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -82,15 +83,20 @@ def coaxial_scheme(
         (tops if device.is_on_housing else pairs if joined == 2 else others).append(place)
     if others or not scheme.ports:
         return None
-    held = _HeldMembers(len(scheme.links))
+    supports = count(len(scheme.links) + 1)
+
+    def with_support(link: int) -> int:
+        """Number each fixed member on its own: it is drawn as a separate tube with a support."""
+        return next(supports) if link == HOUSING else link
+
     planes = [
-        planes_of(section) if isinstance(section, BoxSection) else held.planes(section)
+        planes_of(section, int if isinstance(section, BoxSection) else with_support)
         for section in sections.values()
     ]
     connections: list[tuple[TopMeaning, int]] = [
         (TopMeaning(place), next(iter(scheme.devices[place].links))) for place in tops
     ]
-    connections += [(TopMeaning(), link) for link in range(len(scheme.links) + 1, held.last + 1)]
+    connections += [(TopMeaning(), link) for link in range(len(scheme.links) + 1, next(supports))]
     start, end, further = _ports(scheme)
     connections += [(TopMeaning(port=port), port.link) for port in further]
     coupled = [_ends(scheme.devices[place]) for place in pairs]
@@ -119,7 +125,7 @@ def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
     return start.link, end.link if end else start.link, [*further.values()]
 
 
-def planes_of(section: HalfSection, numbered: Callable[[int], int] = int) -> Planes:
+def planes_of(section: HalfSection, numbered: Callable[[int], int]) -> Planes:
     """Return the links of a set or a box by number."""
     carrier = numbered(section.group.carrier)
     wheels = [
@@ -130,19 +136,3 @@ def planes_of(section: HalfSection, numbered: Callable[[int], int] = int) -> Pla
         for column in section.columns
     ]
     return Planes(carrier, wheels)
-
-
-class _HeldMembers:
-    """Link numbers for fixed members, each of which is drawn as a separate tube with a support."""
-
-    def __init__(self, links: int) -> None:
-        self.last = links
-
-    def _link(self, link: int) -> int:
-        if link != HOUSING:
-            return link
-        self.last += 1
-        return self.last
-
-    def planes(self, section: HalfSection) -> Planes:
-        return planes_of(section, self._link)

@@ -62,7 +62,9 @@ class Stems(NamedTuple):
                 BoxScheme(parts.scheme, parts.meshed, parts.held, ((parts.input, parts.output),))
             ]
         if stem < len(self.codes):
-            return _grown(search, self.codes[stem : stem + 1])
+            batch = _batch(search, self.codes[stem : stem + 1])
+            assert batch.symmetries is not None  # noqa: S101 - they are classes
+            return [*with_choices(search, batch.codes, batch.symmetries)]
         stem -= len(self.codes)
         for split, count in self.parts:
             if stem < count:
@@ -124,12 +126,6 @@ def _codes(search: BoxSearch) -> Codes:
 def _batch(search: BoxSearch, codes: Codes) -> SchemeBatch:
     asked = StructureSearch(search.sets, "sets", links=(search.links,))
     return next_batch(asked, codes) if search.sets > 1 else next(batches(asked))
-
-
-def _grown(search: BoxSearch, codes: Codes) -> list[BoxScheme]:
-    batch = _batch(search, codes)
-    assert batch.symmetries is not None  # noqa: S101 - they are classes
-    return [*with_choices(search, batch.codes, batch.symmetries)]
 
 
 def _weights(search: BoxSearch, codes: Codes) -> Integers:

@@ -71,7 +71,7 @@ def box_command(
     During the search, finished pieces are kept in DIR.parts or FILE.parts; --resume
     continues from them, also with other options of the selection.
 
-    The search needs numba and networkx, pip install ".[boxes]" in the folder of the source;
+    The search needs numba and networkx, pip install ".[boxes]" in the source folder;
     diagrams also need matplotlib, ".[boxes,plot]".
 
     \b

@@ -93,7 +93,8 @@ def _carrier_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tu
     section, heights = layout.section(up), layout.places.heights
     carrier = layout.coaxial.train.sets[up.index].carrier
     pins, arms = axles(section, is_left=any(up.left), is_right=any(up.right))
-    yield from ((carrier, _moved(line, at)) for line in (*pins, *arms))
+    for (x, y), (x2, y2) in (*pins, *arms):
+        yield carrier, ((x + at, y), (x2 + at, y2))
     for x, bars in ((0.0, up.left), (section.width, up.right)):
         arm = [y for line in arms if line[0][0] == x for _, y in line]
         for bar in bars:
@@ -111,11 +112,6 @@ def _wheel_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tupl
             yield sun.link, ((at + x, heights[sun]), (at + x, taps[x, -1]))
         if ring is not None:
             yield ring.link, ((at + x, taps[x, 1]), (at + x, heights[ring]))
-
-
-def _moved(line: Segment, by: float) -> Segment:
-    (a, b), (c, d) = line
-    return (a + by, b), (c + by, d)
 
 
 def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, int, Point]]:

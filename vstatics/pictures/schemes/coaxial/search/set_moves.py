@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import product
+from itertools import pairwise, product
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.coaxial.search.state import (
@@ -17,7 +17,6 @@ from vstatics.pictures.schemes.coaxial.search.state import (
     SectionState,
     SweepStep,
     fresh,
-    in_two_parts,
     links_of,
 )
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
@@ -68,7 +67,9 @@ def without_ended(
     ended = {bar >> 3 for bar in bars if not train.masks[bar >> 3] & ~done} - {carrier}
     if not ended:
         return state
-    ended -= in_two_parts(bars)
+    parts = sorted({*bars})
+    in_two_parts = {low >> 3 for low, high in pairwise(parts) if low >> 3 == high >> 3}
+    ended -= in_two_parts  # the parts must be connected first
     low, high = (tuple(bar for bar in row if bar >> 3 not in ended) for row in (below, above))
     return SectionState(low, high, done)
 

@@ -7,7 +7,6 @@ be connected further to the right.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 Bars = tuple[int, ...]
@@ -59,15 +58,6 @@ class Move(NamedTuple):
 def links_of(bars: Bars) -> set[int]:
     """Return the links that have one or more of the bars."""
     return {bar >> 3 for bar in bars}
-
-
-def in_two_parts(bars: Bars) -> set[int]:
-    """Return the links of which two separate parts have bars.
-
-    >>> in_two_parts((8, 16, 9, 8))
-    {1}
-    """
-    return {low >> 3 for low, high in pairwise(sorted({*bars})) if low >> 3 == high >> 3}
 
 
 def fresh(link: int, bars: Bars) -> int | None:

@@ -98,22 +98,16 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: SweepEffort 
         return Swept(stacked(train), not is_ordered)
     is_planar = has_half_section(train)
     for ordered in (True, False)[not is_ordered :]:
-        arrangement = _planar(train, effort, is_ordered=ordered) if is_planar else None
-        arrangement = arrangement or _with_crossings(
+        planar = (
+            _SweepSearch(Moves(train, 0, ordered), weight).found(most)
+            for weight, most in (effort.planar if is_planar else ())
+        )
+        arrangement = next(filter(None, planar), None) or _with_crossings(
             train, effort, is_planar=is_planar, is_ordered=ordered
         )
         if arrangement is not None:
             return Swept(arrangement.steps, ordered or not is_ordered)
     return Swept(stacked(train), not is_ordered)
-
-
-def _planar(train: CoaxialTrain, effort: SweepEffort, *, is_ordered: bool) -> _FoundSteps | None:
-    """Return the first arrangement without crossings."""
-    ways = (
-        _SweepSearch(Moves(train, 0, is_ordered), weight).found(most)
-        for weight, most in effort.planar
-    )
-    return next(filter(None, ways), None)
 
 
 def _with_crossings(
