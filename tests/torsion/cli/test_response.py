@@ -195,7 +195,7 @@ def test_where_nothing_has_a_value_text_says_so() -> None:
         ("order,amplitude\n-2,1\n3,5\n", "engine.csv:2:1: error: order: read -2, expected"),
         ("order,amplitude\n2,inf\n", "engine.csv:2:1: error: amplitude: read 'inf'"),
         ("order,amplitude\n2,1\n2,1\n", "engine.csv:3:1: error: order 2 is given twice"),
-        ("order,amplitude\n", "engine.csv:1:1: error: there is no row below"),
+        ("order,amplitude\n", "engine.csv:1:1: error: read no row below"),
     ],
 )
 def test_faults_of_a_table_are_told_at_their_lines(table: str, words: str) -> None:
