@@ -89,7 +89,7 @@ def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
     Path("users").write_text("".join(map(line.format, range(300))), encoding="utf-8")
     Path("run.yaml").write_text("{case: users, duration: 1}", encoding="utf-8")
     (told,) = vstatics.check("run.yaml")
-    assert (told.id, told.message) == ("E660", "users is no case: it has none of its keys")
+    assert (told.id, told.message) == ("E660", "users is not a case: it has no key of a case")
     assert told.place is not None
     assert told.place.file == "run.yaml"
     assert "user1" not in commands.vstatics("simulate", "run.yaml").err

@@ -355,7 +355,7 @@ def test_springs_in_a_loop_have_the_twist_that_one_of_them_is_given(given: str) 
         ("angles: {b: 0.3, c: 0.1}", "make it 0.15 rad"),
         ("twists: {lift: 0.1}", "elastic device; did you mean `left`"),
         ("twists: {left: 0.1 m}", "expected one in rad"),
-        ("twists: {left: 0.1}, settled: true", "`twists` beside `settled`"),
+        ("twists: {left: 0.1}, settled: true", "`twists` and `settled`"),
         ("angles: {d: 0.1}", "expected the name of a link"),
     ],
 )

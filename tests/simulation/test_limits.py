@@ -248,10 +248,10 @@ def test_mistakes_stand_where_they_are_made() -> None:
     head = "duration: 1\nstart: {speeds: {w: 0, v: 0}}\n"
     for limits, place, expected in (
         ("{T: 30}", "4:10", "read 'T', expected the name of a spring: S, P"),
-        ("{P: 30}", "4:10", "limits.P: read a limit beside `points`, expected none"),
+        ("{P: 30}", "4:10", "limits.P: read a limit of a spring with `points`, expected no limit"),
         ("{S: -3}", "4:10", "limits.S: read -3, expected a torque of 0 or more"),
         ("{S: [[0, 3], [1, -3]]}", "4:26", "read -3, expected a torque of 0 or more"),
-        ("{S: sqrt(1 - 4*t)}", "4:10", "limits.S: gives nan at 0.251 s, expected a number"),
+        ("{S: sqrt(1 - 4*t)}", "4:10", "limits.S: is nan at 0.251 s, expected a number"),
         ("{S: 3 rpm}", "4:13", "limits.S: "),
     ):
         fault = faults(f"{head}limits: {limits}\n", case)[0]

@@ -95,10 +95,10 @@ torques: {wheels: {road: {mass: 1 t, radius: 500 mm, rolling: %s}}}
     ("rolling", "message"),
     [
         ("{over: speed, points: [[0, .01], [72 km/h, .02]]}", ""),
-        ("{over: speed, points: [[3, .01], [3, .02]]}", "read 3 behind 3, expected speeds that ri"),
+        ("{over: speed, points: [[3, .01], [3, .02]]}", "read 3 after 3, expected ascending spe"),
         ("{over: speed, points: [[-1, .01], [3, .02]]}", "read -1, expected a speed of 0 or more"),
         ("{over: speed, points: [[0, -.01], [3, .02]]}", "expected a coefficient of 0 or more"),
-        ("{over: speed, points: []}", "read no point, expected one at least"),
+        ("{over: speed, points: []}", "read no point, expected at least one"),
         ("{over: time, points: [[0, .01]]}", "read 'time', expected `speed`"),
         ("{points: [[0, .01]]}", "`over` is missing"),
         ("{over: speed, points: [[0, .01, 3]]}", "speed, coefficient"),

@@ -109,7 +109,7 @@ def test_from_a_file(folder: Path) -> None:
         ("{free: 0, by_torque: 1e-6}", "radius: read 0"),
         ("{free: .48, by_force: 1e-6}", "unknown key `by_force`"),
         ("{by_torque: 1e-6}", "`free` is missing"),
-        ("{free: .48, by_torque: .1}", "no single velocity"),
+        ("{free: .48, by_torque: .1}", "expected a smaller number"),
         ("-.3", "radius: read -0.3"),
     ],
 )

@@ -60,5 +60,5 @@ def test_energy_that_is_lost_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     motion = simulate(Scenario(links(2.0), 1.0, Start(speeds={1: 50.0}), torques=torques))
     assert motion.stopped is not None
     assert motion.stopped.message.startswith(
-        "the energy does not close: 0.005 J are left of 1e+04 J"
+        "the energy balance does not close: 0.005 J of 1e+04 J are left"
     )

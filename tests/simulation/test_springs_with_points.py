@@ -115,7 +115,7 @@ def test_a_torque_that_points_do_not_reach_is_told() -> None:
         Start(speeds={1: 0.0}, settled=True),
         torques=((1, constant(9.0)),),
     )
-    with pytest.raises(CaseError, match=r"S carries 9 N\*m, which it never has"):
+    with pytest.raises(CaseError, match=r"S never reaches its torque of 9 N\*m"):
         simulate(scenario)
 
 

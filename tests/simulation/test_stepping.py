@@ -124,7 +124,7 @@ def test_what_cannot_be_set(seconds: Any, settings: dict[str, Any], message: str
 def test_a_state_is_one_that_a_run_was_in() -> None:
     run = begin(written(LAG))
     before: Any = 3
-    with pytest.raises(CaseError, match="state is 3, expected one that a run was in"):
+    with pytest.raises(CaseError, match="state is 3, expected the state of a run"):
         run.state = before
     run.advance(1)
     assert run.time == 1
@@ -136,7 +136,7 @@ def test_a_run_that_has_no_way_on_stays_where_it_was() -> None:
         written(LAG + 'sequences: {s: [{when: "target < 10", within: 0.5, set: {p: 1}}]}\n')
     )
     run.advance(0.4)
-    with pytest.raises(CaseError, match="not true within"):
+    with pytest.raises(CaseError, match="did not become true within"):
         run.advance(0.2)
     assert run.time == 0.4
     run.advance(0.2, target=1)

@@ -175,5 +175,5 @@ def test_the_published_method_refuses_it() -> None:
     scenario = written(
         "duration: 1\nstart: {speeds: {e: 300, o: 0}}\ncontrols: {C: 1 bar}\n", case(FADING)
     )
-    with pytest.raises(CaseError, match="C goes by more than its slip and the time"):
+    with pytest.raises(CaseError, match="C depends on more than its slip and the time"):
         tarasik(scenario)

@@ -211,7 +211,7 @@ class EventRun:
         raise CaseError(
             "E697",
             f"at {self.at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at "
-            f"one instant, without end: {names}",
+            f"one instant by {names}; let a step wait for a time or an event",
             ("sequences",),
         )
 
@@ -270,11 +270,11 @@ class EventRun:
                 continue
             if self.meetings.switches(place, judged, within):
                 why = (
-                    "switches to and fro without end: on each side of its jump the motion goes "
-                    "back to the other side"
+                    "switches back and forth without end: on each side of its jump the motion "
+                    "returns to the other side"
                 )
             elif self.meetings.hastens(place, event.time, self.until):
-                why = "switches to and fro faster and faster, so the run does not reach its end"
+                why = "switches back and forth faster and faster, so the run does not reach its end"
             else:
                 continue
             raise CaseError(
@@ -296,14 +296,14 @@ class EventRun:
             watch = event.watches[0]
             name = self._name(watch)
             message = (
-                f"at {event.time:.9g} s {name} changes without end between sticking and slipping: "
-                "there is no state in which the run can go on; let its torque change steadily with "
-                "the speed, or give its links an inertia or a damper"
+                f"at {event.time:.9g} s {name} alternates between sticking and slipping without "
+                "end, so the run cannot continue; let its torque change steadily with the speed, "
+                "or give its links an inertia or a damper"
             )
             if watch.kind in FOLLOWING:
                 message = (
-                    f"at {event.time:.9g} s {name} is met without end, so the run comes no "
-                    f"further; {_CURE_OF_JUMPS}"
+                    f"at {event.time:.9g} s {name} is reached again and again without end, so "
+                    f"the run cannot continue; {_CURE_OF_JUMPS}"
                 )
             raise CaseError("E601", message, self._path(watch))
 
@@ -322,7 +322,9 @@ class EventRun:
             raise self._no_state() from None
         except np.linalg.LinAlgError:
             raise CaseError(
-                "E603", f"at {at.time:.9g} s the equations of motion are singular"
+                "E603",
+                f"at {at.time:.9g} s the equations of motion are singular; give links without "
+                "inertia an inertia, or hold them",
             ) from None
         if selected.jump is not None:
             self.record.jumps(at.time, selected.jump)
@@ -345,8 +347,8 @@ class EventRun:
         names = [self._name_of(kind, index) for kind, index in named]
         return CaseError(
             "E602",
-            f"at {at.time:.9g} s there is no admissible state: neither sticking nor "
-            f"slipping fits for {', '.join(names) or 'the speeds as they are'}",
+            f"at {at.time:.9g} s no state is consistent with the torques: neither sticking nor "
+            f"slipping of {', '.join(names) or 'any component'}",
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
@@ -482,9 +484,9 @@ class EventRun:
             name = self.system.names[self.system.outside[index].link]
             return Problem(
                 "E607",
-                f"at {time:.9g} s the torque on {name} switches to and fro without end: a "
-                "motion can slide along what is straight in speed and angle, not along "
-                "this",
+                f"at {time:.9g} s the torque on {name} switches back and forth without end: a "
+                "motion can slide along a straight line in speed and angle, but not along this "
+                "curve; smooth the torque",
                 ("torques", name),
             )
         return self._too_steep(equations, time, state)
@@ -494,13 +496,13 @@ class EventRun:
         for place in self.meetings.latest(time)[:1]:
             corner = self.corners[place.corner]
             message = (
-                f"at {time:.9g} s no step is small enough at a corner of {quoted(corner.text)}: "
-                "what follows from it changes too steeply, or is no number, next to it"
+                f"at {time:.9g} s no time step is small enough at a corner of "
+                f"{quoted(corner.text)}: next to it a value changes too steeply, or is not a number"
             )
             return Problem("E608", message, corner.path)
         message = (
-            f"at {time:.9g} s no step is small enough: a torque jumps with the speed, or changes "
-            "too steeply with it; dry friction of a load is a `resistance`"
+            f"at {time:.9g} s no time step is small enough: a torque jumps with the speed, or "
+            "changes too steeply with it; write dry friction of a load as `resistance`"
         )
         slopes = np.abs(equations.slopes_by_rate(time, state)[: self.system.layout.outside])
         if not slopes.any():

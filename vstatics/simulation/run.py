@@ -128,7 +128,7 @@ def begun(
         except NoChoice:
             raise CaseError(
                 "E626",
-                "there is no settled state at t = 0: leave out `settled`",
+                "there is no steady state at t = 0: leave out `settled`",
                 ("start", "settled"),
             ) from None
     record = Record(system, start_instant(system, speeds, twists, angles), step, asked)
@@ -157,8 +157,8 @@ def _to_its_end(run: EventRun) -> Motion:
     return motion._replace(
         stopped=Problem(
             "E627",
-            f"the energy does not close: {balance:.3g} J are left of {turnover:.3g} J; a "
-            "smaller --rtol may help",
+            f"the energy balance does not close: {balance:.3g} J of {turnover:.3g} J are left; "
+            "use a smaller --rtol",
             _END,
         )
     )

@@ -83,7 +83,7 @@ class SteppedRun:
     @state.setter
     def state(self, state: EventRun) -> None:
         if not isinstance(state, EventRun):
-            raise CaseError("E730", f"state is {state!r}, expected one that a run was in")
+            raise CaseError("E730", f"state is {state!r}, expected the state of a run")
         self._state = state
 
     @property

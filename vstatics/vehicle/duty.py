@@ -117,7 +117,7 @@ def _problems(
         elif not math.isfinite(efficiencies[gear]):
             yield Problem("E417", "the gear has no efficiency, expected no share for it", (gear,))
         elif not powers[gear] > 0:
-            message = "shares of time need the power of the gear, expected a load with speed"
+            message = "shares of time need the input power of the gear, expected a load with speed"
             yield Problem("E418", f"{message} and torque", (gear,))
     if not shares:
         yield Problem("E419", "all shares are 0, expected one above 0")

@@ -105,7 +105,7 @@ def read_duty_table(data: bytes, file: str, exponent: float | None = None) -> Du
         data, file, "a duty cycle: time or share, gear, speed, torque", _COLUMNS, "E121"
     )
     if ("time" in table.numbers) == ("share" in table.numbers):
-        message = "read both `time` and `share`, or neither, expected one of them"
+        message = "expected exactly one of the columns `time` and `share`"
         raise ReadError([Problem("E121", message, (), table.source.place(1))])
     return DutyTable(table, exponent or EXPONENT)
 

@@ -21,8 +21,6 @@ GEARBOX = "vstatics new gearbox.yaml --template zf-8hp70"
 """Command that writes the case of the examples, from the help of the program."""
 ENDLESS = "vstatics serve"
 """Commands that run until they are stopped."""
-QUICK = ("new", "run")
-"""Commands whose examples are also run without the slow tests."""
 
 
 def walk(command: click.Command, name: str) -> Iterator[tuple[str, click.Command]]:
@@ -73,7 +71,7 @@ def test_examples_of_a_help_text_run(name: str, tmp_path: Path) -> None:
     lines[0] = f"set -o pipefail; git init -q .; {lines[0]}; git add -A"
     failed = [
         f"$ {line}\n{output}"
-        for line, output in zip(asked, run_all(lines, folder), strict=True)
+        for line, output in zip(asked, run_all(lines, folder, seconds=600), strict=True)
         if output.splitlines()[-1:] != ["status 0"]
     ]
     assert not failed, "\n".join(failed)

@@ -124,7 +124,7 @@ def test_check_tells_a_run_of_hours(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(documents, "TRIED", 0.2)
     said = vstatics("check", "long.yaml")
     assert said.status == 0
-    assert "note: duration: a run takes long" in said.err
+    assert "note: duration: the run takes long" in said.err
     assert "--limit" in said.err
     assert vstatics("check", "short.yaml").err == ""
 

@@ -134,7 +134,7 @@ def test_mistakes_in_a_sweep_of_a_scenario(options: list[str], status: int, said
 def test_a_case_that_is_not_there_is_told_where_it_is_named() -> None:
     Path("set.yaml").rename("box.yaml")
     shown = vstatics("sweep", "lock.yaml", "--vary", "duration=1,2")
-    assert shown.fails("lock.yaml:1:7: error: set.yaml can't be read")
+    assert shown.fails("lock.yaml:1:7: error: set.yaml cannot be read")
 
 
 def test_messages_of_runs_are_told_once_with_their_number() -> None:

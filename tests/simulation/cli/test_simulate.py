@@ -83,7 +83,7 @@ def test_tables_for_people_fit_a_terminal() -> None:
     said = vstatics("simulate", "lock.yaml")
     assert (said.status, said.err) == (0, "")
     assert max(map(len, said.out.splitlines())) <= 80
-    assert "0.410054006  brake    locks" in said.out
+    assert "0.410054006  brake          locks" in said.out
     assert "  brake     858.815" in said.out
 
 
@@ -150,7 +150,7 @@ def test_a_case_on_the_command_line_replaces_that_of_the_scenario() -> None:
     without = SCENARIO.partition("\n")[2]
     assert vstatics("simulate", "-", "box.yaml", stdin=without.encode()).status == 0
     said = vstatics("simulate", "-", stdin=without.encode())
-    assert said.gives_nothing("<stdin>:1:1: error: `case` is missing: the file of the case")
+    assert said.gives_nothing("<stdin>:1:1: error: `case` is missing: give the file of the case")
 
 
 def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:

@@ -73,7 +73,7 @@ mechanisms: {pair: {first: a, second: b, ratio: 2}}
     text = "duration: 1\nstart: {speeds: {a: 10}}\nspeeds: {%s}\n"
     with pytest.raises(CaseError, match="gives 20 rad/s"):
         simulate(written(text % "a: 20", pair))
-    with pytest.raises(CaseError, match="the train ties b"):
+    with pytest.raises(CaseError, match="the gear train holds b"):
         simulate(written(text % "a: 10, b: 5", pair))
 
 

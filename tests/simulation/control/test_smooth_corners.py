@@ -201,7 +201,7 @@ def test_a_jump_to_which_the_motion_returns_without_end_is_reported(
     )
     assert motion.stopped is not None
     assert (motion.stopped.id, motion.stopped.path) == ("E601", path)
-    assert f"`{text}` switches to and fro without end" in motion.stopped.message
+    assert f"`{text}` switches back and forth without end" in motion.stopped.message
 
 
 JUMPS_OF_LIMITS = [
@@ -250,7 +250,7 @@ torques: {a: 50}
     )
     assert motion.stopped is not None
     assert (motion.stopped.id, motion.stopped.path) == ("E601", ("states", "p", "rate"))
-    assert "to and fro faster and faster" in motion.stopped.message
+    assert "back and forth faster and faster" in motion.stopped.message
 
 
 @pytest.mark.slow

@@ -129,12 +129,12 @@ samples: {start.speeds.in: {normal: [600 rpm, 6], min: 20}, x: {uniform: [1, 2]}
 FAULTS = [
     ("contrls: {}", "4:1", "unknown key `contrls`; did you mean `controls`?"),
     ("controls: {C: 3}", "4:12", "read 'C', expected the name of a shift element: B, lock up"),
-    ("controls: {B: [[0, 1], [2, 1], [1, 1]]}", "4:32", "read 1 behind 2, expected points in"),
+    ("controls: {B: [[0, 1], [2, 1], [1, 1]]}", "4:32", "read 1 after 2, expected points in"),
     ("controls: {B: {scale: 1}}", "4:15", "read none of them, expected one of `points`, `form"),
     ("controls: {B: {dog: [[1, open]], points: [[0, 1]]}}", "4:15", "read `points` and `dog`, exp"),
     ("controls: {B: {dog: [[1, shut]]}}", "4:26", "expected `open` or `closed`"),
     ("controls: {B: {dog: [[1, open], [0, closed]]}}", "4:33", "expected times in their order"),
-    ("controls: {B: []}", "4:12", "expected points, one at least"),
+    ("controls: {B: []}", "4:12", "expected at least one point"),
     ("controls: {B: 3 bar}", "4:12", "read a number in Pa, expected one in N*m, since B has no"),
     ("controls: {P: [[0, 3 N*m]]}", "4:20", "expected one in Pa, since P has `friction`"),
     ("controls: {B: 3 kg}", "4:15", "expected a number in N*m or Pa, bare or with its unit"),
@@ -142,10 +142,10 @@ FAULTS = [
     ("controls: {B: {points: [[0, 1]], scale: -2}}", "4:41", "read -2, expected a scale of 0 or"),
     ("controls: {B: sqrt(1 - t)}", "4:12", "gives nan at 1.0"),
     ("controls: {B: .nan}", "4:15", "read `.`, expected a number, t, or"),
-    ("controls: {W: 3}", "4:12", "is a freewheel, which finds by itself whether it holds"),
+    ("controls: {W: 3}", "4:12", "read a control of a freewheel, which holds without a control"),
     ("controls: [3]", "4:11", "expected a mapping: a number for each shift element"),
     ("torques: {wheels: 3}", "4:11", "did you mean `wheel`?"),
-    ("torques: {housing: 3}", "4:10", "read the housing, expected a link that can turn"),
+    ("torques: {housing: 3}", "4:10", "read the housing, expected a link that can rotate"),
     ('torques: {in: "1 + tt"}', "4:20", "read `tt`, expected a formula of t, speed and angle"),
     ("torques: {in: [[0, 1], [1, 2, 3]]}", "4:24", "read a list of 3, expected 2 numbers"),
     ("torques: {in: [3, {resistance: -1}]}", "4:32", "read -1, expected a torque of 0 or more"),
@@ -154,7 +154,7 @@ FAULTS = [
     ("torques: {in: {road: {mass: 1}}}", "4:22", "`radius` is missing"),
     ("torques: {in: {road: {mass: 1, radius: 0}}}", "4:40", "read 0, expected a radius above 0"),
     ("torques: {in: {road: {mass: 1, radius: 1, slope: 3}}}", "4:50", "the sine of an angle"),
-    ("converters: {B: {links: [in, wheel], points: [[0, 1, 1]]}}", "4:14", "of another device"),
+    ("converters: {B: {links: [in, wheel], points: [[0, 1, 1]]}}", "4:14", "of another component"),
     ("converters: {T: {links: [in, in], points: [[0, 1, 1]]}}", "4:25", "two different links"),
     ("converters: {T: {links: [in, weel], points: [[0, 1, 1]]}}", "4:30", "did you mean `wheel`"),
     (
@@ -166,12 +166,16 @@ FAULTS = [
     ("converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}", "4:59", "ascending"),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
-    ("shifts: [{at: 2, to: low}, {at: 1, to: high}]", "4:33", "expected shifts in their order"),
+    (
+        "shifts: [{at: 2, to: low}, {at: 1, to: high}]",
+        "4:33",
+        "expected shifts in the order of time",
+    ),
     ("shifts: [{at: 2, to: low, overlap: -1}]", "4:36", "read -1, expected a time of 0 or more"),
     ("shifts: [{to: low}]", "4:10", "`at` is missing"),
     ("targets: {in: 50 km/h}", "4:11", "a velocity belongs to a link with a `road`"),
     ("samples: {x: {normal: [0, -1]}}", "4:23", "expected a standard deviation of 0 or more"),
-    ("samples: {x: {normal: [0, 1], min: 3}}", "4:23", "expected one from min to max"),
+    ("samples: {x: {normal: [0, 1], min: 3}}", "4:23", "expected a mean from min to max"),
     ("samples: {x: {min: 3}}", "4:14", "expected one of `normal`, `lognormal` or `uniform`"),
 ]
 
@@ -191,7 +195,10 @@ def test_a_fault_is_told_once_at_its_place(text: str, place: str, message: str) 
         ("{case: box.yaml, duration: 6}", "expected `gear`, or `speeds`"),
         ("{case: box.yaml, duration: 0, start: {gear: low}}", "read 0, expected a time above 0"),
         ("{case: box.yaml, duration: 6, start: {}}", "expected `gear`, or `speeds` that determine"),
-        ("{duration: 6, start: {gear: low, speeds: {in: 3}}}", "read `gear` beside `speeds`"),
+        (
+            "{duration: 6, start: {gear: low, speeds: {in: 3}}}",
+            "read `gear` together with `speeds`",
+        ),
         ("{duration: 6, start: {speed: 3, speeds: {in: 3}}}", "read `speed` without `gear`"),
         ("{duration: 6, start: {gear: slow}}", "did you mean `low`?"),
         ("{duration: 6, start: {speeds: {in: 3 N}}}", "expected a number in rad/s or m/s"),
@@ -222,10 +229,10 @@ def test_the_case_is_found_beside_the_scenario_or_given(tmp_path: Path) -> None:
     with pytest.raises(ReadError, match="expected the name of a gear"):
         load_scenario(file, tmp_path / "other.yaml")
     file.write_text("{case: bax.yaml, duration: 6, start: {gear: low}}")
-    with pytest.raises(ReadError, match=r"shift.yaml:1:8: error: .*bax.yaml can't be read"):
+    with pytest.raises(ReadError, match=r"shift.yaml:1:8: error: .*bax.yaml cannot be read"):
         load_scenario(file)
     file.write_text("{duration: 6, start: {gear: low}}")
-    with pytest.raises(ReadError, match="`case` is missing: the file of the case"):
+    with pytest.raises(ReadError, match="`case` is missing: give the file of the case"):
         load_scenario(file)
 
 

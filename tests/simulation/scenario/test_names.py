@@ -85,7 +85,7 @@ gears: {{{name}: ["{name}{name}"]}}
 def test_a_formula_that_never_is_a_number_is_refused_before_the_run(formula: str) -> None:
     text = "duration: 1\nstart: {speeds: {e: 0, o: 0}}\n"
     [fault] = faults(f'{text}torques: {{e: "{formula}"}}\n')
-    assert "as at all times, expected a number" in fault
+    assert "and at all other times, expected a number" in fault
     if "t" in formula.replace("sqrt", ""):
         for key in ("states: {p: {rate: '%s'}}", "controls: {C: '%s'}"):
             assert len(faults(f"{text}{key % formula}\n")) == 1

@@ -74,8 +74,11 @@ def test_a_device_that_was_not_recorded_is_left_out() -> None:
     ("record", "message"),
     [
         ("time,torques[shafd]\n0,1\n1,2\n", "record.csv:1:1: error: there is no column `torques["),
-        ("torques[shaft]\n5\n5\n", "record.csv:1:1: error: no torque of a device with `fatigue`"),
-        ("torques[shaft]\n", "record.csv:1:1: error: no torque of a device with `fatigue`"),
+        (
+            "torques[shaft]\n5\n5\n",
+            "record.csv:1:1: error: no torque of a component with `fatigue`",
+        ),
+        ("torques[shaft]\n", "record.csv:1:1: error: no torque of a component with `fatigue`"),
         ("torques[shaft]\n5\nnan\n", "record.csv:3:1: error: torques[shaft]: read 'nan'"),
         (
             "torques[shaft],torques[shaft] [kN*m]\n1,2\n",

@@ -185,7 +185,9 @@ def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why
     assert (told.top_speed, told.time_to_100) == (alone.top_speed, alone.time_to_100)
     assert all(map(math.isnan, told.gears["split"]))
     rows = [(0, 3, "low"), (4, 9, "split"), (8, 30, "")]
-    with pytest.raises(CaseError, match=f"gear split has {why}, expected one in which") as caught:
+    with pytest.raises(
+        CaseError, match=f"gear split has {why}, expected a gear in which"
+    ) as caught:
         drive(case, trace(*rows), GearChoice())
     assert caught.value.problems[0].path == (1,)
     unnamed = trace(*rows)._replace(gears=[])
@@ -226,7 +228,7 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
         drive(CASE, text, GearChoice())
     for both in GearChoice(least, shifts), GearChoice(least), GearChoice(shifts=shifts):
         given = text if both == GearChoice(least, shifts) else trace((0, 4, "1"), (2, 8, "1"))
-        with pytest.raises(CaseError, match=r"and --\S+ tell the gears, expected one of them"):
+        with pytest.raises(CaseError, match=r"and --\S+ both give the gears, expected one of them"):
             drive(case, given, both)
     turned = read_shifts("2-1: 6 m/s/3.6 m/s")
     with pytest.raises(CaseError, match=r"larger ratio \(`2` 1.5 and `1` 3.5\), .* first: 1-2"):
@@ -354,7 +356,7 @@ def test_fuel_is_bilinear() -> None:
     w, t = np.array([120.0, 420.0]), np.array([33.0, 71.0])
     np.testing.assert_allclose(read.at(w, t), fuel(w, t), rtol=1e-12)
     np.testing.assert_allclose(read.at(np.array([50.0]), np.array([-9.0])), fuel(100.0, 0.0))
-    with pytest.raises(ReadError, match="expected one for each pair"):
+    with pytest.raises(ReadError, match="expected one row for each pair"):
         read_fuel_map(text.encode().rsplit(b"\n", 1)[0], "fuel.csv")
 
 
@@ -362,7 +364,7 @@ def test_fuel_is_bilinear() -> None:
     ("text", "said"),
     [
         ("time [s],speed [km/h]\n", "no row below the headings"),
-        ("time [s],speed [km/h]\n0,1\n", "expected two at least"),
+        ("time [s],speed [km/h]\n0,1\n", "expected at least two"),
         ("time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a later time"),
         ("time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
         ("time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "none, as it is the sine of the angle"),

@@ -261,7 +261,7 @@ def test_a_trace_that_has_no_gears_is_named(tmp_path: Path) -> None:
     )
     file.write_text("A title\ntime [s],speed [mph]\n0,0\n5,10\n")
     ran = vstatics("cycle", str(case), str(file))
-    assert ran.err.startswith(f"{file}:2:1: error: the trace has no column `gear`, expected one")
+    assert ran.err.startswith(f"{file}:2:1: error: the trace has no column `gear`: expected this")
 
 
 @pytest.mark.slow

@@ -22,7 +22,7 @@ CONVENTIONS = {
     "loops": "recirculating power; with a note if it may be an artefact of the model",
     "locked_in": "loops within locked-up groups, not counted",
     "by_convention": "locked-up nodes, whose share of the power statics does not determine",
-    "null": "does not exist, or is not determined",
+    "null": "undefined or indeterminate",
 }
 """Meaning of the numbers of an answer, by key."""
 

@@ -165,9 +165,9 @@ def _cells(shown: Quantity, line: Largest) -> Row:
 def _sensitivities(summary: Summary) -> Iterator[Grid]:
     mechanisms = summary.results.case.mechanisms
     names = [mechanism.name for mechanism in mechanisms]
-    title = "Sensitivity (u/i) di/du of the ratio i to basic ratios u"
+    title = "Sensitivity (u/i) di/du of the ratio to basic ratios"
     if any(mechanism.kind for mechanism in mechanisms):
-        title = "Sensitivity (u/i) di/du of the ratio i, u basic or speed ratio"
+        title = "Sensitivity (u/i) di/du to basic and speed ratios"
     by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     yield _by_gear(summary, title, "sensitivity", "mechanism", by_name)
     title = "Sensitivity (n/ETA) dETA/dn of the efficiency ETA"

@@ -83,10 +83,13 @@ def plot_command(
       vstatics plot --kind plan --ratios 2.6,1.7,1,-4 -o wanted.svg
       vstatics new other.yaml --template aisin-8speed
       vstatics plot gearbox.yaml other.yaml --kind efficiency -o compared.svg
-      vstatics new driveline-8hp70.yaml --template driveline-8hp70
-      vstatics plot driveline-8hp70.yaml --kind traction -o forces.svg
-      vstatics new scenarios/upshift.yaml --template scenarios/8hp70-upshift
-      vstatics plot scenarios/upshift.yaml --kind shift --out heat -o upshift.png
+      echo 'vehicle: {mass: 1900 kg, radius: 0.33, final_drive: 3.15,
+        rolling: 0.012, drag_area: 0.7,
+        engine: [[100, 250], [300, 400], [600, 350]]}' >> gearbox.yaml
+      vstatics plot gearbox.yaml --kind traction -o forces.svg
+      vstatics new moskvich-start.yaml --template moskvich-start
+      vstatics new scenarios/start.yaml --template scenarios/moskvich-start
+      vstatics plot scenarios/start.yaml --kind shift --out heat -o start.png
       vstatics sweep gearbox.yaml --vary P1.efficiency=0.9:0.99:4 \\
           --vary P2.efficiency=0.9:0.99:4 --out 'efficiency[1]' -o losses.csv
       vstatics plot losses.csv --kind map --z 'efficiency[1]' -o map.svg

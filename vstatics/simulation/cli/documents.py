@@ -72,7 +72,7 @@ def case_of(
     """
     file = case or document.case_file
     if not file:
-        raise document.no_case("`case` is missing: the file of the case")
+        raise document.no_case("`case` is missing: give the file of the case")
     files.spare([file], output)
     if file in texts:
         return texts[file], file
@@ -159,7 +159,7 @@ def _tried(scenario: Scenario) -> list[Problem]:
     return [
         Problem(
             "N001",
-            f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it",
+            f"the run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it earlier",
             ("duration",),
         )
     ]

@@ -161,7 +161,7 @@ class Finder:
                 raise CaseError(
                     "E609",
                     f"at {step.end:.6g} s the control of {name} gives {value:g}, expected "
-                    f"a number, {LARGEST_NUMBER:g} at most",
+                    f"a number up to {LARGEST_NUMBER:g}",
                     ("controls", name),
                 )
 

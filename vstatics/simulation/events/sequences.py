@@ -68,7 +68,7 @@ class SequenceProgress:
         if self.true_at is None and time >= self.since + step.within:
             raise CaseError(
                 "E696",
-                f"at {time:.9g} s the condition of sequence {self.name} is not true within "
+                f"at {time:.9g} s the condition of sequence {self.name} did not become true within "
                 f"{step.within:g} s",
                 (*self.path, "within"),
             )
@@ -83,7 +83,7 @@ class SequenceProgress:
         if "?" in "".join(sides):
             raise CaseError(
                 "E650",
-                f"at {judge.now.time:.9g} s what {self.name} compares is no number",
+                f"at {judge.now.time:.9g} s {self.name} compares a value that is not a number",
                 (*self.path, "when"),
             )
         return step.when.holds(sides, lambda seen: happened(seen, self.since))

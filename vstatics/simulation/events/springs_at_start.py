@@ -106,7 +106,7 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
         if twist is None:
             raise CaseError(
                 "E694",
-                f"{spring.name} carries {torque:g} N*m, which it never has: leave out `settled`",
+                f"{spring.name} never reaches its torque of {torque:g} N*m: leave out `settled`",
                 ("start", "settled"),
             )
         twists[index] = twist

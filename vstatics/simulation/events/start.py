@@ -165,8 +165,8 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
         path, _, angle = given[place]
         raise CaseError(
             "E649",
-            f"read {angle:g} rad, but the other angles and twists, and the mechanisms "
-            f"between them, make it {expected:g} rad",
+            f"read {angle:g} rad, but from the other angles and twists, and the mechanisms "
+            f"between them, follows {expected:g} rad",
             ("start", *path),
         )
     open_still, angles = null(matrix), solved(matrix, values)
@@ -185,7 +185,8 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
         names = spoken([spring.name for spring in loose])
         raise CaseError(
             "E726",
-            f"the twists that are given leave open how {names} share the others: give more",
+            f"the given twists do not determine how {names} share the remaining twist: give more "
+            "twists",
             ("start", "twists"),
         )
     is_open = np.abs(null(matrix)).max(axis=1, initial=0.0) > MOVING_LINK
@@ -219,8 +220,8 @@ def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
             name = system.case.link_name(link)
             raise CaseError(
                 "E673",
-                f"the train ties {name} to other links whose speed is given, or holds it: "
-                "expected one of them",
+                f"the gear train holds {name}, or its speed follows from other given speeds: give "
+                "only one of them",
                 ("speeds", name),
             )
 
@@ -262,14 +263,14 @@ def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float)
     loose, idle = split_motions(system.heavy, free @ null(bent) if len(bent) else free)
     if loose.shape[1]:
         raise _left_open(
-            system, loose, ": give the speed of one more link, or an element that is engaged"
+            system, loose, ": give the speed of one more link, or one more engaged shift element"
         )
     part = solved(bent, missing) if len(bent) else np.zeros(free.shape[1])
     if heavy.shape[1] and largest(bent @ part - missing) > STANDING * scale:
         raise _left_open(
             system,
             heavy,
-            ", and springs on both sides turn at different speeds: give the speed of one more link",
+            ", as springs on both sides have different speeds: give the speed of one more link",
         )
     filled = speeds + free @ part
     freewheels = system.rows(contact.row for contact in system.contacts if contact.one_way)
@@ -281,7 +282,7 @@ def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float)
 def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:
     moving = np.flatnonzero(np.abs(motions).max(axis=1) > MOVING_LINK)
     names = listed([system.names[index] for index in moving], 6)
-    return CaseError("E613", f"the start leaves the speed of {names} open{hint}", ("start",))
+    return CaseError("E613", f"the start does not determine the speed of {names}{hint}", ("start",))
 
 
 def _contradicting_speed(
@@ -289,12 +290,14 @@ def _contradicting_speed(
 ) -> Problem:
     contradiction = _contradiction(matrix, wanted, len(wanted) - len(given))
     if contradiction is None:
-        return Problem("E615", "the speeds contradict each other", ("start",))
+        return Problem(
+            "E615", "the given speeds contradict each other: give fewer speeds", ("start",)
+        )
     place, expected = contradiction
     link, speed = [*given.items()][place]
     return Problem(
         "E614",
-        f"read a speed of {speed:g} rad/s of {system.case.link_name(link)}, but the other "
-        f"speeds and what is engaged give it {expected:g}",
+        f"read a speed of {speed:g} rad/s of {system.case.link_name(link)}, but from the other "
+        f"speeds and the engaged shift elements follows {expected:g} rad/s",
         ("start", "speeds", link),
     )

@@ -95,10 +95,12 @@ def draw(
         If the run is missing, or if nothing moves.
     """
     if motion is None:
-        raise CaseError("E407", "this picture shows a run: expected a scenario, not a case")
+        raise CaseError(
+            "E407", "this picture shows a run over time: expected a scenario, not a case"
+        )
     shown = panels(results.case, motion)
     if len(motion.time) < 2 or all(panel.kind == "heat" for panel in shown):
-        raise CaseError("E408", "a picture of a run shows what moves, and nothing moves in this")
+        raise CaseError("E408", "nothing moves in this run, so there is nothing to draw")
     panels_of_others = [panel for other, run in others for panel in panels(other.case, run)]
     shown = [panel.with_scale_of(panels_of_others) for panel in shown]
     content = _content(results, motion, shown, style)

@@ -84,7 +84,7 @@ class TarasikRecord:
             if sizes.any():
                 row = int(sizes.argmax())
                 peaks[name] = Peak(float(torques[row, column]), self.times[row])
-        text = f"the published equations leave {balance:.6g} J of the energy over"
+        text = f"the energy balance of the published equations leaves a rest of {balance:.6g} J"
         largest = max(abs(self.work), math.fsum(self.heat), abs(kinetic))
         closes = abs(balance) <= CLOSED_ENERGY * largest
         return Motion(

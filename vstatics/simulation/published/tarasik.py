@@ -77,7 +77,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     if gear is not None:
         ends = (scenario.case.gear_input(gear) - 1, scenario.case.gear_output(gear) - 1)
     names = {system.names[outside.link] for outside in system.outside if outside.link not in ends}
-    text = "(12) has torques on input and output alone: leave it out, or take the events"
+    text = f"equation (12) has torques on input and output only: leave it out, or {_INSTEAD}"
     problems += [Problem("E616", text, ("torques", name)) for name in sorted(names)]
     if problems:
         raise CaseError(problems)
@@ -131,7 +131,7 @@ class _Run:
                 else:
                     raise NotTwoError("the clutch neither holds nor slips")  # noqa: TRY301
             except NotTwoError as error:
-                text = f"at {time:.9g} s: {error}; (12) is of two masses and one clutch"
+                text = f"at {time:.9g} s: {error}; equation (12) has two masses and one clutch"
                 return Problem("E617", text, ("controls",))
         return None
 
@@ -245,7 +245,7 @@ class _Run:
         self.record.events.append(event_of(time, self.system.contacts[contact], kind))
 
 
-_INSTEAD = "take the events, the method by default"
+_INSTEAD = "use the default method, `events`"
 
 
 def refusals(system: MotionSystem) -> Iterator[Problem]:
@@ -253,24 +253,25 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
     numbers = {spring.name: k for k, spring in enumerate(system.scenario.case.springs, 1)}
     for key in ("states", "sequences", "speeds", "speed_ratios"):
         if getattr(system.scenario, key):
-            yield Problem("E731", f"(12) has none of these: {_INSTEAD}", (key,))
+            yield Problem("E731", f"equation (12) does not cover this key: {_INSTEAD}", (key,))
     for spring in system.springs:
-        text = f"{spring.name} bends, but (12) is of a rigid box: {_INSTEAD}"
+        text = f"{spring.name} is elastic, but equation (12) has rigid shafts: {_INSTEAD}"
         yield Problem("E618", text, ("case", "springs", numbers.get(spring.name, spring.name)))
     for converter in system.converters:
-        text = f"(12) has no converter: {_INSTEAD}"
+        text = f"equation (12) does not cover converters: {_INSTEAD}"
         yield Problem("E619", text, ("converters", converter.name))
     for outside in system.outside:
         if isinstance(outside.law, Formula) and outside.law.seen:
             name = system.names[outside.link]
             text = (
-                f"the torque on {name} goes by more than its own motion, which (12) does not know"
+                f"the torque on {name} depends on more than its own motion, which equation (12) "
+                "does not cover"
             )
             yield Problem("E611", f"{text}: {_INSTEAD}", ("torques", name))
     controls = system.scenario.controls or {}
     for contact in system.contacts:
         if contact.element is not None and isinstance(controls.get(contact.element + 1), Dog):
-            text = f"a dog clutch joins at once, which (12) does not know: {_INSTEAD}"
+            text = f"a dog clutch closes at once, which equation (12) does not cover: {_INSTEAD}"
             yield Problem("E620", text, ("controls", contact.name))
         else:
             yield from _of_contact(contact)
@@ -279,26 +280,29 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
 def _of_contact(contact: Contact) -> Iterator[Problem]:
     curve = contact.programme.curve
     if contact.switch:
-        text = f"a torque on {contact.name} jumps, which (12) does not know: {_INSTEAD}"
+        text = f"a torque on {contact.name} jumps, which equation (12) does not cover: {_INSTEAD}"
         yield Problem("E621", text, ("torques", contact.name))
     elif contact.element is None and not contact.is_drag:
         text = (
-            f"the load of {contact.name} holds at rest, which (12) does not know: "
-            "take a formula such as -300*tanh(speed/0.05)"
+            f"the resistance of {contact.name} holds at rest, which equation (12) does not cover: "
+            "write a formula such as -300*tanh(speed/0.05)"
         )
         yield Problem("E622", text, ("torques", contact.name))
     elif contact.is_drag:
-        text = f"{contact.name} drags, which (12) does not know: {_INSTEAD}"
+        text = f"{contact.name} has drag, which equation (12) does not cover: {_INSTEAD}"
         yield Problem("E623", text, ("case",))
     elif contact.one_way and contact.element is not None:
-        text = f"{contact.name} is a freewheel, which (14) does not know: {_INSTEAD}"
+        text = f"{contact.name} is a freewheel, which equation (14) does not cover: {_INSTEAD}"
         yield Problem("E624", text, ("case", "shift_elements", contact.element + 1))
     elif contact.programme.look is not None:
-        text = f"{contact.name} goes by more than its slip and the time, which (12) does not know"
+        text = (
+            f"{contact.name} depends on more than its slip and the time, which equation (12) does "
+            "not cover"
+        )
         yield Problem("E611", f"{text}: {_INSTEAD}", ("controls", contact.name))
     elif contact.programme.is_dog and isinstance(curve, Points) and len({*curve.y}) > 1:
         text = (
-            f"{contact.name} has no capacity in the case, so it joins at once, which (12) does "
-            "not know: give it a `capacity` there"
+            f"{contact.name} has no capacity in the case, so it engages at once, which equation "
+            "(12) does not cover: give it a `capacity` there"
         )
         yield Problem("E625", text, ("shifts",))

@@ -148,7 +148,7 @@ class Record:
             if beyond and state.name not in self.cut:
                 self.cut.add(state.name)
                 text = f"at {time:.6g} s {state.name} is set beyond its limits: {beyond}"
-                self.messages.append(Message("N611", f"{text}; so it is that, then and later"))
+                self.messages.append(Message("N611", f"{text}; it is kept at this limit"))
 
     def cuts(self, system: MotionSystem, now: tuple[float, Sequence[float]]) -> None:
         """Warn once of each control that exceeds a capacity of the case."""

@@ -123,7 +123,7 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
         if by_speeds:
             yield Problem(
                 "E629",
-                "read `gear` beside `speeds` or `engaged`, expected one or the other",
+                "read `gear` together with `speeds` or `engaged`, expected one or the other",
                 ("start",),
             )
         yield from _of_gear(start.gear, case, ("start", "gear"))
@@ -149,7 +149,7 @@ def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
     if start.twists and start.settled:
         yield Problem(
             "E648",
-            "read `twists` beside `settled`, which determines them: expected one of them",
+            "read both `twists` and `settled`, which calculates them: expected one of the two",
             ("start", "twists"),
         )
 
@@ -167,14 +167,14 @@ def _of_controls(
         if element.is_freewheel:
             yield Problem(
                 "E631",
-                "is a freewheel, which finds by itself whether it holds: it has no control",
+                "read a control of a freewheel, which holds without a control: remove it",
                 path,
             )
         elif isinstance(control, Capacity) and element.kind == "dog_clutch":
             yield Problem(
                 "E632",
-                "is a dog clutch, which has no friction: expected when it closes and "
-                "opens, such as {dog: [[1.5, closed], [2, open]]}",
+                "read the capacity of a dog clutch, which has no friction: expected the times "
+                "at which it closes and opens, such as {dog: [[1.5, closed], [2, open]]}",
                 path,
             )
         elif isinstance(control, Capacity):
@@ -193,7 +193,7 @@ def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Proble
     if law.variables and not np.isfinite(values).any():
         yield Problem(
             "E633",
-            f"gives {values[1]:g} at {times[1]:.6g} s as at all times, expected a number",
+            f"is {values[1]:g} at {times[1]:.6g} s and at all other times, expected a number",
             path,
         )
 
@@ -214,8 +214,8 @@ def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Pro
             first = int(wrong[0])
             yield Problem(
                 "E633",
-                f"gives {values[first]:g} at {times[first]:.6g} s, expected a number, "
-                f"{LARGEST_NUMBER:g} at most",
+                f"is {values[first]:g} at {times[first]:.6g} s, expected a number up to "
+                f"{LARGEST_NUMBER:g}",
                 path,
             )
 
@@ -249,13 +249,14 @@ def _of_limits(scenario: Scenario) -> Iterator[Problem]:
         spring = springs[number - 1]
         if spring.points or spring.strut:
             key = "points" if spring.points else "strut"
-            yield Problem("E693", f"read a limit beside `{key}`, expected none", path)
+            yield Problem("E693", f"read a limit of a spring with `{key}`, expected no limit", path)
         if spring.name in [
             other.limit.of for other in springs if isinstance(other.limit, SpringLimit)
         ]:
             yield Problem(
                 "E546",
-                f"another limit follows {quoted(spring.name)}, expected none of its own",
+                f"the limit of another spring follows {quoted(spring.name)}, so no other limit "
+                "can be given",
                 path,
             )
         yield from _of_capacity(Capacity(limit), scenario.duration, path)
@@ -272,7 +273,7 @@ def _of_converters(converters: Sequence[Converter], case: Transmission) -> Itera
         path = ("converters", converter.name)
         if converter.name in names:
             yield Problem(
-                "E637", f"{quoted(converter.name)} is the name of another device of the case", path
+                "E637", f"{quoted(converter.name)} is the name of another component", path
             )
         names.append(converter.name)
         yield from of_converter(converter, path, case.links)
@@ -287,7 +288,7 @@ def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
         if 0 <= shift.at < before:
             yield Problem(
                 "E639",
-                f"read {shift.at:g} behind {before:g}, expected shifts in their order",
+                f"read {shift.at:g} after {before:g}, expected shifts in the order of time",
                 (*path, "at"),
             )
         before = max(before, shift.at)
@@ -305,7 +306,7 @@ def _of_speeds(
 
 def _of_link(link: int, case: Transmission, path: Path) -> Iterator[Problem]:
     if link == HOUSING:
-        yield Problem("E641", "read the housing, expected a link that can turn", path)
+        yield Problem("E641", "read the housing, expected a link that can rotate", path)
     elif not 0 < link <= case.links:
         yield Problem("E642", f"read link {link}, expected 1 to {case.links}", path)
 
@@ -351,8 +352,8 @@ def _of_road(law: Road, path: Path) -> Iterator[Problem]:
     if not problems and law.wheel and not law.wheel.is_single:
         yield Problem(
             "E722",
-            f"read {law.by_torque:g} m/(N*m), with which a speed of the wheels has no "
-            "single velocity: expected less",
+            f"read {law.by_torque:g} m/(N*m), expected a smaller number: a speed of the wheels "
+            "would belong to several velocities",
             (*path, "radius", "by_torque"),
         )
 
@@ -368,11 +369,11 @@ def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
         yield from of_range(part, "a coefficient", (*here, 2))
         if not speed > before:
             yield Problem(
-                "E889", f"read {speed:g} behind {before:g}, expected speeds that rise", (*here, 1)
+                "E889", f"read {speed:g} after {before:g}, expected ascending speeds", (*here, 1)
             )
         before = speed
     if not rolling:
-        yield Problem("E889", "read no point, expected one at least", (*path, "points"))
+        yield Problem("E889", "read no point, expected at least one", (*path, "points"))
 
 
 def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
@@ -435,8 +436,8 @@ def of_formula(
             if SHORT_SPEED in words.values and "speed" in law.variables:
                 yield Problem(
                     "E680",
-                    f"`{SHORT_SPEED}` is the speed in {quoted(law.text)}, and a state or "
-                    "number: expected another name of it",
+                    f"`{SHORT_SPEED}` is the speed in {quoted(law.text)}, but also a state or "
+                    "number: expected another name for it",
                     path,
                 )
         if not (law.seen or law.variables) and not math.isfinite(value := law.at(0.0)):
@@ -450,7 +451,7 @@ def of_formula(
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
     """Yield the problems of points: as many values as abscissas, finite and in order."""
     if not points.x or len(points.x) != len(points.y):
-        yield Problem("E651", "expected points, one at least, each of two numbers", path)
+        yield Problem("E651", "expected at least one point, each of two numbers", path)
     yield from of_finite([*points.x, *points.y], "a number", path)
     yield from ascending(points.x, f"points in the order of the {points.over}", path)
 
@@ -458,7 +459,7 @@ def of_points(points: Points, path: Path) -> Iterator[Problem]:
 def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
     """Yield the problems of times: at least one, finite and in order."""
     if not times:
-        yield Problem("E652", "read no times, expected one at least", path)
+        yield Problem("E652", "read no times, expected at least one", path)
     yield from of_finite(times, "a time", path)
     yield from ascending(times, "times in their order", path)
 

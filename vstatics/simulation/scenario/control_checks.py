@@ -42,12 +42,12 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
         mechanism = scenario.case.mechanisms[number - 1]
         place = ("speed_ratios", mechanism.name)
         if mechanism.kind != "variator":
-            yield Problem("E678", f"{mechanism.name} is no variator, expected one", place)
+            yield Problem("E678", f"{mechanism.name} is not a variator, expected a variator", place)
         yield from _of_speed(ratio, place)
     for sequence in scenario.sequences:
         if not sequence.steps:
             place = ("sequences", sequence.name)
-            yield Problem("E685", "read no steps, expected one at least", place)
+            yield Problem("E685", "read no steps, expected at least one", place)
     for path, step in placed_steps(scenario):
         yield from _of_step(step, scenario, path)
 
@@ -66,7 +66,7 @@ def ascending(
     for number, (before, after) in enumerate(pairwise(values), 2):
         if after < before or (strictly and after == before):
             yield Problem(
-                "E653", f"read {after:g} behind {before:g}, expected {expected}", (*path, number)
+                "E653", f"read {after:g} after {before:g}, expected {expected}", (*path, number)
             )
             return
 
@@ -89,20 +89,22 @@ def _of_speed(speed: Curve, path: Path) -> Iterator[Problem]:
     """Yield the problems of a given speed, which must be continuous with a known slope."""
     if isinstance(speed, Formula):
         if any(speed.jumps("t")) or not speed.has_slope:
-            fault = "jumps" if speed.has_slope else "has no slope that can be told"
-            yield Problem("E689", f"the speed {fault}, expected one that changes steadily", path)
+            fault = "jumps" if speed.has_slope else "has no known slope"
+            yield Problem(
+                "E689", f"the speed {fault}, expected a speed that changes steadily", path
+            )
         return
     if not speed.x:
-        yield Problem("E651", "expected points, one at least, each of two numbers", path)
+        yield Problem("E651", "expected at least one point, each of two numbers", path)
     expected = "points in the order of the time, without a jump"
     yield from ascending(speed.x, expected, path, strictly=True)
     if not all(map(math.isfinite, [*speed.x, *speed.y])):
-        yield Problem("E654", "read what is no number, expected numbers", path)
+        yield Problem("E654", "read a value that is not a number, expected numbers", path)
 
 
 def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Problem]:
     if not (step.settings or step.shift or step.dogs):
-        yield Problem("E686", "nothing is done, expected `set`, `shift` or `dog`", path)
+        yield Problem("E686", "the step has no action, expected `set`, `shift` or `dog`", path)
     if not step.within > 0:
         yield Problem("E640", f"read {step.within:g}, expected a time above 0", (*path, "within"))
     yield from of_range(step.wait, "a time", (*path, "wait"))
@@ -125,7 +127,7 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
         if 0 < number <= len(elements) and elements[number - 1].kind != "dog_clutch":
             yield Problem(
                 "E688",
-                f"{elements[number - 1].name} is no dog clutch, expected one",
+                f"{elements[number - 1].name} is not a dog clutch, expected a dog clutch",
                 (*path, "dog", number),
             )
 
@@ -137,7 +139,7 @@ def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
     --------
     >>> for problem in table_problems({"engine": LookupTable((2.0, 1.0), ((1.0,), (3.0,)))}):
     ...     print(problem)
-    tables.engine[2]: read 1 behind 2, expected rows in ascending order [E653]
+    tables.engine[2]: read 1 after 2, expected rows in ascending order [E653]
     """
     for name, table in tables.items():
         path = ("tables", name)
@@ -148,4 +150,4 @@ def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
         for problem in ascending(table.columns, expected, path, strictly=True):
             yield problem._replace(path=(*path, "columns"))
         if not all(map(math.isfinite, [*table.x, *table.columns, *chain(*table.values)])):
-            yield Problem("E654", "read what is no number, expected numbers", path)
+            yield Problem("E654", "read a value that is not a number, expected numbers", path)

@@ -86,21 +86,25 @@ def distribution_problems(distribution: Distribution, path: Path) -> Iterator[Pr
         mean = distribution.normal[0]
         if not least <= mean <= largest:
             yield Problem(
-                "E656", f"read a mean of {mean:g}, expected one from min to max", (*path, "normal")
+                "E656",
+                f"read a mean of {mean:g}, expected a mean from min to max",
+                (*path, "normal"),
             )
     if distribution.uniform is not None:
         first, last = distribution.uniform
         if first > last:
             yield Problem(
                 "E657",
-                f"read {first:g} to {last:g}, expected the least number first",
+                f"read {first:g} to {last:g}, expected the smaller number first",
                 (*path, "uniform"),
             )
         elif first > largest or last < least:
             yield Problem(
                 "E658",
-                f"read {first:g} to {last:g}, of which nothing is from min to max",
+                f"read {first:g} to {last:g}, expected a part of it from min to max",
                 (*path, "uniform"),
             )
     if least > largest:
-        yield Problem("E659", f"read {largest:g}, expected at least min, {least:g}", (*path, "max"))
+        yield Problem(
+            "E659", f"read {largest:g}, expected at least {least:g}, its min", (*path, "max")
+        )

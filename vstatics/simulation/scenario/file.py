@@ -118,7 +118,7 @@ class ScenarioDocument(NamedTuple):
             Without anything from the file, which can be a private file of another program.
         """
         if is_foreign(data, name):
-            raise self.no_case(f"{name} is no case: it has none of its keys")
+            raise self.no_case(f"{name} is not a case: it has no key of a case")
 
     def with_case(self, reading: Reading) -> ScenarioFile:
         """Return the scenario with the case.
@@ -259,15 +259,15 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
     """
     name = case or document.case_file
     if not name:
-        raise document.no_case("`case` is missing: the file of the case")
+        raise document.no_case("`case` is missing: give the file of the case")
     if not (case or are_read()):
-        raise document.no_case("files that a text names are not read: give the case itself")
+        raise document.no_case("a scenario that is a text cannot name a file: give the case itself")
     try:
         data = read_file(name, regular=not case)
     except OSError as error:
         if case:
             raise
-        raise document.no_case(f"{name} can't be read: {error.strerror}") from None
+        raise document.no_case(f"{name} cannot be read: {error.strerror}") from None
     if not case:
         document.refuse_foreign(data, name)
     return data, name

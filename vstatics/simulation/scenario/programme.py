@@ -277,7 +277,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
         elif overlap and element.kind != "dog_clutch":
             raise CaseError(
                 "E661",
-                f"{element.name} has no capacity in the case, so it can't change over "
+                f"{element.name} has no capacity in the case, so it cannot change over "
                 f"{overlap:g} s: give it a `capacity` there, or an overlap of 0",
                 ("shifts", index),
             )

@@ -95,7 +95,7 @@ def _of_unlike(case: Transmission) -> Iterator[Problem]:
         if 0 < inertia < largest * UNLIKE_INERTIAS:
             yield Problem(
                 "E664",
-                f"read {inertia:g} beside {largest:g}, expected at least {UNLIKE_INERTIAS:g} of "
-                "the largest: leave it out, a link without inertia turns as its torques balance",
+                f"read {inertia:g}, expected at least {UNLIKE_INERTIAS:g} of the largest inertia, "
+                f"{largest:g}: leave it out, as a link can have no inertia",
                 ("case", "masses" if link in case.masses else "inertias", link),
             )

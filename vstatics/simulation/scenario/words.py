@@ -100,6 +100,6 @@ def name_problems(key: str, names: Collection[str], before: Collection[str]) -> 
         elif name in before:
             yield Problem(
                 "E683",
-                f"{quoted(name)} is the name of something else already, expected another",
+                f"{quoted(name)} is already the name of something else, expected another name",
                 path,
             )

@@ -73,7 +73,7 @@ def motion_system(
     if not bodies:
         raise CaseError(
             "E665",
-            "the case has no `inertias`, so nothing can be in motion: give those of its "
+            "the case has no `inertias`, so nothing can be accelerated: give the inertias of its "
             "links in kg*m^2",
             ("case",),
         )
@@ -133,7 +133,8 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
         if back == 0:
             raise CaseError(
                 "E666",
-                f"{mechanism.name} is self-locking, which a scenario can't have yet",
+                f"{mechanism.name} is self-locking, which a simulation cannot calculate yet: give "
+                "it a larger efficiency",
                 ("case",),
             )
         u, index = mechanism.ratio, len(case.shift_elements) + number - 1
@@ -257,8 +258,8 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
         raise CaseError(
             "E667",
             f"{element.name} is elastic, so it slips at one torque: leave out `static` and "
-            "give one coefficient of friction, or a spring beside it in place of "
-            "`stiffness`",
+            "give one coefficient of friction, or replace its `stiffness` with a spring next "
+            "to it",
             ("case",),
         )
     if capacity.table:
@@ -385,9 +386,9 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
             problems.append(
                 Problem(
                     "E668",
-                    f"the drag of {name} is {drag:g} of the input torque, which a scenario "
-                    "does not have: give it with its unit, such as `3 N*m`, or a `load` with "
-                    "a torque",
+                    f"the drag of {name} is {drag:g} of the input torque, but a scenario has no "
+                    "input torque: write the unit, such as `3 N*m`, or give the case a `load` "
+                    "with a torque",
                     place,
                 )
             )

@@ -166,8 +166,8 @@ class Equations:
             name = self._name_of(np.eye(self.light))
             raise CaseError(
                 "E672",
-                f"link {name} has no inertia, and at {time:g} s the formulas of what acts "
-                "on it do not tell its speed: give it an inertia, or a damper beside it",
+                f"link {name} has no inertia, and at {time:g} s the formulas of its torques do "
+                "not determine its speed: give it an inertia, or add a damper",
                 ("case", "inertias", name),
             )
 

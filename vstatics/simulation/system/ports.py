@@ -363,7 +363,7 @@ class Ports:
             if not 0 <= torque_at_slip < math.inf:
                 raise CaseError(
                     "E268",
-                    f"the drag of {name}: read {torque_at_slip:g}, expected a torque of 0 "
+                    f"the drag torque of {name} is {torque_at_slip:g} N*m, expected 0 "
                     "or more at every speed",
                     ("case",),
                 )

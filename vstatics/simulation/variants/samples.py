@@ -41,7 +41,7 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
                 of_file(
                     "E703",
                     subject.scenario.file,
-                    "the scenario has no `samples`: distributions by the paths of numbers",
+                    "the scenario has no `samples`: give distributions by the paths of numbers",
                 )
             ]
         )

@@ -154,7 +154,7 @@ def sweep_command(
       vstatics new moskvich-start.yaml --template moskvich-start
       vstatics new scenarios/start.yaml --template scenarios/moskvich-start
       vstatics sweep scenarios/start.yaml --vary start.speeds.engine=200:260:3 \\
-          --out 'heat[clutch],peaks[propshaft tube]'
+          --out 'heat[clutch],peaks[tyres]'
 
     The suffix of -o gives the format: .csv .jsonl .ndjson .npz .parquet, and for tables
     with few rows .md .tex .xlsx. During the run, finished pieces are kept in OUTPUT.parts;

@@ -71,11 +71,12 @@ def random_command(
 
     \b
     Examples:
-      vstatics new car.yaml --template moskvich412
+      vstatics new car.yaml --template moskvich-start
       echo 'white: 0.5' > engine.yaml
-      vstatics torsion random car.yaml --gear 1 --at engine --input engine.yaml
-      echo '{variance: 1e-4, correlation: [[1, 0.3, 0.8]], speed: 36 km/h}' > road.yaml
-      vstatics torsion random car.yaml --gear 1 --at vehicle --by motion \\
+      vstatics torsion random car.yaml --at engine --input engine.yaml
+      echo '{variance: 1e-4, correlation: [[1, 0.3, 0.8]],
+        speed: 36 km/h}' > road.yaml
+      vstatics torsion random car.yaml --at vehicle --by motion \\
           --input road.yaml
 
     \b

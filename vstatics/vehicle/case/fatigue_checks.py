@@ -33,8 +33,8 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     for number, (name, fatigue) in enumerate(Fatigue.of(case).items(), 1):
         path = ("fatigue", number)
         if name not in names:
-            hint = nearest(name, names) or f"; devices are {listed(names, 12) or 'none'}"
-            yield Problem("E880", f"there is no device {quoted(name)}{hint}", path)
+            hint = nearest(name, names) or f"; components are {listed(names, 12) or 'none'}"
+            yield Problem("E880", f"there is no component {quoted(name)}{hint}", path)
         if (fatigue.diameter is None) == (fatigue.section_modulus is None):
             read = "neither `diameter` nor" if fatigue.diameter is None else "both `diameter` and"
             message = f"read {read} `section_modulus`, expected one of them"

@@ -55,8 +55,8 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     ]
     if converters:
         message = (
-            f"{spoken(converters)} stays at its speed ratio at every speed, also at rest: forces "
-            "and the engine's speed are those at that ratio, not of a converter that finds its own"
+            f"{spoken(converters)} keeps its given speed ratio at every speed, also at rest, so "
+            "forces and engine speeds hold only near this ratio"
         )
         yield Problem("W891", message, ("vehicle",))
 
@@ -80,8 +80,8 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
     for number, gear in enumerate(case.gears, 1):
         if why := beside_engine(gear, case.link_name):
             message = (
-                f"it has {why}: power passes by more than engine and output, so nothing of "
-                "`vehicle` is told in this gear; `summary --duty` takes points of it"
+                f"the gear has {why}: machines other than the engine take part, so results of "
+                "`vehicle` omit this gear; give its points to `summary --duty`"
             )
             yield Problem("W890", message, ("gears", number))
 
@@ -102,7 +102,7 @@ def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]
         message = (
             f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
             f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
-            "`vehicle` adds by itself: it counts twice; leave it out of `inertias`"
+            "`vehicle` adds itself, so it counts twice; leave it out of `inertias`"
         )
         yield Problem("W202", message, ("inertias", next(iter(given))))
 
@@ -115,7 +115,7 @@ def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     mass, inertias = _at_output(case, vehicle)
     if sum(inertias.values()) < MASS_AGAIN * mass:
         message = (
-            "runs and vibration leave it out, only `inertias` move there: its mass would be an "
+            "simulations and vibration omit the vehicle and use `inertias` only; its mass is an "
             f"inertia of {mass:.4g} kg*m^2 on the output, mass*(radius/final_drive)^2"
         )
         yield Problem("N607", message, ("vehicle",))

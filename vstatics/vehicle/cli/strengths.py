@@ -14,5 +14,5 @@ def expect_damage(reading: Reading) -> None:
     ReadError
     """
     if not reading.case.fatigue:
-        message = "the case has no `fatigue`, expected that of a spring or another device"
+        message = "the case has no `fatigue`, expected data of a spring or another component"
         raise ReadError([reading.locate(Problem("E882", message))])

@@ -62,7 +62,7 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
 
     half, ratio = fatigue.exponent / 2, fatigue.endurance / deviation
     if math.isinf(ratio):
-        raise ValueError("numbers so large give no life")
+        raise ValueError("the numbers are too large to give a life")
     least = fatigue.threshold * ratio
     above = float(gammaincc(1 + half, least * least / 2))
     if not above:
@@ -71,7 +71,7 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     life = fatigue.exponent * math.log(ratio) - logarithm
     life += math.log(fatigue.sum) + math.log(fatigue.cycles) - math.log(per_unit)
     if max(logarithm, life) > LARGEST_LOG_OF_LIFE:
-        raise ValueError("numbers so large give no life")
+        raise ValueError("the numbers are too large to give a life")
     return RayleighLife(math.exp(logarithm), math.exp(life))
 
 

@@ -53,9 +53,9 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
         raise ReadError(problems or [record.problem("E884", _EVEN)])
     for name, result in damage.items():
         if not math.isfinite(result.damage):
-            message = f"torques of {quoted(name)} are so large that there is no damage"
+            message = f"torques of {quoted(name)} are too large for a damage; check their unit"
             raise ReadError([record.problem("E885", message)])
     return RecordedDamage(damage, problems)
 
 
-_EVEN = "no torque of a device with `fatigue` changes, expected a record with extremes"
+_EVEN = "no torque of a component with `fatigue` changes, expected a torque that varies"

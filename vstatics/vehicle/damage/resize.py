@@ -70,7 +70,7 @@ def resized(
             raise ValueError(f"{name} is {number:g}, expected a number above 0")
     factor = (math.log(torque) + math.log(repeats) / exponent) / 3
     if abs(factor) > LARGEST_LOG_OF_DIAMETER_RATIO:
-        raise ValueError("numbers so large or so small give no diameter")
+        raise ValueError("the numbers are too large or too small to give a diameter")
     return ResizedShaft(diameter * math.exp(factor), math.exp(-4 * factor), None)
 
 

@@ -96,8 +96,8 @@ class CycleSteps(NamedTuple):
             gear = case.gears[gears[lacking[0]]]
             why = beside_engine(gear, case.link_name)
             message = (
-                f"gear {gear.name} has {why or 'no ratio'}, expected one in which the engine alone "
-                "drives the wheels" + "; `summary --duty` takes points of it" * bool(why)
+                f"gear {gear.name} has {why or 'no ratio'}, expected a gear in which the engine "
+                "alone drives the wheels" + "; give its points to `summary --duty`" * bool(why)
             )
             raise CaseError([Problem("E428", message, (int(lacking[0]),))])
         names = [gear.name for gear in case.gears]
@@ -265,7 +265,7 @@ def _gears(
         "--least-speed": choice.least_speed is not None,
     }
     if len(means := [name for name, given in ways.items() if given]) > 1:
-        message = f"{' and '.join(means)} tell the gears, expected one of them"
+        message = f"{' and '.join(means)} both give the gears, expected one of them"
         raise CaseError("E426", message, place=trace.place)
     if choice.least_speed is not None:
         ahead = next(iter(directions(ratios, names)), [])
@@ -278,7 +278,7 @@ def _gears(
     if not trace.gears:
         if len(names) == 1:
             return np.zeros(len(trace.speed), np.int64)
-        message = "the trace has no column `gear`, expected one, --shift, or --least-speed"
+        message = "the trace has no column `gear`: expected this column, --shift, or --least-speed"
         raise CaseError("E426", message, place=trace.place)
     standing: Booleans = trace.speed <= 0
     numbers = {name: number for number, name in enumerate(names)}

@@ -143,19 +143,20 @@ def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
     if steps.guessed:
         text = f"forward is taken as {listed(steps.guessed)}, which are written first"
         yield Message(
-            "N417", f"{text}: as many gears go the other way, and no name, as R, tells which"
+            "N417",
+            f"{text}: as many gears have the other direction, and no gear has a name such as R",
         )
     vehicle, speeds = steps.vehicle, steps.engine_speeds
     too_fast = ~vehicle.may_turn(speeds)
     if too_fast.any():
         last, fastest = (speed * 30 / math.pi for speed in (vehicle.engine[-1][0], speeds.max()))
         text = (
-            f"in {int(too_fast.sum())} of {len(speeds)} steps the engine would turn at up to "
+            f"in {int(too_fast.sum())} of {len(speeds)} steps the engine would rotate at up to "
             f"{fastest:.6g} rpm, faster than at its last point, {last:.6g} rpm"
         )
         yield Message("W428", text)
     if beyond:
-        text = "the engine would have to give more than at full load"
+        text = "the engine would need more torque than at full load"
         yield Message("W429", f"in {beyond} of {len(speeds)} steps {text}")
 
 

@@ -85,7 +85,7 @@ def read_fuel_map(data: bytes, file: str) -> FuelMap:
     if len(row) != fuel.size or np.isnan(fuel).any():
         message = (
             f"read {len(row)} rows for {len(speeds)} speeds and {len(torques)} torques, expected "
-            "one for each pair: a grid"
+            "one row for each pair"
         )
         raise ReadError([Problem("E123", message, (), table.source.place(1))])
     if (fuel < 0).any():

@@ -56,9 +56,9 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
             example = "1-2: 15 km/h/12 km/h"
             raise ValueError(f"read {item.strip()!r}, expected {example}")
         if down > up:
-            raise ValueError(f"read {item.strip()!r}, expected the shift down below that up")
+            raise ValueError(f"read {item.strip()!r}, expected a downshift below the upshift")
         if shifts and shifts[-1].high != low:
-            raise ValueError(f"read {item.strip()!r}, expected the shift from {shifts[-1].high} on")
+            raise ValueError(f"read {item.strip()!r}, expected a shift from gear {shifts[-1].high}")
         shifts.append(ShiftSpeed(low, high, up, down))
     return shifts
 
@@ -149,11 +149,11 @@ def by_shift_speeds(
     for low, high in pairwise(ladder):
         both = {names.index(low), names.index(high)}
         if len(both) == 1 or not any(both <= {*way} for way in alike):
-            message = f"the shift {low}-{high} is not from a gear to another one of its direction"
+            message = f"the shift {low}-{high} does not connect two gears of the same direction"
             raise ValueError(f"{message}; neighbours: {listed(pairs, 20) or 'none'}")
         if size[high] > size[low] * (1 + SAME_RATIO):
             sizes = " and ".join(f"{quoted(name)} {size[name]:.6g}" for name in (low, high))
-            message = f"the shift up from {quoted(low)} to {quoted(high)} goes to the larger ratio"
+            message = f"the upshift from {quoted(low)} to {quoted(high)} leads to the larger ratio"
             raise ValueError(f"{message} ({sizes}), expected the lower gear first: {high}-{low}")
     numbers = [names.index(name) for name in ladder]
     place, chosen = 0, np.empty(len(speeds), np.int64)

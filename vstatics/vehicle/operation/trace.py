@@ -106,8 +106,8 @@ class Trace(NamedTuple):
         skipped = [f"`{heading}`" for heading in self.table.head.skipped if heading]
         if not skipped:
             return []
-        columns = "a column is" if len(skipped) == 1 else f"{len(skipped)} columns are"
-        text = f"{columns} skipped: {listed(skipped)}"
+        columns = "a column" if len(skipped) == 1 else f"{len(skipped)} columns"
+        text = f"{columns} with unknown names skipped: {listed(skipped)}"
         return [Problem("N005", text, (), self.place)]
 
     @property
@@ -157,7 +157,7 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
         message = "read both `slope` and `grade`, expected one of them"
         yield Problem("E122", message, (), table.head_place)
     if len(times) < 2:
-        yield Problem("E122", "read one row, expected two at least", (), table.place(0))
+        yield Problem("E122", "read one row, expected at least two", (), table.place(0))
     within = np.clip(times, -LATEST, LATEST), np.clip(speeds, 0.0, FASTEST)
     durations, changes = (np.diff(column, prepend=np.nan) for column in within)
     with np.errstate(all="ignore"):

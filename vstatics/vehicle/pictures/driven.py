@@ -77,7 +77,7 @@ def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicl
     if not gears:
         asked = ", ".join(case.gears[number - 1].name for number in shown)
         which = f"gear {asked}" if shown else "the case"
-        message = f"{which} has no ratio, or machines drive it, too"
+        message = f"{which} has no ratio, or other machines drive as well"
         raise CaseError("E443", f"{message}; expected a gear that the engine alone drives")
     return DrivenVehicle(vehicle, pull, gears)
 

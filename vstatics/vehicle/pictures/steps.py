@@ -104,7 +104,7 @@ def _forward(results: Results, shown: Sequence[int]) -> ForwardGears:
     lines = {line.gear: line for line in table.gears}
     chosen = [lines[name] for name in table.forward if name in asked]
     if len({f"{line.ratio:.9g}" for line in chosen}) < 2:
-        message = "a picture of steps needs forward gears of two different ratios, or more"
+        message = "the picture needs at least two forward gears with different ratios"
         raise CaseError("E444", message)
     return ForwardGears(
         [line.gear for line in chosen],

@@ -27,7 +27,10 @@ LOADING_SECONDS = 5.0
 
 @command
 @options
-@formats.options(*formats.TABLES)
+@formats.options(
+    *formats.TABLES,
+    output_help="Output file, or a directory for all gearboxes as cases with diagrams and a page.",
+)
 @shared("a stopped search with -o")
 @under(
     PROCESSING,
