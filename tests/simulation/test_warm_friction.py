@@ -153,7 +153,7 @@ def test_what_is_written_is_read_again() -> None:
             "heat_capacity: 900",
             "read no points, expected at least one",
         ),
-        ("{columns: [9, 9], rows: [[0, 1, 1]]}", "heat_capacity: 900", "read 9 behind 9, expected"),
+        ("{columns: [9, 9], rows: [[0, 1, 1]]}", "heat_capacity: 900", "read 9 after 9, expected"),
         ("{columns: [9], rows: [[0, 1, 1]]}", "heat_capacity: 900", "read 3 numbers, expected 2"),
         ("{columns: [9], rows: [[]]}", "heat_capacity: 900", "read 0 numbers, expected 2"),
         ("{columns: [9], rows: [[0, -1]]}", "heat_capacity: 900", "expected a coefficient above 0"),

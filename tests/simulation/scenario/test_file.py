@@ -163,7 +163,11 @@ FAULTS = [
         "a link number from 1",
     ),
     ("converters: {T: {links: [in, wheel], points: []}}", "4:46", "read no points"),
-    ("converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}", "4:59", "ascending"),
+    (
+        "converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}",
+        "4:59",
+        "must ascend",
+    ),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
     (

@@ -269,7 +269,7 @@ def test_the_deepest_expression_can_be_calculated_and_sent() -> None:
     made = expression("1" + " + 1" * 99)
     assert made(RESULTS, VALUES).tolist() == [100] * 3
     assert pickle.loads(pickle.dumps(made)) == made  # noqa: S301
-    assert "more than 100 operations" in problem("1" + " + 1" * 100).message
+    assert "more than 100 nested operations" in problem("1" + " + 1" * 100).message
 
 
 # What is refused, and where

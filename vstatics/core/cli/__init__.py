@@ -5,7 +5,7 @@ A command line gives results on stdout, messages on stderr, and an exit status.
 >>> from click.testing import CliRunner
 >>> answer = CliRunner().invoke(main, ["run", "nowhere/box.yaml"])
 >>> answer.exit_code, answer.stderr.rstrip()
-(1, "nowhere/box.yaml: error: cannot be read: No such file or directory [E006]")
+(1, 'nowhere/box.yaml: error: cannot be read: No such file or directory [E006]')
 
 The records of the core and of the annexes list the commands. `shared` contains what commands have
 in common: input and output, cases, values of options. `templates` are the cases of `new`.

@@ -52,7 +52,7 @@ def missing_folder(output: str) -> Problem | None:
     """Return the problem of an output in a missing directory.
 
     >>> str(missing_folder("nowhere/new.csv"))
-    "nowhere/new.csv: error: cannot be written: there is no directory nowhere; create it [E030]"
+    'nowhere/new.csv: error: cannot be written: there is no directory nowhere; create it [E030]'
     """
     folder = os.path.dirname(output.rstrip("/"))  # noqa: PTH120
     if not folder or os.path.lexists(folder):

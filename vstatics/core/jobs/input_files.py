@@ -43,7 +43,7 @@ class TooLargeError(OSError):
     """Error for an input that is too large or endless."""
 
     def __init__(self, most: int, file: str | None = None) -> None:
-        message = f"larger than {most / 1e6:g} MB, expected at most that"
+        message = f"larger than {most / 1e6:g} MB, expected at most this size"
         super().__init__(errno.EFBIG, message, file)
 
 
@@ -87,7 +87,7 @@ def unreadable(file: str, error: OSError) -> Problem:
     """Return the problem of an input that cannot be read.
 
     >>> str(unreadable("large.yaml", TooLargeError(2_000_000)))
-    "large.yaml: error: cannot be read: larger than 2 MB, expected at most that [E046]"
+    'large.yaml: error: cannot be read: larger than 2 MB, expected at most this size [E046]'
     """
     ids = {TooLargeError: "E046", NotRegularError: "E047"}
     reason = error.strerror or str(error)
