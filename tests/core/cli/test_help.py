@@ -12,7 +12,7 @@ import click
 import pytest
 
 from tests.commands import CASES, process, vstatics
-from tests.installed import HERE, missing, used_in
+from tests.installed import HERE, missing, skip_without, used_in
 from tests.test_readme import prepared, run_all
 from vstatics.core.cli import main
 from vstatics.core.cli.shared.command import HeadedCommand, RenamedOption
@@ -163,3 +163,12 @@ def test_all_former_names_are_tried() -> None:
 def test_an_option_of_other_commands_is_named() -> None:
     case = CASES / "differential.yaml"
     assert vstatics("run", case, "--gear", "1").is_wrong_use("flow, explain and plot have it")
+
+
+@pytest.mark.slow
+def test_plot_names_the_files_of_further_pages(tmp_path: Path) -> None:
+    skip_without("pictures")
+    call = ("plot", CASES / "zf-9hp48.yaml", "-k", "flow", "-o", tmp_path / "flow.svg")
+    assert "flow.svg continues in " in vstatics(*call).err
+    assert (tmp_path / "flow-2.svg").exists()
+    assert "continues" not in vstatics(*call, "-q").err
