@@ -12,7 +12,7 @@ import click
 import pytest
 
 from tests.commands import CASES, process, vstatics
-from tests.installed import HERE, missing, used_in
+from tests.installed import HERE, missing, skip_without, used_in
 from tests.test_readme import prepared, run_all
 from vstatics.core.cli import main
 from vstatics.core.cli.shared.command import HeadedCommand, RenamedOption
@@ -105,19 +105,20 @@ def test_exit_statuses_of_all_commands_are_stated_once() -> None:
 
 
 FORMER = [
-    ("synth box", "--shift-elements", "--elements"),
-    ("synth box", "--double-pinion", "--meshed"),
-    ("synth box", "--step-ratios", "--steps"),
-    ("synth combinations", "--shift-elements", "--elements"),
-    ("run", "--unloaded", "--idle"),
-    ("summary", "--gearbox", "--box"),
-    ("plot", "--teeth", "--wheels"),
-    ("simulate", "--time-step", "--step"),
-    ("cycle", "--time-steps", "--steps"),
+    ("synth box", "--shift-elements", "--elements", ["2"]),
+    ("synth box", "--double-pinion", "--meshed", ["1"]),
+    ("synth box", "--step-ratios", "--steps", ["1.2:1.8"]),
+    ("synth combinations", "--shift-elements", "--elements", ["auto"]),
+    ("run", "--unloaded", "--idle", ["exact"]),
+    ("summary", "--gearbox", "--box", ["1,4"]),
+    ("plot", "--teeth", "--wheels", []),
+    ("simulate", "--time-step", "--step", ["0.1"]),
+    ("cycle", "--time-steps", "--steps", ["steps.csv"]),
 ]
+"""Command, option, former name and a value of each renamed option."""
 
 
-@pytest.mark.parametrize(("name", "option", "former"), FORMER)
+@pytest.mark.parametrize(("name", "option", "former"), [line[:3] for line in FORMER])
 def test_a_former_name_is_neither_listed_nor_completed(name: str, option: str, former: str) -> None:
     if missing(used_in(f"vstatics {name} {option}")):
         pytest.skip("the annex of the option is not installed")
@@ -134,18 +135,40 @@ def test_a_former_name_is_neither_listed_nor_completed(name: str, option: str, f
     assert (f"plain,{option}" in completed, f"plain,{former}" in completed) == (True, False)
 
 
-def test_former_names_work() -> None:
-    every = {
-        (name, option.former)
-        for name, command in COMMANDS.items()
-        for option in command.params
-        if isinstance(option, RenamedOption) and option.former
-    }
-    assert {former for _, names in every for former in names} <= {former for *_, former in FORMER}
-    case = str(CASES / "differential.yaml")
-    for option in ("--unloaded", "--idle"):
-        assert vstatics("run", case, option, "never").is_wrong_use("Invalid value for '--unloaded'")
-    exact = [
-        vstatics("run", case, option, "exact", "-f", "json") for option in ("--unloaded", "--idle")
+@pytest.mark.parametrize(("name", "option", "former", "value"), FORMER)
+def test_a_former_name_works(name: str, option: str, former: str, value: list[str]) -> None:
+    if missing(used_in(f"vstatics {name} {option}")):
+        pytest.skip("the annex of the option is not installed")
+    command = COMMANDS[name]
+    [renamed] = [one for one in command.params if option in one.opts]
+    assert renamed.name
+    values = [
+        command.make_context(name, arguments, resilient_parsing=True).params[renamed.name]
+        for arguments in ([option, *value], [former, *value], [])
     ]
-    assert exact[0].out == exact[1].out != ""
+    assert values[0] == values[1] != values[2]
+
+
+def test_all_former_names_are_tried() -> None:
+    every = {
+        name
+        for command in COMMANDS.values()
+        for option in command.params
+        if isinstance(option, RenamedOption)
+        for name in option.former
+    }
+    assert every <= {former for _, _, former, _ in FORMER}
+
+
+def test_an_option_of_other_commands_is_named() -> None:
+    case = CASES / "differential.yaml"
+    assert vstatics("run", case, "--gear", "1").is_wrong_use("flow, explain and plot have it")
+
+
+@pytest.mark.slow
+def test_plot_names_the_files_of_further_pages(tmp_path: Path) -> None:
+    skip_without("pictures")
+    call = ("plot", CASES / "zf-9hp48.yaml", "-k", "flow", "-o", tmp_path / "flow.svg")
+    assert "flow.svg continues in " in vstatics(*call).err
+    assert (tmp_path / "flow-2.svg").exists()
+    assert "continues" not in vstatics(*call, "-q").err
