@@ -90,7 +90,7 @@ def test_what_is_wrong_with_the_wish_is_told(wanted: Any, said: str) -> None:
         (b"[]", "expected a document of found boxes"),
         (b'{"searched": 1, "boxes": [3]}', "box 1: read int 3, expected an object"),
         (b'{"searched": NaN, "boxes": []}', "read NaN, expected a number or null"),
-        (b"\xff\xfe", "not JSON that can be read"),
+        (b"\xff\xfe", "the JSON cannot be read"),
         (b"[" * 100_000, "not JSON"),
     ],
 )

@@ -74,7 +74,10 @@ def test_a_device_that_was_not_recorded_is_left_out() -> None:
     ("record", "message"),
     [
         ("time,torques[shafd]\n0,1\n1,2\n", "record.csv:1:1: error: there is no column `torques["),
-        ("torques[shaft]\n5\n5\n", "record.csv:1:1: error: no torque of a component with `fatigue`"),
+        (
+            "torques[shaft]\n5\n5\n",
+            "record.csv:1:1: error: no torque of a component with `fatigue`",
+        ),
         ("torques[shaft]\n", "record.csv:1:1: error: no torque of a component with `fatigue`"),
         ("torques[shaft]\n5\nnan\n", "record.csv:3:1: error: torques[shaft]: read 'nan'"),
         (
@@ -137,11 +140,11 @@ def test_resize() -> None:
         ("resize --diameter 42 --ratio 0", "read 0, expected a number above 0"),
         ("resize --diameter 0 --ratio 2", "': read 0, expected a number above 0"),
         ("resize --diameter 42kg --ratio 2", "this is a mass"),
-        ("resize --diameter 42 --ratio 2 --exponent 1e-9", "no diameter"),
+        ("resize --diameter 42 --ratio 2 --exponent 1e-9", "to give a diameter"),
         ("rayleigh --endurance 0 --deviation 1 --exponent 3 --cycles 1", "': read 0, expected a n"),
         ("rayleigh --endurance 1 --deviation 1 --exponent 3 --cycles 0", "--cycles"),
         ("rayleigh --endurance 1 --deviation 1m --exponent 3 --cycles 1", "this is a length"),
-        ("rayleigh --endurance 1 --deviation 1 --exponent 1e9 --cycles 1", "so large"),
+        ("rayleigh --endurance 1 --deviation 1 --exponent 1e9 --cycles 1", "too large"),
         ("rayleigh --endurance 9 --deviation 6MPa --exponent 3 --cycles 1", "of both, or of none"),
         ("case.yaml", "RECORD.csv"),
     ],

@@ -185,7 +185,9 @@ def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why
     assert (told.top_speed, told.time_to_100) == (alone.top_speed, alone.time_to_100)
     assert all(map(math.isnan, told.gears["split"]))
     rows = [(0, 3, "low"), (4, 9, "split"), (8, 30, "")]
-    with pytest.raises(CaseError, match=f"gear split has {why}, expected a gear in which") as caught:
+    with pytest.raises(
+        CaseError, match=f"gear split has {why}, expected a gear in which"
+    ) as caught:
         drive(case, trace(*rows), GearChoice())
     assert caught.value.problems[0].path == (1,)
     unnamed = trace(*rows)._replace(gears=[])
