@@ -130,7 +130,7 @@ def test_a_row_for_each_gear_gives_a_panel_or_a_line_for_each() -> None:
     ("asked", "said"),
     [
         ({"z": "zz"}, "no column `zz`; did you mean `z`?"),
-        ({"x": "z", "y": ["z"]}, "no column beside"),
+        ({"x": "z", "y": ["z"]}, "no column to draw"),
     ],
 )
 def test_what_cannot_be_drawn_is_told(asked: dict[str, object], said: str) -> None:
@@ -167,7 +167,7 @@ def test_wrong_use(tmp_path: Path) -> None:
     (tmp_path / "box.yaml").write_text(CASE)
     case, to = str(tmp_path / "box.yaml"), str(tmp_path / "a.svg")
     ran = vstatics("plot", case, "-k", "map", "-o", to)
-    assert ran.fails("no table of variants")
+    assert ran.fails("not a table of variants")
     ran = vstatics("plot", case, "-k", "plan", "--x", "a", "-o", to)
     assert ran.is_wrong_use("only map, curves and histogram")
     assert not Path(to).exists()

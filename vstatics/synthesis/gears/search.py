@@ -202,8 +202,8 @@ class CombinationSearch:
         if not engaged and self.sizes[0] > self.choice:
             raise CaseError(
                 "E815",
-                f"{self.sizes[0]} engaged shift elements leave one degree of freedom, but there are "
-                f"{self.choice} to choose from",
+                f"{self.sizes[0]} engaged shift elements leave one degree of freedom, but there "
+                f"are {self.choice} to choose from",
                 ("shift_elements",),
             )
 
