@@ -97,9 +97,11 @@ bench: .venv/dev.stamp ## the figures of docs/performance.md but those of boxes 
 boxes: .venv/dev.stamp ## the eight-speed search of docs/performance.md (ten minutes)
 	$(BIN)/python benchmarks boxes
 
-dist: .venv/dev.stamp ## build wheel and sdist in dist/, and try the wheel without extras
+SHA256 = import hashlib, pathlib, sys; [print(hashlib.sha256(pathlib.Path(name).read_bytes()).hexdigest(), "", name) for name in sys.argv[1:]]
+dist: .venv/dev.stamp ## build wheel and source in dist/, with their SHA-256, and try the wheel without extras
 	rm -rf dist
 	$(BIN)/python -m build --outdir dist
+	cd dist && ../$(BIN)/python -c '$(SHA256)' * > SHA256SUMS && cat SHA256SUMS
 	$(BIN)/pytest -q -n 0 tests/test_wheel.py --wheel dist/*.whl
 
 clean: ## remove what make has made

@@ -217,7 +217,7 @@ TORQUES = pd.DataFrame({"load.torque": [100.0, 300.0]})
         (
             lambda: vstatics.solve(LOADED, vary={"load.torque": [1, 2, 3], "load.speed": [4, 5]}),
             ValueError,
-            "one length, read load.torque (3,), load.speed (2,)",
+            "equal lengths, read load.torque (3,), load.speed (2,)",
         ),
         pytest.param(
             lambda: anything.sweep(LOADED, TORQUES),

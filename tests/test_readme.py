@@ -81,7 +81,7 @@ def matches(actual: str, shown: str) -> bool:
     return re.fullmatch(r"(?:.*\n)*?".join(map(re.escape, parts)), actual) is not None
 
 
-def run_all(asked: list[str], folder: Path) -> list[str]:
+def run_all(asked: list[str], folder: Path, seconds: float = 60) -> list[str]:
     """The output of each command; they share one shell."""
     script = "".join(
         f"{command}\nlast=$?; printf '%s\\n' '{DONE}'; (exit $last)\n" for command in asked
@@ -100,7 +100,7 @@ def run_all(asked: list[str], folder: Path) -> list[str]:
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         check=False,
-        timeout=60,
+        timeout=seconds,
     )
     return done.stdout.decode().split(f"{DONE}\n")[:-1]
 
@@ -408,7 +408,8 @@ def options_of(words: list[str]) -> set[str]:
             break
         command = inner
     own = {name for one in command.params for name in (*one.opts, *one.secondary_opts)}
-    return own | {"--help", "--version"}
+    former = {name for one in command.params for name in getattr(one, "former", ())}
+    return own | former | {"--help", "--version"}
 
 
 @pytest.mark.parametrize("name", NAMES[:1] + NAMES[2:])

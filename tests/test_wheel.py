@@ -220,8 +220,7 @@ def fresh(tmp_path_factory: pytest.TempPathFactory, wheel: Path) -> Fresh:
 
 def asks_for(extra: str) -> str:
     """The words that name a missing package and how it is installed."""
-    needs = f'needs the package {EXTRAS[extra]}: pip install "vstatics[{extra}]"'
-    return f'{needs}, or "vstatics[all]"'
+    return f'needs the package {EXTRAS[extra]}: pip install ".[{extra}]" in the source folder'
 
 
 def test_extras_are_those_of_the_project_and_are_tried() -> None:

@@ -187,7 +187,7 @@ def test_without_matplotlib_the_command_names_the_extra(
 ) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)  # noqa: ARG005
     said = vstatics("plot", CASES / "umdm.yaml", "-k", "plan", "-o", tmp_path / "a.svg")
-    assert said.fails('a picture needs the package matplotlib: pip install "vstatics[plot]"')
+    assert said.fails('a picture needs the package matplotlib: pip install ".[plot]"')
 
 
 @pytest.mark.parametrize("kind", OURS)

@@ -315,7 +315,7 @@ springs: {shaft: {links: [a, c], stiffness: 100}, visc: {links: [c, b], damping:
 @pytest.mark.parametrize(
     ("spring", "fault"),
     [
-        ("", "no `damping`"),
+        ("", "`points` and `damping`"),
         ("stiffness: 0", "expected a stiffness above 0"),
         ("damping: {ratio: 0.1}", "without `stiffness`"),
         ("damping: -1", "expected a damping of 0 or more"),

@@ -147,8 +147,12 @@ def test_what_is_written_is_read_again() -> None:
     ("coefficient", "heat", "expected"),
     [
         (FADING, "cooling: 0", "expected a `heat_capacity` as well"),
-        ("{columns: [], rows: [[0]]}", "heat_capacity: 900", "there is no temperature"),
-        ("{columns: [30], rows: []}", "heat_capacity: 900", "there is no point, expected one"),
+        ("{columns: [], rows: [[0]]}", "heat_capacity: 900", "read no temperatures"),
+        (
+            "{columns: [30], rows: []}",
+            "heat_capacity: 900",
+            "read no points, expected at least one",
+        ),
         ("{columns: [9, 9], rows: [[0, 1, 1]]}", "heat_capacity: 900", "read 9 behind 9, expected"),
         ("{columns: [9], rows: [[0, 1, 1]]}", "heat_capacity: 900", "read 3 numbers, expected 2"),
         ("{columns: [9], rows: [[]]}", "heat_capacity: 900", "read 0 numbers, expected 2"),

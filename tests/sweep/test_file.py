@@ -80,7 +80,7 @@ def test_every_key_is_read() -> None:
         ("a: [", "1:5", "not YAML"),
         ("{case: a, duration: 6}", "1:1", "this is a scenario, expected a sweep file: `vstatics s"),
         ("{gears: {}}", "1:1", "this is a case, expected a sweep file: `vstatics sweep CASE"),
-        ("out: [ratio[1]]", "1:12", "stands in quotes in a list, as 'ratio[1]'"),
+        ("out: [ratio[1]]", "1:12", "in quotes within a list, such as 'ratio[1]'"),
     ],
 )
 def test_what_is_wrong_is_told_with_its_place(text: str, place: str, words: str) -> None:

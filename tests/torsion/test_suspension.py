@@ -233,7 +233,7 @@ def test_orders_belong_to_what_turns() -> None:
 def test_tables_tell_both_units() -> None:
     case = readers.loads(AXLE.format(**GAZ_53A))
     titles = [grid.title for grid in in_both_units(case, modes_grids(modes(case)))]
-    assert "Gear 1: torques of devices at these amplitudes [N*m/rad; straight N/m]" in titles
+    assert "Gear 1: torques of components at these amplitudes [N*m/rad; straight N/m]" in titles
 
 
 def test_what_moves_straight_is_written_as_it_is_read() -> None:

@@ -48,7 +48,7 @@ def test_a_duty_cycle_is_shown_alone_and_of_two_cases(tmp_path: Path) -> None:
     duty.write_text("energy: {low: 25, direct: 75}")
     file.write_text(CASE)
     said = vstatics("summary", file, "--duty", duty)
-    assert "in all   1.000        .993" in said.out
+    assert "in all   1.000       0.993" in said.out
     both = vstatics("summary", file, file, "--duty", duty)
     assert "efficiency of the duty cycle" in both.out
     made = json_answer("summary", file, "--duty", duty)

@@ -147,7 +147,7 @@ def missing(extra: str, purpose: str) -> str:
 
     >>> missing("formula", "the formula") in (
     ...     "", 'the formula needs the package sympy: '
-    ...         'pip install "vstatics[formula]", or "vstatics[all]"')
+    ...         'pip install ".[formula]" in the source folder, or pip install sympy')
     True
     """
     from importlib.util import find_spec
@@ -159,8 +159,9 @@ def missing(extra: str, purpose: str) -> str:
 
 
 def _needs(purpose: str, package: str, extra: str) -> str:
-    needs = f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
-    return f'{needs}, or "vstatics[all]"'
+    packages = " ".join((EXTRAS[extra], *BESIDES.get(extra, ())))
+    in_source = f'pip install ".[{extra}]" in the source folder'
+    return f"{purpose} needs the package {package}: {in_source}, or pip install {packages}"
 
 
 def needed(error: ImportError, purpose: str, module: str) -> Exception:
@@ -177,8 +178,8 @@ def needed(error: ImportError, purpose: str, module: str) -> Exception:
     Examples
     --------
     >>> missed = ModuleNotFoundError("No module named 'scipy'", name="scipy")
-    >>> print(needed(missed, "modes", "vstatics.torsion"))
-    modes needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]" [E014]
+    >>> str(needed(missed, "modes", "vstatics.torsion")).partition(" in ")[0]
+    'modes needs the package scipy: pip install ".[torsion]"'
     """
     if why := broken(error):
         return CaseError("E014", f"{purpose}: {why}")

@@ -8,7 +8,7 @@ ANNEX = Annex(
     commands={
         "synth": Command(
             "vstatics.synthesis.cli.group",
-            "Find gearboxes for wanted ratios, and ratios, gears or teeth of a case.",
+            "Find gearboxes, gears, ratios and tooth numbers.",
             110,
         ),
     },

@@ -98,7 +98,7 @@ def test_warnings_of_the_input_are_told_and_it_is_converted() -> None:
 def test_what_cannot_be_read_is_not_converted(tmp_path: Path) -> None:
     said = vstatics("convert", tmp_path / "nowhere.dat", tmp_path / "new.yaml")
     assert (said.status, list(tmp_path.iterdir())) == (1, [])
-    assert "nowhere.dat: error: can't be read" in said.err
+    assert "nowhere.dat: error: cannot be read" in said.err
 
 
 def test_a_conflict_of_freewheels_is_told_as_a_deck_knows_none() -> None:

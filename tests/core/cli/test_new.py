@@ -40,7 +40,7 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
     file.write_text("mine", encoding="utf-8")
     said = vstatics("new", file)
     assert (said.status, file.read_text(encoding="utf-8")) == (1, "mine")
-    assert "is there already" in said.err
+    assert "already exists" in said.err
     said = vstatics("new", "--template", "ravigneau")
     assert said.is_wrong_use("did you mean `ravigneaux`?")
 

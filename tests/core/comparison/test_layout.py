@@ -51,7 +51,7 @@ def test_the_case_comes_first_then_the_largest_of_each_kind(folder: Path) -> Non
     )
     assert lines[1] == "  case        P4.teeth.ring  85 -> 86"
     assert lines[2] == "  ratio       R              -3.297 -> -3.343    -1.41 %"
-    assert "  step        2-3            1.488 -> 1.498    +0.65 %" in lines
+    assert "  step        2-3            1.488 -> 1.498      +0.65 %" in lines
     assert lines[-1] == "  ... 164 more numbers: --all"
     assert len(lines) == 1 + 1 + 5 + 4 + 5 + 1
     assert told(folder, "--summary") == lines[:1]

@@ -271,7 +271,9 @@ elements:
 gears: {1: {}}
 """
     told = [str(one) for one in read(text.encode(), "case.yaml").warnings]
-    assert told[0].startswith("case.yaml:5:66: warning: elements.W.teeth.ring2: the wheel is left")
+    assert told[0].startswith(
+        "case.yaml:5:66: warning: elements.W.teeth.ring2: the gear is ignored"
+    )
 
 
 @pytest.mark.parametrize(

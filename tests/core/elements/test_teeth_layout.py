@@ -66,7 +66,7 @@ def test_rims_of_almost_one_radius_need_shifted_profiles() -> None:
     (problem,) = told(element("stepped", **teeth), "module")
     assert problem.message == (
         "coaxial with shifted profiles, or with different modules: "
-        "that of planet2 is 1.0169 times that of planet (60/59)"
+        "the module of planet2 is 1.0169 times the module of planet (60/59)"
     )
 
 

@@ -59,7 +59,7 @@ def test_what_is_suggested_passes_every_check(data: st.DataObject, planets: int)
             other = replace(one, teeth={**one.teeth, **teeth})
             assert teeth.keys() <= one.teeth.keys()
             assert not warnings(other)
-            assert not told(other, "shifted profiles only")
+            assert not told(other, "needs shifted profiles")
             assert not told(other, "side by side") or told(one, "side by side")
             assert goes_in(other, planets)
             if "without a common divisor" in problem.message:

@@ -161,4 +161,4 @@ def test_without_sympy_all_but_the_formula_is_told(monkeypatch: pytest.MonkeyPat
     said = vstatics("explain", CASES / "differential.yaml", "--gear", "2")
     assert said.status == 0
     assert "w_1 + 2.5 w_2 - 3.5 w_3 = 0" in said.out
-    assert 'the formula needs the package sympy: pip install "vstatics[formula]"' in said.out
+    assert 'the formula needs the package sympy: pip install ".[formula]"' in said.out

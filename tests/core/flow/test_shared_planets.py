@@ -1,4 +1,4 @@
-"""Loops that may not be in the metal: a Ravigneaux set that is written as two mechanisms.
+"""Loops that may be an artefact of the model: a Ravigneaux set that is written as two mechanisms.
 
 Teeth 30, 36, 84 (those of cases/ravigneaux-gf4a.yaml), so the small sun has +84/30 to the
 ring and the large one -84/36. In gear 2 the small sun drives and the large one is held. By
@@ -31,7 +31,7 @@ M1 = Mechanism(1, 3, 4, 84 / 30, 0.97, name="m1")
 M2 = Mechanism(2, 3, 4, -84 / 36, 0.97, name="m2")
 BRAKE = ShiftElement(2, 0, "B")
 SET = Transmission(4, [BRAKE], [M1, M2], [Gear([1])], output=3, link_names=NAMES)
-DOUBT = "may not be in the metal: m1 and m2 share r and c"
+DOUBT = "may be an artefact of the model: m1 and m2 share r and c"
 
 DECK = """
 KJG= 4 KL= 1 KG= 2
@@ -113,7 +113,7 @@ def test_a_deck_says_so_as_text_and_as_json(tmp_path: Path) -> None:
 def test_tables_say_so_beside_the_sum_and_beside_the_loop() -> None:
     tables = {grid.title: grid for grid in flow_grids([only(SET)])}
     [balance], [loop] = tables["Balance"].texts, tables["Recirculating power"].texts
-    assert balance[-1] == f"{balance[-2]} of it may not be in the metal"
+    assert balance[-1] == f"{balance[-2]} of it may be an artefact of the model"
     assert loop[-1] == DOUBT
 
 
@@ -188,7 +188,7 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
     found = shared(case, around("l3", "m1", "l1", "m3", "l5", "m2"))
     assert found == (CommonLinks("m1", "m2", ("l3", "l5")), CommonLinks("m1", "m3", ("l1", "l5")))
     assert Loop((), 1.0, found).note == (
-        "may not be in the metal: m1 and m2 share l3 and l5, m1 and m3 share l1 and l5"
+        "may be an artefact of the model: m1 and m2 share l3 and l5, m1 and m3 share l1 and l5"
     )
 
 
@@ -219,7 +219,7 @@ def test_two_sets_that_are_joined_twice_are_marked_as_nobody_knows() -> None:
     """Front and rear set of cases/gm-thm440.yaml: the carrier of each is the ring of the other."""
     case = many((1, 2, 3), (4, 3, 2))
     assert Loop((), 1.0, shared(case, around("l2", "m1", "l3", "m2"))).note == (
-        "may not be in the metal: m1 and m2 share l2 and l3"
+        "may be an artefact of the model: m1 and m2 share l2 and l3"
     )
 
 

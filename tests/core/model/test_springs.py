@@ -51,7 +51,9 @@ def test_a_case_fills_in_names_and_kinds_of_numbers() -> None:
 def test_springs_alone_have_one_gear() -> None:
     case = Transmission(1, [], [], [], springs=[Spring(between(1), stiffness=3)])
     assert case.gears == (Gear(name="1"),)
-    with pytest.raises(CaseError, match=r"expected what each gear engages, such as .* \[T1\]"):
+    with pytest.raises(
+        CaseError, match=r"expected the shift elements that each gear engages, such as .* \[T1\]"
+    ):
         Transmission(2, [ShiftElement(2)], [Mechanism(1, 2, 0, 2)], [])
 
 
@@ -71,15 +73,15 @@ STEEL = Spring(between(1, 2), stiffness=3.0)
         (STEEL._replace(stiffness=0), "springs[1].stiffness: read 0, expected a stiffness above 0"),
         (STEEL._replace(stiffness=math.nan), "springs[1].stiffness: read nan, expected a stiffness"),
         (STEEL._replace(stiffness=math.inf), "springs[1].stiffness: read inf, expected a stiffness"),
-        (STEEL._replace(stiffness=1e-320), "read 9.99989e-321, expected a stiffness that is not so"),
-        (STEEL._replace(stiffness=None), "springs[1]: there is no `stiffness`, no `compliance`"),
+        (STEEL._replace(stiffness=1e-320), "read 9.99989e-321, expected a stiffness that is larger"),
+        (STEEL._replace(stiffness=None), "springs[1]: read none of `stiffness`, `compliance`"),
         (STEEL._replace(compliance=1), "springs[1]: read both `stiffness` and `compliance`"),
         (Spring(between(1), None, -1), "springs[1].compliance: read -1, expected a compliance above"),
         (STEEL._replace(damping=-1), "springs[1].damping.viscous: read -1, expected a damping of 0"),
         (STEEL._replace(damping=math.inf), "springs[1].damping.viscous: read inf, expected a damp"),
         (STEEL._replace(damping=Damping(0, -1)), "damping.loss_factor: read -1, expected a loss fac"),
-        (STEEL._replace(twist={}), "springs[1].twist: the twist is empty, expected at least one"),
-        (STEEL._replace(twist={0: 1}), "springs[1].twist: the twist is empty"),
+        (STEEL._replace(twist={}), "springs[1].twist: read an empty twist, expected at least one"),
+        (STEEL._replace(twist={0: 1}), "springs[1].twist: read an empty twist"),
         (STEEL._replace(twist={1: 1, 2: 0}), "twist[2]: read 0, expected a finite coefficient other"),
         (STEEL._replace(twist={1: 1, 2: math.nan}), "twist[2]: read nan, expected a finite coeff"),
         (STEEL._replace(twist={1: 1, 2: math.inf, 3: 1}), "twist[2]: read inf, expected a finite"),
@@ -87,7 +89,7 @@ STEEL = Spring(between(1, 2), stiffness=3.0)
         (STEEL._replace(twist=between(1, 4)), "springs[1].second: read 4, expected a link number"),
         (STEEL._replace(twist=between(1, 1)), "springs[1].second: joins link 1 to itself"),
         (STEEL._replace(twist=between(0, 0)), "springs[1].second: joins link 0 (the housing) to"),
-        (STEEL._replace(name="D1"), "springs[1]: `D1` is the name of a mechanism too, expected"),
+        (STEEL._replace(name="D1"), "springs[1]: `D1` is also the name of a mechanism, expected"),
         (STEEL._replace(name="a\nb"), "expected one line of text"),
     ],
 )  # fmt: skip
@@ -129,7 +131,7 @@ def test_a_device_that_cannot_be_elastic_so_is_told(elastic: dict[str, Any], sai
 
 
 def test_two_springs_have_two_names() -> None:
-    with pytest.raises(CaseError, match="spring 2 has the name `S1` of spring 1"):
+    with pytest.raises(CaseError, match="spring 2 has the name of spring 1, expected another name"):
         made(STEEL, STEEL._replace(name="S1"))
 
 
@@ -184,13 +186,13 @@ def test_a_torque_beyond_a_flat_end_has_no_twist() -> None:
 @pytest.mark.parametrize(
     ("spring", "message"),
     [
-        ({"points": [(0, 0), (0.1, 5), (0.1, 6)]}, "3][1]: read 0.1 behind 0.1, expected twists"),
-        ({"points": [(0, 0), (0.1, 5), (0.2, 4)]}, "3][2]: read 4 behind 5, expected torques"),
+        ({"points": [(0, 0), (0.1, 5), (0.1, 6)]}, "3][1]: read 0.1 after 0.1, expected twists"),
+        ({"points": [(0, 0), (0.1, 5), (0.2, 4)]}, "3][2]: read 4 after 5, expected torques"),
         ({"points": [(0, 1), (0.1, 5)]}, "1]: read 0, 1, expected [0, 0] first"),
         ({"points": [(0, 0), (0.1, 0)]}, "expected at least two points, and a torque that rises"),
         ({"points": STAGES, "stiffness": 5}, "stiffness: read `stiffness` with `points`"),
         ({"points": STAGES, "limit": 5}, "limit: read `limit` with `points`"),
-        ({"points": STAGES, "damping": Damping(1, 0.1)}, "read a loss factor or ratio beside"),
+        ({"points": STAGES, "damping": Damping(1, 0.1)}, "read a loss factor or ratio with"),
         ({"stiffness": 5, "friction": -1}, "friction: read -1, expected a torque of 0 or more"),
     ],
 )

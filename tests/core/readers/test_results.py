@@ -22,16 +22,16 @@ def where(text: str) -> tuple[int, int, str]:
 @pytest.mark.parametrize(
     ("text", "line", "column", "words"),
     [
-        (f"{GOOD}\n{GOOD[:-1]}\n{GOOD}\n", 2, 16, "no JSON: "),
-        (f"{GOOD}\n\n \n{GOOD[:-1]}\n", 4, 16, "no JSON: "),
-        (f"\n\n{GOOD}\n{GOOD}\n{{]\n", 5, 2, "no JSON: "),
-        (f"{GOOD[:-1]}\n{GOOD}\n", 1, 16, "no JSON: "),
-        (f"{GOOD}\nx\n", 2, 1, "no JSON: "),
-        (f"{GOOD}\n\n7\n", 3, 1, "result 2 is no JSON object"),
+        (f"{GOOD}\n{GOOD[:-1]}\n{GOOD}\n", 2, 16, "the file is not JSON: "),
+        (f"{GOOD}\n\n \n{GOOD[:-1]}\n", 4, 16, "the file is not JSON: "),
+        (f"\n\n{GOOD}\n{GOOD}\n{{]\n", 5, 2, "the file is not JSON: "),
+        (f"{GOOD[:-1]}\n{GOOD}\n", 1, 16, "the file is not JSON: "),
+        (f"{GOOD}\nx\n", 2, 1, "the file is not JSON: "),
+        (f"{GOOD}\n\n7\n", 3, 1, "result 2 is not a JSON object"),
         (f"{GOOD}\r\n\r\n{{}}\r\n", 3, 1, "result 2 has none of the tables"),
         (f'{GOOD}\n\n{{"ratio": 1}}\n', 3, 1, "ratio of result 2 is not a table of numbers"),
-        ('{\n  "ratio": [1,]\n}\n', 2, 15, "no JSON: "),
-        ('{\n  "ratio": [1]\n}\nx\n', 4, 1, "no JSON: "),
+        ('{\n  "ratio": [1,]\n}\n', 2, 15, "the file is not JSON: "),
+        ('{\n  "ratio": [1]\n}\nx\n', 4, 1, "the file is not JSON: "),
     ],
 )
 def test_a_fault_has_its_line_in_the_file(text: str, line: int, column: int, words: str) -> None:

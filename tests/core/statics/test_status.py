@@ -22,7 +22,7 @@ BACKWARD = Transmission(
 FAULTY = {
     "tied up": (train([(2, 0), (3, 0)], Gear([1, 2])), 1),
     "freewheels in conflict": (BACKWARD, 1),
-    "the output stands": (train([(3, 0)], Gear([1])), 1),
+    "the output is at rest": (train([(3, 0)], Gear([1])), 1),
     "neutral": (train([(2, 0)], Gear()), 1),
     "torques do not balance": (train([(2, 0)], Gear(speeds={3: 0.25})), 1),
     "self-locking": (vstatics.load(CASES / "self-locking.yaml"), 2),

@@ -90,7 +90,7 @@ def test_a_gear_without_the_speed_ratio_is_refused() -> None:
 
 def test_points_of_a_converter_ascend() -> None:
     wrong = CONVERTER._replace(points=((0.5, 1.0), (0.2, 2.0)))
-    with pytest.raises(CaseError, match="points are in ascending order"):
+    with pytest.raises(CaseError, match="points must ascend"):
         Transmission(2, [], [wrong], [Gear(speed_ratios={1: 0})])
 
 

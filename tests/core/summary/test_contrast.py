@@ -37,5 +37,5 @@ def test_shifts_and_needed_capacities_stand_side_by_side(tmp_path: Path) -> None
         r"^largest slip power +2\.250  B, low-direct +2\.000  B, low-direct$", said, re.MULTILINE
     )
     assert re.search(
-        r"^largest needed capacity +3\.000  B, low +3\.000  B, low$", said, re.MULTILINE
+        r"^largest required torque capacity +3\.000  B, low +3\.000  B, low$", said, re.MULTILINE
     )

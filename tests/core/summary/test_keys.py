@@ -9,6 +9,7 @@ from vstatics.core.summary import Summary, summarize
 from vstatics.core.summary.contrast import contrasted
 from vstatics.core.summary.tables import summary_grids
 from vstatics.core.tables.grid import Grid
+from vstatics.core.tables.values import tables as result_tables
 
 
 def summary(load: Load | None) -> Summary:
@@ -32,6 +33,18 @@ def test_keys_are_small_letters_each_once_and_all_columns_are_headed(load: Load 
         assert all(column.heading for grid in tables for column in grid.columns)
 
 
+@pytest.mark.parametrize("load", [None, Load(2000, 300), Load(torque=300)])
+def test_titles_differ_and_have_ten_words_at_most(load: Load | None) -> None:
+    one = summary(load)
+    for tables in (list(summary_grids(one)), list(contrasted([one, one]))):
+        titles = [grid.title for grid in tables]
+        assert len({*titles}) == len(titles)
+        assert all(len(title.split()) <= 10 for title in titles)
+    in_results = [table.quantity.title for table in result_tables(one.results)]
+    assert len({*in_results}) == len(in_results)
+    assert all(len(title.split()) <= 10 for title in in_results)
+
+
 def test_units_stand_behind_a_comma() -> None:
     loaded = list(summary_grids(summary(Load(2000, 300))))
     assert headings(loaded, "shift elements with load")[1::2] == [
@@ -43,7 +56,7 @@ def test_units_stand_behind_a_comma() -> None:
         "speed, rpm",
         "torque, N*m",
         "power, kW",
-        "way",
+        "direction",
     ]
     only_torque = list(summary_grids(summary(Load(torque=300))))
     assert headings(only_torque, "shift elements with load")[1] == "torque, N*m"

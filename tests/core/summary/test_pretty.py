@@ -112,7 +112,7 @@ gears:
 
 def test_states_of_gears_are_named_and_explained() -> None:
     said = vstatics("run", "--pretty", "-", stdin=STATES.encode())
-    for gear, state in (("neutral", "neutral"), ("park", "output stands"), ("tied", "tied up")):
+    for gear, state in (("neutral", "neutral"), ("park", "output at rest"), ("tied", "tied up")):
         [line] = [line for line in gear_lines(said.out) if line.startswith(f" {gear} ")]
         assert line.rstrip().endswith(f"  {state}")
         assert f"\n{state}: " in said.out

@@ -96,7 +96,7 @@ gears: {back: [], ahead: {speed_ratios: {hydro: .3}}}
     found = sensitivities(solve(case))[:, 1]
     assert found == pytest.approx([-x / (x + 2) for x in (-0.3, 0.3)])
     said = {one.key: one.title for one in summary_grids(summarize(solve(case)))}["sensitivity"]
-    assert said.endswith("u basic or speed ratio")
+    assert said.endswith("to basic and speed ratios")
 
 
 def test_wheels_on_a_curve_follow_one_another() -> None:

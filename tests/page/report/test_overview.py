@@ -46,7 +46,7 @@ def test_each_figure_has_its_gear() -> None:
     said = " ".join(words(*overview(set_of())).split()).replace(" ,", ",")
     assert "gears 2 spread 3.500, gear low to high" in said
     assert "lowest efficiency 0.950, gear low" in said
-    assert "largest element torque 2.325 × input, B, gear low" in said
+    assert "largest torque of a shift element 2.325 × input, B, gear low" in said
     assert "alerts none" in said
 
 

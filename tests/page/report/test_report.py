@@ -165,9 +165,9 @@ def test_the_flow_marks_what_a_convention_divides(zf: Page) -> None:
 def test_a_loop_that_may_not_be_in_the_metal_says_so() -> None:
     """The case says of itself that its mechanisms share planets."""
     shown = Page(report(CASES / "umdm-reduced.yaml"))
-    told = [one.text for one in shown.all("li") if "may not be in the metal:" in one.text]
+    told = [one.text for one in shown.all("li") if "may be an artefact of the model:" in one.text]
     assert told
-    assert "(may not be in the metal: D7 and D8 share sun 1 and carrier):" in told[0]
+    assert "(may be an artefact of the model: D7 and D8 share sun 1 and carrier):" in told[0]
 
 
 @pytest.mark.slow
@@ -340,7 +340,7 @@ def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyP
     )
     said = vstatics("report", CASES / "differential.yaml", "-o", "-")
     assert said.status == 0
-    assert 'pip install "vstatics[plot]"' in said.err
+    assert 'pip install ".[plot]"' in said.err
     shown = Page(said.out)
     assert not shown.all("svg")
     assert any("There are no pictures" in one.text for one in shown.all("p"))

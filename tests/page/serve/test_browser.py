@@ -313,7 +313,7 @@ def test_units_and_the_link_stay_when_the_file_is_saved_and_the_page_loaded_agai
     cell = (
         'document.querySelector(\'td[data-result="speeds"][data-row="carrier"][data-gear="low"]\')'
     )
-    rest = "document.querySelector('td[data-result=\"W\"][data-row=\"sun\"]').closest('tr').hidden"
+    rest = "document.querySelector('td[data-result=\"speeds\"][data-row=\"sun\"]').closest('tr').hidden"
     for ratio, load in ((-3, 3000), (-4, 1500)):
         text = BOX.replace("-78/30", str(ratio)).replace("3000 rpm", f"{load} rpm")
         program.file.write_text(text, encoding="utf-8")

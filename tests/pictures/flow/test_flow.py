@@ -210,7 +210,7 @@ def test_a_loop_tells_its_power_and_its_part_of_the_power_in(dark: bool) -> None
 @pytest.mark.parametrize(
     ("language", "words"),
     [
-        ("en", "may not be in the metal: D7 and D8 share sun 1 and carrier"),
+        ("en", "may be an artefact of the model: D7 and D8 share sun 1 and carrier"),
         ("ru", "в металле может не быть: у D7 и D8 общие sun 1 и carrier"),
     ],
 )

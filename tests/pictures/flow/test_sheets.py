@@ -72,7 +72,7 @@ def test_pages_are_no_larger_than_the_paper() -> None:
         size = [float(one) for one in re.findall(rb'(?:width|height)="([\d.]+)pt"', svg)[:2]]
         assert size[0] <= PAGE_WIDTH + 0.01
         assert size[1] <= PAGE_HEIGHT + 0.01
-    assert all("gear" in re.findall(r">(\w+) \w+</text>", svg.decode())[0] for svg in made)
+    assert all(">gear " in svg.decode() for svg in made)
     heads = re.findall(r">gear (\w+)</text>", b"".join(made).decode())
     assert heads == [gear.name for gear in results.case.gears]
 

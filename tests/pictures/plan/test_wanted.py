@@ -52,7 +52,7 @@ def test_it_needs_no_case(tmp_path: Path) -> None:
         ("--kind plan --ratios 2,-inf", "read -inf, expected a ratio from 1e-6 to 1e6 in size"),
         ("--kind plan --ratios 2,3,2", "read 2 again, expected each ratio once"),
         ("--kind plan --ratios 2,x", "read 'x', expected ratios of gears such as 2.6,1.7,-4"),
-        (f"{CASES / 'umdm.yaml'} --kind plan --ratios 2", "--ratios: without a case"),
+        (f"{CASES / 'umdm.yaml'} --kind plan --ratios 2", "--ratios: expected no case"),
         ("--kind lever --ratios 2", "--ratios: only a plan follows from ratios alone"),
         ("--kind lever", "Missing argument 'CASE...'."),
         ("--kind plan --ratios 2 --coast", "--from, --coast, --unloaded: only a case has them"),

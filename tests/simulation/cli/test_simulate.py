@@ -83,7 +83,7 @@ def test_tables_for_people_fit_a_terminal() -> None:
     said = vstatics("simulate", "lock.yaml")
     assert (said.status, said.err) == (0, "")
     assert max(map(len, said.out.splitlines())) <= 80
-    assert "0.410054006  brake    locks" in said.out
+    assert "0.410054006  brake          locks" in said.out
     assert "  brake     858.815" in said.out
 
 

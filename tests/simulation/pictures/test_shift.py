@@ -74,7 +74,7 @@ def test_panels_have_what_moves(results: Results) -> None:
     assert shown == {
         "speed, rpm": ["sun", "carrier", "ring"],
         "slip, rpm": ["brake"],
-        "torque of elements, N·m": ["brake"],
+        "torque of shift elements, N·m": ["brake"],
         "heat, kJ": ["brake"],
     }
 

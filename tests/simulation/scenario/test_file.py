@@ -162,7 +162,7 @@ FAULTS = [
         "4:30",
         "a link number from 1",
     ),
-    ("converters: {T: {links: [in, wheel], points: []}}", "4:46", "there is no point"),
+    ("converters: {T: {links: [in, wheel], points: []}}", "4:46", "read no points"),
     ("converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}", "4:59", "ascending"),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
@@ -267,7 +267,7 @@ gears: {"1": {engaged: [C]}}
         assert [drag.torque for drag in drags(one, None)] == [2]
         [told] = [str(one) for one in solve(one).messages if "drag" in str(one)]
         assert told == (
-            "warning: the drag of C has a unit, but the case no load: it is left out [W401]"
+            "warning: the drag of C has a unit, but the case has no operating point, so this drag is ignored; give a `load` with a torque [W401]"
         )
 
 

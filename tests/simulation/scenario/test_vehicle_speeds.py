@@ -54,7 +54,7 @@ def test_a_condition_is_met_when_the_vehicle_has_its_speed(seed: int, tmp_path: 
         ("speed('other') > 5 km/h", "next to speed.. of a link with a `road`; links .*: wheel"),
         ("t > 5 mph", "read `5 mph`, the speed of a vehicle, expected it next to speed"),
         ("speed('wheel') > 5 km/h + 3 km/h", "alone on one side of a comparison"),
-        ("speed('wheel') > 5 kg", "read `kg` behind `5`, expected an operator"),
+        ("speed('wheel') > 5 kg", "read `kg` after `5`, expected an operator"),
     ],
 )
 def test_other_speeds_are_refused(when: str, said: str, tmp_path: Path) -> None:

@@ -276,7 +276,7 @@ def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
         ("--vary D.ratio=1 --out efficiencey", "--out:1:1: error: there is no table `efficiencey`"),
         ("--vary D.ratio=1 --min ratio", "--min:1:1: error: `ratio` has one value per gear"),
         ("--vary D.ratio=1:2", "--vary:1:1: error: D.ratio=1:2 has no number of values"),
-        ("--vary D.ratio=1 --file nowhere.yaml", "nowhere.yaml: error: can't be read"),
+        ("--vary D.ratio=1 --file nowhere.yaml", "nowhere.yaml: error: cannot be read"),
         (
             "--vary D.ratio=1 --coast -o nowhere/out.csv",
             "cannot be written: there is no directory nowhere",
@@ -309,7 +309,7 @@ def test_a_package_that_is_missing_is_told_before_anything_is_calculated(
         importlib.util, "find_spec", lambda name: None if name == package else find(name)
     )
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=-4:-2", *arguments.split())
-    assert said.gives_nothing(f'needs the package {package}: pip install "vstatics[{extra}]"')
+    assert said.gives_nothing(f'needs the package {package}: pip install ".[{extra}]"')
 
 
 def test_a_reader_that_has_seen_enough_ends_the_sweep_quietly() -> None:
@@ -359,7 +359,7 @@ def test_a_sweep_in_the_units_of_the_load() -> None:
         lost = (300 * 2000 - torque * speed) * math.pi / 30 / 1000
         assert found == pytest.approx([speed, torque, torque, lost])
     without = vstatics("sweep", "box.yaml", *VARY, "--out", "Mx_Nm")
-    assert without.gives_nothing("--out:1:1: error: no load tells the torque at the input")
+    assert without.gives_nothing("--out:1:1: error: the case gives no torque at the input")
 
 
 def test_a_sweep_file_knows_either_name() -> None:

@@ -145,9 +145,9 @@ def test_curves_over_a_column_without_numbers_are_refused() -> None:
 
 
 def test_several_rows_at_a_place_are_told() -> None:
-    with pytest.raises(CaseError, match="runs over y too: expected --by"):
+    with pytest.raises(CaseError, match="as it also varies y: expected --by"):
         drawn(curves, saddle(), x="x", by="x")
-    with pytest.raises(CaseError, match="runs over x, y: expected --x"):
+    with pytest.raises(CaseError, match="varies x, y: expected --x"):
         drawn(curves, saddle())
 
 

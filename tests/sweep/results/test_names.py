@@ -94,7 +94,7 @@ def sweep_of(case: Transmission, out: str) -> tuple[str, ...]:
 
 def test_a_unit_needs_a_load() -> None:
     case = load(CASES / "simpson.yaml")
-    with pytest.raises(ReadError, match=r"no load tells the torque at the input, so .*`Mx_Nm`"):
+    with pytest.raises(ReadError, match=r"the case gives no torque at the input, so .*`Mx_Nm`"):
         sweep_of(case, "Mx_Nm")
 
 

@@ -123,7 +123,7 @@ def test_each_value_of_a_list_is_picked_as_often() -> None:
         ((UNIT, 5, "sobool"), "expected one of sobol, lhs, random; did you mean `sobol`?"),
         ((UNIT, 5, "random", -1), "read the seed -1, expected 0 or above"),
         (([], 5, "random"), "nothing is varied"),
-        ((variations(*[Span(0.0, 1.0)] * 21202), 5, "sobol"), "has 21201; take"),
+        ((variations(*[Span(0.0, 1.0)] * 21202), 5, "sobol"), "has 21201; use"),
     ],
 )
 def test_what_cannot_be_sampled(arguments: tuple[Any, ...], words: str) -> None:

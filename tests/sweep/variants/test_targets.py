@@ -139,7 +139,7 @@ def test_a_case_without_modes_has_no_frequencies() -> None:
     with pytest.raises(ReadError, match="no natural mode in any gear, so `omega` does not exist"):
         sweep(DIFFERENTIAL, "D.ratio=-2,-3", out="omega[1,1]")
     text = "links: 2\ninertias: {1: 0.2}\nsprings: {s: {links: [1, 2], stiffness: 5}}\n"
-    with pytest.raises(ReadError, match="it takes inertias, and springs or a stiffness"):
+    with pytest.raises(ReadError, match="give inertias, and springs or a stiffness"):
         sweep(loads(text), "s.stiffness=1", out="omega")
 
 

@@ -207,7 +207,7 @@ def test_names_with_commas_and_strange_letters(tmp_path: Path) -> None:
 
 def test_a_table_for_people(tmp_path: Path) -> None:
     shown = said(BELAZ)
-    assert "T1, T4   gear     -7.642     ·   -.493, 9.134     -\n" in shown.out
+    assert "T1, T4   gear     -7.642     ·   -0.493, 9.134     -\n" in shown.out
     assert "parking             6\n" in shown.out
     said(BELAZ, "-o", tmp_path / "out.csv", "--shift-elements", "auto")
     assert (tmp_path / "out.csv").read_text("utf-8").count("\n") > 325

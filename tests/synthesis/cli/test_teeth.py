@@ -60,7 +60,7 @@ def test_the_case_that_is_written_has_the_ratios(tmp_path: Path) -> None:
         (("--ratios", "9=3"), "no gear or gear set `9`; gears are 1, 2"),
         (("--ratios", "2=-4"), "expected a ratio above 0"),
         (("--ratios", "P1=2.03"), "did you mean -2.03?"),
-        (("--range", "sin=17:20"), "no wheel `sin`; did you mean `sun`?"),
+        (("--range", "sin=17:20"), "no toothed gear `sin`; did you mean `sun`?"),
         (("--range", "sun=20:17"), "the smaller number first"),
         (("--range", "sun=17.5:20"), "expected whole numbers of teeth"),
         (("--planets", "0"), "from 1 to"),

@@ -178,7 +178,7 @@ def test_freewheels_hold_as_they_do_in_the_case() -> None:
         ({"2": 0.0}, {}, "read 0, expected a finite ratio other than 0"),
         ({"2": math.nan}, {}, "read nan, expected a finite ratio"),
         ({}, {}, "expected a ratio for at least one gear"),
-        ({"2": 4.0}, {"weights": {"1": 2.0}}, "gear 1: no ratio is wanted of it"),
+        ({"2": 4.0}, {"weights": {"1": 2.0}}, "gear 1: read a weight without a ratio"),
         ({"2": 4.0}, {"weights": {"2": 0.0}}, "read 0, expected a weight above 0"),
         ({"2": 4.0}, {"weights": {"x": 1.0}}, "no gear `x`"),
         ({"2": 4.0}, {"tolerance": 0.0}, "expected a number above 0"),

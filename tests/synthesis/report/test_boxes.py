@@ -64,7 +64,7 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
                 3, 5, 2, (-3.0,), sequence=WantedSequence(6, 8, (5, 7), (1.2, 1.8), falling=True)
             ),
             "Wanted: forward gears: 6 to 8; spread 5 to 7; steps 1.2 to 1.8; "
-            "no step larger than the one below it; besides: −3.",
+            "no step larger than the one below it; further ratios: −3.",
         ),
         (
             BoxSearch(2, 3, 1, (), sequence=WantedSequence(3, 3, (1, 1e6), (1.2, 1.8))),

@@ -111,7 +111,7 @@ def test_tables_for_people() -> None:
     assert "Reduced to propshaft\n" in answer.out
     answer = said("--gear", "1")
     assert "Clutch dump: the clutch slips, the wheels break away\n" in answer.out
-    assert "\nomega1 [rad/s]  156" in answer.out
+    assert "\nomega1 [rad/s]   156" in answer.out
     assert "engaged at the rate" in said("--rate", "50", text=FOUR).out
 
 

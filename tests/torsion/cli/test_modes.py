@@ -101,7 +101,7 @@ def test_redundant_devices_have_no_torque_of_their_own() -> None:
     text = CHAIN + "links: [a, b, c, d]\nshift_elements: {C: [c, d], E: [c, d]}\n"
     text += "gears: {both: {engaged: [C, E]}}\n"
     answer = said("modes", "-f", "csv", text=text)
-    rows = tables(answer.out)["Gear both: torques of devices at these amplitudes [N*m/rad]"]
+    rows = tables(answer.out)["Gear both: torques of components at these amplitudes [N*m/rad]"]
     assert {row[0]: row[1] == "" for row in rows[1:]} == {
         "C": True,
         "E": True,

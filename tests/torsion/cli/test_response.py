@@ -125,8 +125,8 @@ def test_csv_without_a_resonance_or_a_value_has_its_headings() -> None:
 def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
     call = ("response", *AT, "--orders", "2,4", *SPEED, "--sum")
     text = said(*call, text=GOOD).out
-    assert "Gear direct: largest torques of devices [N*m]\n" in text
-    assert "Gear direct, all orders: torques of devices [N*m]\n" in text
+    assert "Gear direct: largest torques of components [N*m]\n" in text
+    assert "Gear direct, all orders: torques of components [N*m]\n" in text
     book = openpyxl.load_workbook(io.BytesIO(bytes_of(*call, text=GOOD)))
     told = document(*call, text=GOOD)["gears"][0]
     cells = [cell for sheet in book for row in sheet.values for cell in row]
@@ -195,7 +195,7 @@ def test_where_nothing_has_a_value_text_says_so() -> None:
         ("order,amplitude\n-2,1\n3,5\n", "engine.csv:2:1: error: order: read -2, expected"),
         ("order,amplitude\n2,inf\n", "engine.csv:2:1: error: amplitude: read 'inf'"),
         ("order,amplitude\n2,1\n2,1\n", "engine.csv:3:1: error: order 2 is given twice"),
-        ("order,amplitude\n", "engine.csv:1:1: error: there is no row below"),
+        ("order,amplitude\n", "engine.csv:1:1: error: read no row below"),
     ],
 )
 def test_faults_of_a_table_are_told_at_their_lines(table: str, words: str) -> None:

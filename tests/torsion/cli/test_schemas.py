@@ -85,7 +85,7 @@ def _of_mode(change: dict[str, Any]) -> Callable[[Any], None]:
 @pytest.mark.parametrize(
     ("command", "spoil"),
     [
-        ("modes", lambda document: document.update(version=2)),
+        ("modes", lambda document: document.update(version=1)),
         ("modes", lambda document: document.pop("gears")),
         ("modes", _of_gear({"more": 1})),
         ("modes", _of_gear({"rigid_modes": 1.5})),

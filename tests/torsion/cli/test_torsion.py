@@ -105,7 +105,7 @@ def test_digits_are_those_asked_for() -> None:
 @pytest.mark.parametrize("command", ASKED)
 def test_json_from_a_pipe_tells_its_file_as_other_commands_do(command: str) -> None:
     made = asked(command, "-f", "json", text=GOOD).json
-    assert (made["file"], made["case"], made["version"]) == ("<stdin>", "two gears", 1)
+    assert (made["file"], made["case"], made["version"]) == ("<stdin>", "two gears", 2)
     from_file = vstatics("torsion", command, "box.yaml", *ASKED[command], "-f", "json").out
     assert json.loads(from_file) == {**made, "file": "box.yaml"}
 
@@ -327,7 +327,7 @@ def test_without_scipy_it_is_refused_before_anything_is_read(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
-    message = 'vstatics torsion needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]"\n'
+    message = 'vstatics torsion needs the package scipy: pip install ".[torsion]" in the source folder, or pip install scipy\n'
     for command, *options in ALL:
         answer = vstatics("torsion", command, "nowhere.yaml", *options, "-o", "new.json")
         assert (answer.status, answer.all, names()) == (1, message, ["box.yaml"])

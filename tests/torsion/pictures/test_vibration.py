@@ -142,7 +142,7 @@ def test_links_stand_in_the_order_in_which_power_comes_to_them() -> None:
         ("axle", True, (2, 3)),
         ("pair", False, (1, 2)),
     ]
-    note = "amplitudes of links, the largest is 1; these stand: held; without load: loose wheel"
+    note = "amplitudes of links, the largest is 1; at rest: held; without load: loose wheel"
     assert note in texts(results, "modes")
 
 
@@ -244,7 +244,7 @@ def test_without_scipy_the_command_names_the_extra(
     )
     said = vstatics("plot", CASES / "moskvich412.yaml", "-k", kind, "-o", tmp_path / "a.svg")
     assert said.status == 1
-    needs = 'a picture of natural modes needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]"'
+    needs = 'a picture of natural modes needs the package scipy: pip install ".[torsion]" in the source folder'
     assert needs in said.err
 
 

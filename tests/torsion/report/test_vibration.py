@@ -70,7 +70,7 @@ def test_all_gears_have_one_campbell_diagram_and_each_its_modes(shown: Page) -> 
     ]
     for gear in ("low", "direct"):
         assert f"modes={gear}" in [one.attributes.get("id") for one in shown.all("div")]
-    assert list(shown.table("Where most of the energy is")) == ["1", "2"]
+    assert list(shown.table("Largest shares of energy")) == ["1", "2"]
 
 
 def test_ids_are_unique(shown: Page) -> None:
@@ -114,7 +114,7 @@ def test_without_scipy_the_rest_is_written_and_it_is_told(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     without("scipy", monkeypatch)
-    needs = 'the section on vibration needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]"'
+    needs = 'the section on vibration needs the package scipy: pip install ".[torsion]" in the source folder, or pip install scipy'
     said = vstatics("report", write(tmp_path, DRIVELINE), "-o", "-")
     assert said.status == 0
     assert f"no vibration: {needs}" in said.err

@@ -18,7 +18,7 @@ import contextlib
 import os
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import click
@@ -27,7 +27,7 @@ from vstatics.core.annexes import annexes
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, WRONG_USE, stopped_by
 from vstatics.core.cli.shared.lazy_group import LazyGroup, Modules
-from vstatics.core.errors import ReadError, printable
+from vstatics.core.errors import ReadError, printable, spoken
 from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.files import unwritable
 from vstatics.core.jobs.stopping import Stop, StoppedError, stoppable
@@ -38,6 +38,10 @@ click.UsageError.exit_code = WRONG_USE
 
 WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
 """Commands whose output has words in several languages; --lang chooses the language."""
+
+
+_ELSEWHERE = {"--lang": WITH_LANGUAGES, "--gear": ("flow", "explain", "plot")}
+"""Options that users expect in all commands, with the commands that have them."""
 
 
 class Commands(LazyGroup):
@@ -97,16 +101,21 @@ def _safe_usage_errors() -> Iterator[None]:
         raise  # the message is the help text, which needs no hint
     except click.UsageError as error:
         message = printable(error.format_message(), lines=True)
-        if isinstance(error, click.NoSuchOption) and error.option_name == "--lang":
-            *most, last = with_languages()
-            message += f" {', '.join(most)} and {last} have it."
+        unknown = error.option_name if isinstance(error, click.NoSuchOption) else ""
+        if unknown in _ELSEWHERE and f"{unknown}s" not in message:
+            others = spoken(_installed(_ELSEWHERE[unknown]))
+            message = f"No such option '{unknown}': {others} have it."
         raise click.UsageError(_with_hint(message), error.ctx) from None
 
 
 def with_languages() -> list[str]:
     """Return the installed commands that have words in other languages."""
+    return _installed(WITH_LANGUAGES)
+
+
+def _installed(names: Sequence[str]) -> list[str]:
     installed = main.listed()
-    return [name for name in WITH_LANGUAGES if name in installed]
+    return [name for name in names if name in installed]
 
 
 def _with_hint(message: str) -> str:

@@ -53,7 +53,8 @@ def convert_command(
 
     \b
     Examples:
-      vstatics convert gearbox.yaml gearbox.dat
+      vstatics new planetary.yaml --template planetary
+      vstatics convert planetary.yaml planetary.json
       vstatics convert gearbox.yaml gearbox.xlsx
       vstatics convert gearbox.xlsx - --to yaml
       vstatics convert gearbox.yaml - --to matrices

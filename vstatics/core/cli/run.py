@@ -89,8 +89,8 @@ def run_command(
       vstatics run gearbox.yaml --pretty
       vstatics run gearbox.yaml
       vstatics run gearbox.yaml -f json | jq .ratio
-      vstatics convert gearbox.yaml gearbox.dat
-      vstatics run gearbox.dat -f source
+      vstatics new mzkt.dat --template mzkt7922
+      vstatics run mzkt.dat -f source
       cat gearbox.yaml | vstatics run - --coast
       vstatics run *.yaml *.dat -f json -o results/ --jobs 2
       vstatics run '**/*.yaml' -o all.parquet

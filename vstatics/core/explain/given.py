@@ -94,9 +94,9 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
     else:
         yield tr("Speeds are relative to the speed of the input; torques are in N*m.")
     yield tr(
-        "A torque on a device is that which its link gives to it, positive in the direction of the "
-        "torque of the input; that of a shift element or mechanism is on its first link; Mx is "
-        "what the output gives to the load."
+        "A torque on a component is the torque that its link exerts on it, positive in the "
+        "direction of the input torque; for a shift element or mechanism it is the torque "
+        "on its first link. Mx is the torque of the output on the load."
     )
     if state.calculable:
         yield from _rules_of_losses(state)
@@ -105,12 +105,12 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
     if any(map(fills_a_gap, drawing.elements if drawing else ())):
         yield tr("A planet between a sun and a ring has (ring - sun)/2 teeth where none are given.")
     if case.freewheels:
-        yield tr("A freewheel keeps its first link from turning backward against the second.")
+        yield tr("A freewheel keeps its first link from turning backward relative to the second.")
     if gear.balance:
         yield tr(MACHINES)
         yield tr(
-            "The torque that balances machines and battery is found with losses; it stands in the "
-            "torques without losses, too."
+            "The torque that balances machines and battery is calculated with losses; the "
+            "torques without losses use it, too."
         )
     yield from (f"{tr(item.english)}: {tr(item.meaning)}" for item in state.statuses)
     if case.coasts(state.gear) and state.calculable:
@@ -132,14 +132,14 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
     kinds = {mechanism.kind for n, mechanism in enumerate(case.mechanisms) if n not in bypassed}
     if "variator" in kinds:
         yield tr(
-            "A variator of the speed ratio w_second/w_first has the inverse of it as u; with the "
-            "speed ratio 0 its second link stands, and the first has no torque."
+            "For a variator, u is the inverse of its speed ratio w_second/w_first. At speed"
+            " ratio 0 its second link is at rest and its first link carries no torque."
         )
     if "converter" in kinds:
         yield tr(
-            "A converter has the torques M and -K M on its links, with losses and without; K is "
-            "straight between its points over the speed ratio w_second/w_first, constant outside. "
-            "It loses M (w_first - K w_second)."
+            "A converter has the torques M and -K M on its links, with and without losses. "
+            "K is interpolated linearly over the speed ratio w_second/w_first and held "
+            "constant outside its points. The converter loses M (w_first - K w_second)."
         )
     if bypassed:
         names = ", ".join(case.mechanisms[n].name for n in sorted(bypassed))
@@ -151,22 +151,24 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
     )
     if any(isinstance(mechanism, Law) for mechanism in efficiencies):
         yield tr(
-            "An efficiency over speed is over that of the first link against the third, one over "
-            "torque over the torque on the first link with losses; both without sign, straight "
-            "between the points, constant outside."
+            "An efficiency over speed depends on the speed of the first link relative to "
+            "the third; an efficiency over torque depends on the torque on the first link "
+            "with losses. Both use magnitudes; values are interpolated linearly between "
+            "points and held constant outside."
         )
     if case.has_drag:
         yield tr(
-            "Drag brakes its link, or the links of an open shift element against each other; it "
-            "acts in the torques with losses only."
+            "Drag brakes its link, or the links of a disengaged shift element relative to "
+            "each other. It acts only in the torques with losses."
         )
     # the gear of the state has numbers instead of laws
     gear = case.gears[case.gear_number(state.gear.name) - 1]
     by_part = case.gear_drag(gear), case.gear_open_drag(gear)
     if any(isinstance(drag, Law) for drags in by_part for drag in drags.values()):
         yield tr(
-            "Drag over speed is over that of its link, of an open shift element over its slip, "
-            "without sign: w in a formula, in rad/s; straight between points, constant outside."
+            "Drag over speed depends on the speed of its link, or on the slip of a "
+            "disengaged shift element; in a formula w is the magnitude in rad/s. Values are"
+            " interpolated linearly between points and held constant outside."
         )
 
 
@@ -225,7 +227,7 @@ def _idle(state: GearState) -> Grid:
     rows = [(mechanism.name, whole(plain(sign))) for mechanism, sign, is_given in signs if is_given]
     title = "Signs of unloaded mechanisms"
     if any(state.search.turned):
-        title = "Signs that power without losses does not tell"
+        title = "Signs not determined by the power without losses"
     return grid_of(title, ["mechanism", "sign"], rows, key="idle")
 
 

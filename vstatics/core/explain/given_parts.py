@@ -80,9 +80,9 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
         teeth = ", ".join(_teeth(element))
         row = element.name, word(element.kind.replace("_", " ")), ", ".join(links), teeth
         rows.append((*row, element.planets or "", more))
-    headings = ["element", "kind", "links", "teeth", "planets", "given"]
+    headings = ["gear set", "kind", "links", "teeth", "planets", "given"]
     more_columns = ("teeth", "planets", "given")
-    return grid_of("Elements", headings, rows, key="elements", optional=more_columns)
+    return grid_of("Gear sets", headings, rows, key="elements", optional=more_columns)
 
 
 def fills_a_gap(element: Element) -> bool:

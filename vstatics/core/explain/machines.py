@@ -23,8 +23,8 @@ class MachineShare(NamedTuple):
 
 
 MACHINES = (
-    "Machines and battery: P = -torque x speed is what a link gives to its machine, with losses; "
-    "the battery gets P eta, or gives P/eta where P is below 0"
+    "Machines and battery: P = -torque x speed is the power that a link gives to its "
+    "machine, with losses; the battery gets P eta, or gives P/eta where P is below 0"
 )
 """Rule of the balance, as a sentence for worksheets."""
 

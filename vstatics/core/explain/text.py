@@ -96,7 +96,7 @@ def sections(explanation: Explanation, digits: int | None = None) -> Iterator[Ch
             _losses(explanation, digits),
         ),
         ("balance", tr(MACHINES), _machines(explanation, digits)),
-        ("together", tr("Turning together, whatever the ratios are"), _together(explanation)),
+        ("together", tr("Links that turn together at any ratios"), _together(explanation)),
         ("ratio", tr("Ratio" if is_ratio else "Output speed"), _ratio(explanation, digits)),
     )
     for key, heading, lines in parts:
@@ -198,7 +198,7 @@ def _losses(explanation: Explanation, digits: int | None) -> Iterator[str]:
             yield from _tried(tried, digits)
     elif any(sign.lossy_ratio != sign.ratio for sign in explanation.signs) or _drags(explanation):
         if _drags(explanation):
-            yield INDENT + tr("drag stands on the right sides")
+            yield INDENT + tr("drag torques are on the right-hand sides")
         yield from _system(explanation.lossy, digits, with_symbols=False)
         yield INDENT + _efficiency(explanation, digits)
     else:

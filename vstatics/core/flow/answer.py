@@ -9,20 +9,20 @@ from vstatics.core.flow.power_flow import GearFlow
 from vstatics.core.tables.answer import TEXT, Words, document, object_of
 
 CONVENTIONS = {
-    "powers": "relative to the power at the input link, in their real direction; times "
+    "powers": "relative to the power at the input link, in the real direction; multiplied by "
     "input_link_kW they are in kW",
     "members": "above 0: from the link to the member",
-    "ports": "links with power from outside; the torque of an output is that which it gives to "
-    "its load, of another link that which acts on it",
-    "throughput": "what enters a node; of a port what passes it",
-    "teeth": "power that enters the teeth, against the carrier; of a mechanism as a whole "
-    "where there is no mesh",
-    "forward": "the edges less all loops",
-    "doubtful": "the part of the circulating power that may not be in the metal",
-    "loops": "circulating power; a note where it may not be in the metal",
-    "locked_in": "loops within what turns as one piece, which do not count",
-    "by_convention": "what turns as one piece, and whose part of the power no statics decides",
-    "null": "does not exist, or is not determined",
+    "ports": "links with external power; the torque of an output is its torque on the load, the "
+    "torque of another port acts on its link",
+    "throughput": "power that enters a node, or passes a port",
+    "teeth": "power that enters the teeth relative to the carrier; for a mechanism without meshes "
+    "the power of the whole mechanism",
+    "forward": "the edges without all loops",
+    "doubtful": "part of the recirculating power that may be an artefact of the model",
+    "loops": "recirculating power; with a note if it may be an artefact of the model",
+    "locked_in": "loops within locked-up groups, not counted",
+    "by_convention": "locked-up nodes, whose share of the power statics does not determine",
+    "null": "undefined or indeterminate",
 }
 """Meaning of the numbers of an answer, by key."""
 

@@ -81,7 +81,8 @@ class Loop(NamedTuple):
             )
             for common in self.shared
         ]
-        return text("may not be in the metal: {why}", why=", ".join(reasons)) if reasons else ""
+        doubt = "may be an artefact of the model: {why}"
+        return text(doubt, why=", ".join(reasons)) if reasons else ""
 
 
 class Cancelled(NamedTuple):

@@ -136,7 +136,7 @@ def doubt(side: PowerFlow, shown_as: Callable[[float], str]) -> str:
     """Return a phrase on recirculating power that can be an artefact; empty if all is real."""
     if not side.doubtful > 0:
         return ""
-    return tr("{power} of it may not be in the metal", power=shown_as(side.doubtful))
+    return tr("{power} of it may be an artefact of the model", power=shown_as(side.doubtful))
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:

@@ -37,7 +37,7 @@ CONFLICT = Status(
 )
 OUTPUT_STANDS = Status(
     "output stands",
-    "the output stands",
+    "the output is at rest",
     "its speed is 0, so there is no ratio",
     has_power=True,
 )

@@ -175,7 +175,7 @@ FACTS: Mapping[str, Callable[[Summary], Fact]] = {
     ),
     "least margin": _least_margin,
     "largest slip power": _most_slip_power,
-    "largest needed capacity": _most_needed,
+    "largest required torque capacity": _most_needed,
 }
 """Overall values of a case; a row is omitted if no case has the value."""
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.core.statics.results import Results
-from vstatics.core.statics.status import DRAGGED, LOCKED, NEUTRAL
+from vstatics.core.statics.status import DRAGGED, LOCKED, NEUTRAL, OUTPUT_STANDS
 from vstatics.core.summary import Summary
 from vstatics.core.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
 from vstatics.core.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, grid_of, word
@@ -15,7 +15,10 @@ from vstatics.core.tables.ports import PortTable, port_tables, ports_grid
 from vstatics.core.tables.quantities import UNITS, Quantity, headed
 
 INERTIA, ACCELERATION = "inertia, kg*m^2", "acceleration, rad/s^2"
-SHOWN_STATES = {status.name: status.english for status in (NEUTRAL, LOCKED, DRAGGED)}
+SHOWN_STATES = {
+    **{status.name: status.english for status in (NEUTRAL, LOCKED, DRAGGED)},
+    OUTPUT_STANDS.name: "output at rest",
+}
 """Words for states of gears whose names in data differ."""
 WITH_LOAD = " with load"
 """End of the key of a table whose numbers are in rpm, N*m or kW, not relative to the input."""
@@ -162,9 +165,9 @@ def _cells(shown: Quantity, line: Largest) -> Row:
 def _sensitivities(summary: Summary) -> Iterator[Grid]:
     mechanisms = summary.results.case.mechanisms
     names = [mechanism.name for mechanism in mechanisms]
-    title = "Sensitivity (u/i) di/du of the ratio i to basic ratios u"
+    title = "Sensitivity (u/i) di/du of the ratio to basic ratios"
     if any(mechanism.kind for mechanism in mechanisms):
-        title = "Sensitivity (u/i) di/du of the ratio i, u basic or speed ratio"
+        title = "Sensitivity (u/i) di/du to basic and speed ratios"
     by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     yield _by_gear(summary, title, "sensitivity", "mechanism", by_name)
     title = "Sensitivity (n/ETA) dETA/dn of the efficiency ETA"

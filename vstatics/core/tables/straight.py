@@ -32,7 +32,7 @@ def in_both_units(case: Transmission, grids: Iterable[Grid]) -> Iterator[Grid]:
     --------
     >>> from vstatics.core.tables.grid import grid_of
     >>> case = Transmission(1, [], [], [], masses={1: 2.0})
-    >>> [grid] = in_both_units(case, [grid_of("Largest", ["device", "torque [N*m]"], [])])
+    >>> [grid] = in_both_units(case, [grid_of("Largest", ["component", "torque [N*m]"], [])])
     >>> grid.columns[1].heading
     'torque [N*m; straight N]'
     """

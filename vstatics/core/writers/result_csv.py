@@ -11,8 +11,8 @@ from vstatics.core.tables.values import places, tables
 
 CONVENTIONS = (
     "ratio = w_input/w_output",
-    "torques: external ones act on a link, positive like the input's, which is 1; Mx is the "
-    "output torque, given to the load",
+    "torques: an external torque acts on a link and is positive in the direction of the input "
+    "torque, which is 1; Mx is the output torque, given to the load",
 )
 """Conventions of the numbers.
 

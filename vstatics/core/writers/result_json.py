@@ -18,14 +18,16 @@ FORMAT = "vstatics-result"
 
 CONVENTIONS = {
     "ratio": "w_input/w_output",
-    "internal_ratio": "(w_first - w_third)/(w_second - w_third)",
+    "basic_ratio": "(w_first - w_third)/(w_second - w_third)",
     "speeds": "relative to the input speed",
-    "torques": "relative to the input torque; external torques act on a link, positive like "
-    "the input's; a device's torque is that on its first link; the output torque, in the last "
-    "row of torques and lossy_torques, is that given to the load",
-    "powers": "relative to the input power; when coasting all of them turn, and losses are below 0",
-    "power_sign": "+1 the first link drives, -1 it is driven, 0 idle",
-    "null": "does not exist, or is not determined",
+    "torques": "relative to the input torque; an external torque acts on a link and is positive "
+    "in the direction of the input torque; the torque of a component is the torque that its first "
+    "link gives to it; the last row of torques and lossy_torques is the output torque, given to "
+    "the load",
+    "powers": "relative to the input power; when coasting, all powers change sign and losses are "
+    "negative",
+    "power_sign": "+1 the first link drives, -1 it is driven, 0 no power flows",
+    "null": "undefined or indeterminate",
 }
 
 

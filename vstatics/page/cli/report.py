@@ -115,7 +115,7 @@ def report_command(
     for one case, with sliders for its numbers and for the time of a simulation.
 
     Pictures need matplotlib and networkx, the vibration section needs scipy: pip install
-    ".[plot,torsion]" in the folder of the source. Without them these parts are left out.
+    ".[plot,torsion]" in the source folder. Without them these parts are left out.
 
     \b
     Examples:

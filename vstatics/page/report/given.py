@@ -131,7 +131,10 @@ def _shift_elements(case: Transmission) -> Grid:
     ]
     headings = ("shift element", "kind", "first", "second")
     more = (
-        *("drag, by the input torque", "capacity, by the input torque"),
+        *(
+            "drag torque, relative to the input torque",
+            "torque capacity, relative to the input torque",
+        ),
         *("static by kinetic torque", "friction pack, SI"),
         *ELASTIC,
     )

@@ -76,7 +76,8 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
                 if material.has_marks:
                     text = _in_unit(value, unit, abs(extreme.value), extreme.gear, loaded=loaded)
                 text = joined(text, f", {extreme.row}")
-                yield tr("largest element torque"), _in_gear(material, text, extreme.gear)
+                name = tr("largest torque of a shift element")
+                yield name, _in_gear(material, text, extreme.gear)
                 return
 
 

@@ -17,7 +17,7 @@ from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculat
 from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.options import needs, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import wrong_value
 from vstatics.core.errors import CaseError, ReadError
@@ -34,6 +34,7 @@ from vstatics.pictures.drawing.files import FORMATS, Format
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.pair import PairedCase, pair_pages
 
+_MISSING_PACKAGE = "E014"
 _FLAGS = {"columns": "x, --y, --z, --by", "wheels": "teeth"}
 """Names of options on the command line, by the option in the record of a kind."""
 
@@ -82,17 +83,20 @@ def plot_command(
       vstatics plot --kind plan --ratios 2.6,1.7,1,-4 -o wanted.svg
       vstatics new other.yaml --template aisin-8speed
       vstatics plot gearbox.yaml other.yaml --kind efficiency -o compared.svg
-      vstatics new driveline-8hp70.yaml --template driveline-8hp70
-      vstatics plot driveline-8hp70.yaml --kind traction -o forces.svg
-      vstatics new scenarios/upshift.yaml --template scenarios/8hp70-upshift
-      vstatics plot scenarios/upshift.yaml --kind shift --out heat -o upshift.png
+      echo 'vehicle: {mass: 1900 kg, radius: 0.33, final_drive: 3.15,
+        rolling: 0.012, drag_area: 0.7,
+        engine: [[100, 250], [300, 400], [600, 350]]}' >> gearbox.yaml
+      vstatics plot gearbox.yaml --kind traction -o forces.svg
+      vstatics new moskvich-start.yaml --template moskvich-start
+      vstatics new scenarios/start.yaml --template scenarios/moskvich-start
+      vstatics plot scenarios/start.yaml --kind shift --out heat -o start.png
       vstatics sweep gearbox.yaml --vary P1.efficiency=0.9:0.99:4 \\
           --vary P2.efficiency=0.9:0.99:4 --out 'efficiency[1]' -o losses.csv
       vstatics plot losses.csv --kind map --z 'efficiency[1]' -o map.svg
       cat gearbox.yaml | vstatics plot - --kind efficiency -o losses.png --dark
 
-    Pictures need matplotlib and networkx: pip install ".[plot]" in the folder of the
-    source. The kinds modes, campbell, response and dump, and scenarios, also need scipy:
+    Pictures need matplotlib and networkx: pip install ".[plot]" in the source
+    folder. The kinds modes, campbell, response and dump, and scenarios, also need scipy:
     pip install ".[plot,torsion,simulation]".
 
     Exit status 1: a case has an error, a gear is tied up, or there is nothing to draw.
@@ -112,9 +116,10 @@ def plot_command(
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
+    needs("plot", "a picture")
     style = asked.style(lang, math.inf if is_stream(to.output) else PAGE_HEIGHT)
     if ratios is not None:
-        return _plot_ratios(ratios, asked.gears, to, style)
+        return _plot_ratios(ratios, asked.gears, to, style, quiet=settings.telling.quiet)
     if record.plots:
         status: int = higher(record.plots)(cases, to, style, asked)
         return status
@@ -122,7 +127,7 @@ def plot_command(
         scenarios=True, of_runs="motion" in record.options, of_vibration=record.shows == "vibration"
     )
     if len(cases) > 1 and not to.is_folder:
-        return _plot_two(calculate(cases, takes), to, asked, style)
+        return _plot_two(calculate(cases, takes), to, asked, style, quiet=settings.telling.quiet)
     picture = partial(_shown, form=cast("Format", to.form), asked=asked, style=style)
     return carry_out(Job("plot", takes, to, picture), cases)
 
@@ -133,14 +138,19 @@ def _misplaced(kind: str, given: Mapping[str, object]) -> list[tuple[bool, str]]
 
 
 def _plot_ratios(
-    ratios: list[float], gears: Sequence[str], to: formats.Destination, style: Style
+    ratios: list[float],
+    gears: Sequence[str],
+    to: formats.Destination,
+    style: Style,
+    *,
+    quiet: bool,
 ) -> int:
     from vstatics.pictures.plan.wanted import case_of_ratios
 
     with wrong_value("--ratios"):
         case = case_of_ratios(ratios, style)
     drawn = pages(solve(case), "plan", cast("Format", to.form), style, _chosen(case, gears))
-    files.write_pages(drawn, to.output)
+    files.write_pages(drawn, to.output, quiet=quiet)
     return DONE
 
 
@@ -190,7 +200,12 @@ def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
 
 
 def _plot_two(
-    outcomes: Iterable[CalculatedCase], to: formats.Destination, asked: AskedPicture, style: Style
+    outcomes: Iterable[CalculatedCase],
+    to: formats.Destination,
+    asked: AskedPicture,
+    style: Style,
+    *,
+    quiet: bool,
 ) -> int:
     both, failed = [], False
     for outcome in outcomes:
@@ -200,7 +215,7 @@ def _plot_two(
             both.append(drawn)
     if len(both) == 2:
         sheets = pair_pages(both, asked.kind, cast("Format", to.form), style)
-        files.write_pages(sheets, to.output)
+        files.write_pages(sheets, to.output, quiet=quiet)
     return FAILED if failed else DONE
 
 
@@ -219,5 +234,7 @@ def _shown(
     try:
         drawn = pages(results, asked.kind, form, style, chosen, motion=motion)
     except CaseError as error:
+        if error.problems[0].id == _MISSING_PACKAGE:  # not a fault of the case
+            raise ReadError(error.problems) from None
         raise ReadError(problem.in_file(outcome.file) for problem in error.problems) from None
     return texts.CaseOutput([], {form: lambda _: drawn})

@@ -103,7 +103,7 @@ def draw(
     known = np.concatenate([losses.efficiency, *(other.efficiency for other in alike)])
     lowest = min(float(np.nanmin(known)), 0.99)
     scale = AxisScale(lowest - 0.12 * (1 - lowest), 1.0)
-    what = style.text("efficiency, and what each mechanism takes")
+    what = style.text("efficiency and losses of the mechanisms")
     if all(case.coasts(case.gears[place]) for place in chosen):
         what += style.text(" (coasting)")
     return list(_pages(title(case, what), losses, scale, style))

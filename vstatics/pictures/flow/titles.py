@@ -55,7 +55,7 @@ class FlowTitles(NamedTuple):
         if band.loop is not None:
             said.append(self.texts.style.text("recirculating power"))
         if self.is_doubtful(band):
-            said.append(self.texts.style.text("may not be in the metal"))
+            said.append(self.texts.style.text("may be an artefact of the model"))
         said += [self._convention] * self.is_divided(band)
         return f"{names}: {', '.join(said)}"
 

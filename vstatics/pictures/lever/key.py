@@ -95,10 +95,10 @@ def key_of(
     length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {
-        "in": text("input, and what is joined to it"),
-        "out": text("output, and what is joined to it"),
+        "in": text("input and links joined to it"),
+        "out": text("output and links joined to it"),
         "port": text("speed or torque given"),
-        "stands": text("stands"),
+        "stands": text("at rest"),
         "brake": text("held by a brake"),
         "freewheel": text("freewheel that holds"),
         "housing": text("housing"),

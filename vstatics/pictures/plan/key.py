@@ -54,7 +54,7 @@ def plan_note(
             notes.append(f"{style.text(english)}: {', '.join(names)}")
     if len(left_out) == len(case.gears):
         reason = style.text(
-            "no two gears of different ratios are told apart by one element",
+            "no single shift element separates two gears of different ratios",
         )
         notes.append(reason)
     elif not shown:
@@ -78,7 +78,7 @@ def plan_signs(
         Instants at which a run is on the plan, for each plan.
     """
     ink = {"color": style.ink}
-    element = "element of the gear: holds a link, or joins two"
+    element = "engaged shift element: holds a link or joins two"
     striped = any(len(ray.links) > 1 for plan in shown for ray in plan.rays)
     units = (
         plan.has_unit_point and x.low < 1 < x.high for plan, x in zip(shown, ranges, strict=True)

@@ -114,7 +114,7 @@ def _carried(motion: Motion) -> list[MotionPanel]:
         MotionLine((name,), motion.torques[:, place], capacity=capacities.get(name))
         for place, name in loaded(motion)
     ]
-    return panels_of("torque", "torque of elements, N·m", 1.0, lines, by_size=True)
+    return panels_of("torque", "torque of shift elements, N·m", 1.0, lines, by_size=True)
 
 
 def _elastic_torques(case: Transmission, motion: Motion) -> list[MotionPanel]:

@@ -308,7 +308,7 @@ def _check_name(
     known = (*names, *short, *words.numbers, *words.values)
     if name == PI or name in known:
         if part.subscripts:
-            message = f"read `[` behind `{name}`, expected {name} alone"
+            message = f"read `[` after `{name}`, expected {name} alone"
             message += ": that of the link itself" if name in ("speed", "angle") else ""
             raise source.error(message, part.at)
         return

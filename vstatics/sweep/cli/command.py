@@ -145,8 +145,8 @@ def sweep_command(
       vstatics sweep gearbox.yaml --vary P4.teeth.sun=21:25:3 --by gear
       vstatics sweep gearbox.yaml --vary P3.efficiency=0.95,0.97 \\
           --out 'losses[P3]' --where 'efficiency[1] > 0.9 and max(speeds) < 9'
-      vstatics sweep gearbox.yaml --vary P1.teeth.ring=90:102 \\
-          --vary P2.teeth.ring=90:102 --sample 100 \\
+      vstatics sweep gearbox.yaml --vary P1.efficiency=0.95:0.99 \\
+          --vary P2.efficiency=0.95:0.99 --sample 100 \\
           --max 'min(efficiency)' --best 10
       vstatics new car.yaml --template moskvich412
       vstatics sweep car.yaml --vary load.torque='50 N*m:150 N*m:3' --by gear
@@ -154,7 +154,7 @@ def sweep_command(
       vstatics new moskvich-start.yaml --template moskvich-start
       vstatics new scenarios/start.yaml --template scenarios/moskvich-start
       vstatics sweep scenarios/start.yaml --vary start.speeds.engine=200:260:3 \\
-          --out 'heat[clutch],peaks[propshaft]'
+          --out 'heat[clutch],peaks[tyres]'
 
     The suffix of -o gives the format: .csv .jsonl .ndjson .npz .parquet, and for tables
     with few rows .md .tex .xlsx. During the run, finished pieces are kept in OUTPUT.parts;

@@ -104,7 +104,7 @@ def _scales(pen: Pen) -> None:
 
 def torque_name(wide: float, style: Style) -> str:
     """Return the name of the abscissa, wrapped to the width of the axes [pt]."""
-    name = style.text("largest torque of an engaged element / input torque")
+    name = style.text("largest torque of an engaged shift element / input torque")
     return wrapped(name, wide + 2 * POINTS_SCALE_WIDTH)
 
 

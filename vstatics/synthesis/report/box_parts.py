@@ -196,7 +196,7 @@ def element_grid(box: ListedBox) -> Grid:
         )
         for name, gear in box.gears.items()
     ]
-    return grid_of("Torques of engaged elements, slips of open ones", ["gear", *columns], rows)
+    return grid_of("Torques and slips of shift elements", ["gear", *columns], rows)
 
 
 def set_grid(box: ListedBox) -> Grid:

@@ -134,7 +134,7 @@ def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
     if wanted.falling:
         yield tr("no step larger than the one below it")
     if ratios:
-        yield tr("besides: {ratios}", ratios=", ".join(ratios))
+        yield tr("further ratios: {ratios}", ratios=", ".join(ratios))
 
 
 def _line(listing: BoxListing) -> Markup:
@@ -169,7 +169,7 @@ def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
     svg = render_points(listing, drawn_boxes(listing, MOST_SHOWN_BOXES), spoken())
     name = tr("Mean loss over the largest torque")
     yield figure(name, inline(svg, "boxes", name))
-    yield tag("p", tr("Numbers are those of boxes with a diagram; one colour is one family."))
+    yield tag("p", tr("Boxes with a number have a diagram; each family has one colour."))
 
 
 def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator[Markup]:

@@ -64,7 +64,7 @@ def identify_command(request: OneCase, gear: str | None, mode: int, observation:
       vstatics new car.yaml --template moskvich412
       vstatics torsion identify car.yaml --gear 3 --omega 27.4
       vstatics torsion identify car.yaml --gear 3 --omega 27.4 --decrement 1.06
-      vstatics torsion identify car.yaml --gear 3 --peaks 160,-51,109,-13 \\
+      vstatics torsion identify car.yaml --gear 3 --peaks 160,-51,109,-13,70 \\
           --period 0.23
 
     \b

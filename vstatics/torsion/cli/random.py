@@ -71,11 +71,13 @@ def random_command(
 
     \b
     Examples:
-      vstatics new car.yaml --template driveline-8hp70
+      vstatics new car.yaml --template moskvich-start
       echo 'white: 0.5' > engine.yaml
       vstatics torsion random car.yaml --at engine --input engine.yaml
-      echo '{variance: 1e-4, correlation: {rate: 2}}' > road.yaml
-      vstatics torsion random car.yaml --at vehicle --by motion --input road.yaml
+      echo '{variance: 1e-4, correlation: [[1, 0.3, 0.8]],
+        speed: 36 km/h}' > road.yaml
+      vstatics torsion random car.yaml --at vehicle --by motion \\
+          --input road.yaml
 
     \b
     Exit status 1: the case or FILE has an error, or a gear cannot be excited.

@@ -11,7 +11,7 @@ from vstatics.core.numerics.arrays import Complex, Floats, first_largest
 from vstatics.core.tables.grid import Cell, Column, Grid, Row, Values, exact, grid_of, text, whole
 from vstatics.torsion.forced.harmonic_torques import GearResponse
 
-_TITLES = ("amplitudes of links [rad]", "torques of devices [N*m]")
+_TITLES = ("amplitudes of links [rad]", "torques of components [N*m]")
 
 
 def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:

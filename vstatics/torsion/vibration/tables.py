@@ -42,7 +42,7 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     for gear in gears:
         if gear.modes:
             yield _by_mode(gear, "link", "amplitudes of links", lambda mode: mode.shape, _part)
-            torques = "torques of devices at these amplitudes [N*m/rad]"
+            torques = "torques of components at these amplitudes [N*m/rad]"
             yield _by_mode(gear, "torque of", torques, lambda mode: mode.torques)
             yield _by_mode(gear, "link", "shares of kinetic energy", lambda m: m.kinetic, _part)
             yield _by_mode(
@@ -72,7 +72,7 @@ def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
             for number, mode in enumerate(gear.modes, 1)
         )
         yield grid_of(
-            "Where most of the energy is",
+            "Largest shares of energy",
             ("gear", "mode", "component", "share", "link", "share"),
             energies,
             key="energy",

@@ -121,13 +121,15 @@ def cycle_command(
 
     \b
     Examples:
-      vstatics new car.yaml --template driveline-8hp70
+      echo 'vehicle: {mass: 1900 kg, radius: 0.33, final_drive: 3.15,
+        rolling: 0.012, drag_area: 0.7,
+        engine: [[100, 250], [300, 400], [600, 350]]}' >> gearbox.yaml
       printf 'time [s],speed [km/h]\\n0,0\\n20,50\\n30,50\\n40,0\\n' > trace.csv
-      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm'
-      vstatics cycle car.yaml trace.csv --shift '1-2: 15 km/h/12 km/h'
-      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm' \\
+      vstatics cycle gearbox.yaml trace.csv --least-speed '1200 rpm'
+      vstatics cycle gearbox.yaml trace.csv --shift '1-2: 25 km/h/20 km/h'
+      vstatics cycle gearbox.yaml trace.csv --least-speed '1200 rpm' \\
           -f json | jq .cycle.energy
-      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm' \\
+      vstatics cycle gearbox.yaml trace.csv --least-speed '1200 rpm' \\
           --time-steps steps.csv
       vstatics plot steps.csv --kind curves -o cycle.svg
 

@@ -115,7 +115,7 @@ class Spectrum(NamedTuple):
         )
         yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
         if self.damage:
-            title = "Damage by the points as one record, whatever their time"
+            title = "Damage of the points as one record"
             yield damage_grid(self.damage, title)
 
 

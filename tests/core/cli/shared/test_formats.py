@@ -101,7 +101,7 @@ def test_without_openpyxl_a_workbook_is_refused_at_once(
 ) -> None:
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
     said = vstatics(command, "nowhere.yaml", "-o", "new.xlsx")
-    message = 'XLSX needs the package openpyxl: pip install "vstatics[xlsx]", or "vstatics[all]"\n'
+    message = 'XLSX needs the package openpyxl: pip install ".[xlsx]" in the source folder, or pip install openpyxl\n'
     assert (said.status, said.all, names()) == (1, message, [])
 
 

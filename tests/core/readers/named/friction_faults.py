@@ -100,6 +100,6 @@ FAULTS = [
         "spring-limit-of-force.yaml",
         9,
         58,
-        "springs.tyre.limit: read a number in N, expected one in N*m: its twist names no link of `masses`",
+        "springs.tyre.limit: read a number in N, expected N*m: its twist names no link of `masses`",
     ),
 ]

@@ -19,7 +19,7 @@ FAULTS = [
         "compliance-too-small.yaml",
         4,
         47,
-        "springs.damper.compliance: read 1e-310, expected a compliance that is not so small",
+        "springs.damper.compliance: read 1e-310, expected a compliance that is larger",
     ),
     (
         "compliance-nan.yaml",
@@ -49,7 +49,7 @@ FAULTS = [
         "damping-ratio-negative.yaml",
         4,
         63,
-        "springs.damper.damping: read a ratio of -0.02, expected one of 0 or more",
+        "springs.damper.damping: read a ratio of -0.02, expected a ratio of 0 or more",
     ),
     (
         "damping-several.yaml",

@@ -127,10 +127,10 @@ def test_yaml_aliases_share_nodes() -> None:
         ("a: \x00", 1, 4, "U+0000"),
         ("a: \x85b\x7f", 1, 6, "U+007F"),
         ("# \u2028\n- [b", 2, 5, "not YAML"),
-        ("a: !x b", 1, 4, "tag !x is not taken"),
-        ("a: !!binary b", 1, 4, "tag !!binary is not taken"),
-        ("a: !!map b", 1, 4, "tag !!map is not taken"),
-        ("a: !!set {b}", 1, 4, "tag !!set is not taken"),
+        ("a: !x b", 1, 4, "tag !x is not accepted"),
+        ("a: !!binary b", 1, 4, "tag !!binary is not accepted"),
+        ("a: !!map b", 1, 4, "tag !!map is not accepted"),
+        ("a: !!set {b}", 1, 4, "tag !!set is not accepted"),
     ],
 )
 def test_yaml_refuses(text: str, line: int, column: int, words: str) -> None:
@@ -171,7 +171,7 @@ def test_standard_tags_are_taken_and_quote() -> None:
 def test_yaml_nests_16_levels(opening: str) -> None:
     start = time.process_time()
     line, _, message = refusal(opening * 200_000)
-    assert (line, message) == (1, "nested deeper than 16 levels, expected at most that")
+    assert (line, message) == (1, "nested deeper than 16 levels, expected at most this depth")
     assert time.process_time() - start < 5
 
 

@@ -81,7 +81,7 @@ def test_without_a_unit_a_number_is_relative_to_the_input() -> None:
         ("1.2.3", "expected a number or a calculation such as -96/39"),
         ("1,5", "(with a decimal point)"),
         ("fast", "such as `2100 rpm` or `220 rad/s`, or a number relative to the input speed"),
-        ("3 rmp", "or one relative to the input speed; did you mean `rpm`?"),
+        ("3 rmp", "or a number relative to the input speed; did you mean `rpm`?"),
     ],
 )
 def test_what_is_neither_is_told(text: str, words: str) -> None:

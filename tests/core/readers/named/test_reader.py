@@ -43,7 +43,7 @@ FAULTS = [
         7,
         "shift_elements.T1: read a list of 1, expected two links: [first, second]",
     ),
-    ("element-twice.yaml", 9, 27, "gears.2.engaged[3]: element F2 is engaged twice"),
+    ("element-twice.yaml", 9, 27, "gears.2.engaged[3]: shift element F2 is engaged twice"),
     (
         "element-unknown.yaml",
         9,
@@ -82,7 +82,12 @@ FAULTS = [
     ("key-twice.yaml", 11, 1, "key `name` is given twice, the first is on line 2, column 1"),
     ("key-unknown.yaml", 7, 1, "unknown key `gaers`; did you mean `gears`?"),
     ("link-fraction.yaml", 6, 36, "mechanisms.D1.third: read '3.5', expected a link number"),
-    ("link-name-twice.yaml", 1, 20, "links[3]: link 3 has the name `sun` of link 1"),
+    (
+        "link-name-twice.yaml",
+        1,
+        20,
+        "links[3]: link 3 has the name of link 1, expected another name",
+    ),
     (
         "link-named-housing.yaml",
         1,
@@ -127,7 +132,7 @@ FAULTS = [
         "links: read 'three', expected the number of links or a list of their names",
     ),
     ("mechanism-without-ratio.yaml", 6, 3, "mechanisms.D1: `ratio` is missing"),
-    ("merge-key.yaml", 9, 9, "gears.2: merge key `<<` is not taken"),
+    ("merge-key.yaml", 9, 9, "gears.2: the merge key `<<` is not accepted"),
     ("name-of-two-lines.yaml", 2, 7, "name: read 'two\\nlines', expected one line of text"),
     ("nested-without-end.yaml", 1, 17, "nested deeper than 16 levels"),
     (
@@ -179,7 +184,7 @@ FAULTS = [
     ),
     ("speed-of-input.yaml", 9, 33, "gears.2.speeds.1: link 1 is the input"),
     ("tab.yaml", 3, 1, "not YAML: read a tab, expected blanks"),
-    ("tag.yaml", 6, 46, "tag !!python/name:os.system is not taken"),
+    ("tag.yaml", 6, 46, "tag !!python/name:os.system is not accepted"),
     ("two-documents.yaml", 10, 1, "a second document starts here"),
     ("unclosed.yaml", 8, 21, "not YAML"),
     ("gears-null.json", 1, 1, "gears: `gears` is missing or empty"),
@@ -352,9 +357,9 @@ def test_encodings_and_ends_of_lines(encoding: str, end: str) -> None:
     [
         (b"", 1, 1, "the file is empty"),
         (b" \r\n\n", 1, 1, "the file is empty"),
-        (b"links: 3\nname: \xcf\xe5", 2, 7, "no UTF-8 text"),
-        ("ю: Ж".encode() + b"\xd0", 1, 5, "no UTF-8 text"),
-        (codecs.BOM_UTF16_LE + b"a\0\n\0b\0\x00\xd8", 2, 2, "no UTF-16 text"),
+        (b"links: 3\nname: \xcf\xe5", 2, 7, "not valid UTF-8"),
+        ("ю: Ж".encode() + b"\xd0", 1, 5, "not valid UTF-8"),
+        (codecs.BOM_UTF16_LE + b"a\0\n\0b\0\x00\xd8", 2, 2, "not valid UTF-16"),
         (b"links: 3\n\x7fELF\0\0", 2, 5, "a zero byte"),
         ("links: 3".encode("utf-16-le"), 1, 2, "a zero byte"),
     ],
@@ -663,12 +668,12 @@ def test_a_link_that_has_a_number_is_told_from_a_speed_by_the_word_link() -> Non
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ("1.05*FI", "expected the name of a link behind the `*`: engine, FL, FR"),
+        ("1.05*FI", "expected the name of a link after the `*`: engine, FL, FR"),
         ("FL*1.05", "expected the factor before the link: `1.05*FL`"),
         ("FL / 1.02", "expected the factor before the link: `1/1.02*FL`"),
         ("0*FL", "read a factor of 0"),
-        ("2*FR", "given by itself"),
-        ("2*300 Nm", "or one relative to the input speed; this is a torque"),
+        ("2*FR", "is a multiple of itself"),
+        ("2*300 Nm", "or a number relative to the input speed; this is a torque"),
         ("2**FL", "expected a number or a calculation"),
     ],
 )

@@ -127,7 +127,7 @@ def test_lookalikes_are_named_letter_by_letter(seed: int) -> None:
         (("ratio:", "rаtio:"), "did you mean `ratio`. Letter 2, `а`, is Cyrillic in what was"),
         (("third: out", "third: оut"), "did you mean `out`. Letter 1, `о`, is Cyrillic"),
         (("3000 rpm", "3000 rрm"), "did you mean `rpm`. Letter 2, `р`, is Cyrillic"),
-        (("ratio: -2.5", "ratio: \u22122.5"), "with `-` in place of `\u2212`"),
+        (("ratio: -2.5", "ratio: \u22122.5"), "with `-` instead of `\u2212`"),
     ],
 )
 def test_a_case_with_foreign_letters(change: tuple[str, str], said: str) -> None:
@@ -144,7 +144,7 @@ READERS: list[Callable[[str], object]] = [
 @pytest.mark.parametrize("dash", "\u2212\u2013\u2014")
 def test_a_dash_in_a_deck_is_pointed_out(dash: str) -> None:
     for reader in READERS:
-        with pytest.raises(CaseError, match=rf"IAB\(1\): .* \(with `-` in place of `{dash}`\)"):
+        with pytest.raises(CaseError, match=rf"IAB\(1\): .* \(with `-` instead of `{dash}`\)"):
             reader(DECK.replace("-2.5", f"{dash}2.5"))
 
 

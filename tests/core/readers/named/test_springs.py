@@ -168,12 +168,12 @@ def test_a_result_has_the_case_and_is_read_as_one(tmp_path: Path) -> None:
     ("text", "said"),
     [
         ("springs: 3", "case.yaml:1:10: error: springs: read '3', expected a mapping: a name for each"),
-        ("springs: {s: }", "case.yaml:1:14: error: springs.s: expected `links`, those of a shaft, or"),
+        ("springs: {s: }", "case.yaml:1:14: error: springs.s: expected `links`, the two links of a shaft, or"),
         ("springs: {s: {links: [], stiffness: 3}}", "read a list of 0, expected two links"),
         ("springs: {s: {links: a, stiffness: 3}}", "read 'a', expected two links"),
         ("springs: {s: {links: [housing], stiffness: 3}}", "joins link 0 (the housing) to itself"),
         ("springs: {s: {links: [a], stifness: 3}}", "unknown key `stifness`; did you mean `stiffness`?"),
-        ("springs: {s: {twist: {0: 1}, stiffness: 3}}", "the twist is empty"),
+        ("springs: {s: {twist: {0: 1}, stiffness: 3}}", "read an empty twist"),
         ("springs: {s: {twist: [a], stiffness: 3}}", "read a list, expected a mapping: a number for"),
         (
             "links: 9\nsprings: {s: {links: [1], stiffness: 3}}",
@@ -214,7 +214,9 @@ elements:
 springs: {{"{other}": {{links: [a], stiffness: 8}}}}
 """
     [told] = [one for one in messages(text) if ": error: " in one]
-    assert told.startswith(f"case.yaml:7:11: error: springs.{other}: `{other}` is the name of a")
+    assert told.startswith(
+        f"case.yaml:7:11: error: springs.{other}: `{other}` is also the name of a"
+    )
 
 
 def test_an_element_has_no_name_of_a_shift_element() -> None:
@@ -240,7 +242,7 @@ def test_inertias_and_a_clutch_are_a_case() -> None:
     assert loaded(write_yaml(case)) == case
     [told] = library.solve(case).messages
     assert told.id == "N420"
-    assert "link engine turns freely: the case has no gears" in told.text
+    assert "link engine turns freely, because the case has no gears" in told.text
 
 
 def test_links_with_inertia_alone_are_a_case() -> None:
@@ -326,7 +328,7 @@ def test_a_deck_has_no_friction() -> None:
     ("changes", "said"),
     [
         ({"static": math.nan}, "static: read nan, expected 1 or more"),
-        ({"friction": Friction(0.1, 0.1, 1, ())}, "coefficient: there is no point"),
+        ({"friction": Friction(0.1, 0.1, 1, ())}, "coefficient: read no points"),
         ({"friction": Friction(0.1, 0.1, 0, ((0, 0.1),))}, "surfaces: read 0, expected a whole"),
         ({"friction": Friction(0.1, 0.1, 1, ((math.nan, 0.1),))}, "read nan, expected a slip"),
         ({"friction": Friction(0.1, math.inf, 1, ((0, 0.1),))}, "area: read inf, expected an area"),

@@ -159,7 +159,7 @@ def test_other_sheets_and_empty_rows_do_not_matter() -> None:
         ({"case!A3": "lod.speed"}, "case!A3: error: unknown key `lod`; did you mean `load`?"),
         ({"case!A3": "load..speed"}, "case!A3: error: `load..speed`: read nothing"),
         ({"case!B3": None}, "case!A3: error: expected a path and a value"),
-        ({"case!D3": "mine"}, "case!D3: error: read `mine`, but beside path and value nothing"),
+        ({"case!D3": "mine"}, "case!D3: error: read `mine`, but the columns after path and value"),
         ({"case!A3": "name"}, "case!A3: error: `name` is given twice"),
         ({"case!A3": "name.x"}, "case!A3: error: `name` is given as a whole, too"),
     ],

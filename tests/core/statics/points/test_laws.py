@@ -423,4 +423,4 @@ def test_a_solution_at_the_least_efficiency_hides_no_other() -> None:
     assert 0.95 - 0.65 * (sun(0.66) - 14) < 0.66
     results = solve(loads(TORQUES.format(efficiency=law)))
     assert [one.id for one in results.messages if one.id != "N414"] == ["W426"]
-    assert "more than one torque agrees" in results.messages[-1].text
+    assert "more than one torque is consistent" in results.messages[-1].text

@@ -169,7 +169,7 @@ def test_of_two_cases_one_without_a_load_has_no_number_in_units(
     other.write_text(BOX[: BOX.index("load:")].replace("-2.5", "-3"), encoding="utf-8")
     window = opened(browser, tmp_path, vstatics("report", box, other, "-o", "-").out)
     cell = """([label]) => document.querySelector(
-      `td[data-case=${label}][data-result=W][data-row="-out"][data-gear=low]`).textContent"""
+      `td[data-case=${label}][data-result=speeds][data-row="-out"][data-gear=low]`).textContent"""
     assert [window.evaluate(cell, [one]) for one in "AB"] == ["0.286", "0.250"]  # 1/3.5, 1/4
     chosen(window, "si")
     assert [window.evaluate(cell, [one]) for one in "AB"] == ["857.1", "\N{EN DASH}"]

@@ -26,7 +26,7 @@ def test_the_gearbox_itself_is_found() -> None:
         (
             ("--free", "elements=1", *COUNTS, *KEEP[2:]),
             2,
-            "--free says what of --keep CASE may be missing",
+            "--free applies to the case of --keep",
         ),
         (("--keep", "cases/none.yaml", *KEEP[2:]), 1, "none.yaml"),
         (("--keep", "cases/two-stage.yaml", *KEEP[2:]), 1, "P0 is not a planetary gear set"),

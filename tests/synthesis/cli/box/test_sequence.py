@@ -35,7 +35,7 @@ def test_what_is_told_has_the_steps_that_are_wanted() -> None:
             ("--gears", "3", "--step-ratios", "1.8:1.2"),
             "--step-ratios: read 1.8:1.2, expected two numbers from",
         ),
-        (("--ratios", 3, "--falling"), "say what --gears have"),
+        (("--ratios", 3, "--falling"), "describe --gears"),
         ((), "Missing option '--ratios'"),
     ],
 )

@@ -13,7 +13,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.errors import CaseError, Problem, ReadError, excerpt, of_file, printable
+from vstatics.core.errors import (
+    CaseError,
+    Problem,
+    ReadError,
+    excerpt,
+    of_file,
+    printable,
+    spoken,
+)
 from vstatics.core.jobs.files import (
     STDIN_NAME,
     STDOUT,
@@ -219,8 +227,10 @@ def write_data(data: bytes, output: str | None) -> None:
         write(data)
 
 
-def write_pages(pages: Sequence[bytes], output: str | None) -> None:
+def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = False) -> None:
     """Write the pages of a picture to a file each, or the only page to a stream.
+
+    Unless `quiet`, the names of further files are printed.
 
     Raises
     ------
@@ -231,12 +241,15 @@ def write_pages(pages: Sequence[bytes], output: str | None) -> None:
         [data] = pages
         write_data(data, output)
         return
-    from vstatics.core.jobs.page_files import replace_pages  # costs start-up time
+    from vstatics.core.jobs.page_files import page_name, replace_pages  # costs start-up time
 
     try:
         replace_pages(output, pages)
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
+    if len(pages) > 1 and not quiet:
+        further = (page_name(output, number) for number in range(2, len(pages) + 1))
+        say(f"{output} continues in {spoken(further)}")
 
 
 def write_coloured(text: str) -> None:

@@ -53,5 +53,6 @@ def carry_out(
         policy = job.options.telling._replace(notes=True)
         show_problems(shown.problems, policy, outcome.file)
         outcome = outcome.with_told(shown.problems)
-        files.write_pages(texts.alone(outcome.file, shown, to), to.output)
+        pages = texts.alone(outcome.file, shown, to)
+        files.write_pages(pages, to.output, quiet=policy.quiet)
     return FAILED if outcome.failed else DONE

@@ -352,19 +352,19 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
         return f"read `{read}`, which this language does not have"
     shown = quoted(read or source.text[at])
     expected = "expected an operator such as `+`, `<` or `and`, or an end"
-    return f"read {shown} behind {quoted(before)}, {expected}"
+    return f"read {shown} after {quoted(before)}, {expected}"
 
 
 def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) -> str:
     """Return the message for a text that was read instead of an operand.
 
     >>> no_operand(Excerpt("1 + * 2", "--where"), 4, "*", "+", "a number")
-    'read `*` behind `+`, expected a number'
+    'read `*` after `+`, expected a number'
     """
     if ELSEWHERE.get(read) in ("-", "not"):
         return f"read `{read}`, expected `{ELSEWHERE[read]}`"
     if source.has("[", at):
         return "read `[`, expected a table before it, such as speeds[:,1]"
-    behind = f" behind {quoted(before)}" if before else ""
+    behind = f" after {quoted(before)}" if before else ""
     shown = f"read {quoted(read or source.text[at])}" if at < source.end else "the text ends"
     return f"{shown if source.part.strip() else 'read nothing'}{behind}, expected {operands}"

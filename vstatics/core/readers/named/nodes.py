@@ -180,7 +180,7 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
             )
         document = DocumentText(Source(file, data.decode(encoding, "replace")))
         before = Source(file, data[: error.start].decode(encoding, "ignore")).lines
-        message = f"no {encoding.removesuffix('-sig').upper()} text: {error.reason}"
+        message = f"not valid {encoding.removesuffix('-sig').upper()}: {error.reason}"
         message = f"{message} (byte {error.start + 1} of the file); save it in UTF-8"
         document.stop(message, len(before), len(before[-1]) + 1)
     document = DocumentText(Source(file, with_plain_blanks(text)))

@@ -167,6 +167,11 @@ _MEANT = {
 """Suggestions for wrong units of speed or torque, by the letters of the unit."""
 
 
+_MASSES = ("kg", "g", "t")
+_MEASURES = ("force", "length", "time", "angle")
+"""Kinds of factors that messages name."""
+
+
 def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     """Return a speed in rpm, a torque in N*m or a power in kW.
 
@@ -212,6 +217,8 @@ def usual(read: str, kind: Quantity | None) -> str:
 
     >>> usual("Hz", "speed"), usual(",5", None)
     ('; did you mean `rev/s` or `rad/s`?', ' (with a decimal point)')
+    >>> usual("kg", "torque"), usual("N", "torque")
+    ('; `kg` is a unit of mass', '; `N` is a unit of force')
     """
     hint = slip(read)
     if hint or kind is None:
@@ -221,7 +228,17 @@ def usual(read: str, kind: Quantity | None) -> str:
     meant = next(alike, _MEANT.get(letters))
     if meant:
         return f"; did you mean `{meant}`?"
+    if measure := _measure(read.strip()):
+        return f"; `{read.strip()}` is a unit of {measure}"
     return nearest(read[:LONGEST_UNIT], _USUAL[kind]) or mixed_letters(read)
+
+
+def _measure(text: str) -> str:
+    """Return the measure of a single unit that belongs to no quantity of a load, or nothing."""
+    if text in _MASSES:
+        return "mass"
+    parts = factors(text) if text else []
+    return parts[0][0] if len(parts) == 1 and parts[0][0] in _MEASURES else ""
 
 
 def _letters(text: str) -> str:

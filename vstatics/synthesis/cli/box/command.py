@@ -27,7 +27,10 @@ LOADING_SECONDS = 5.0
 
 @command
 @options
-@formats.options(*formats.TABLES)
+@formats.options(
+    *formats.TABLES,
+    output_help="Output file, or a directory for all gearboxes as cases with diagrams and a page.",
+)
 @shared("a stopped search with -o")
 @under(
     PROCESSING,
@@ -71,7 +74,7 @@ def box_command(
     During the search, finished pieces are kept in DIR.parts or FILE.parts; --resume
     continues from them, also with other options of the selection.
 
-    The search needs numba and networkx, pip install ".[boxes]" in the folder of the source;
+    The search needs numba and networkx, pip install ".[boxes]" in the source folder;
     diagrams also need matplotlib, ".[boxes,plot]".
 
     \b

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared.cases import RequiredUnless
-from vstatics.core.cli.shared.command import RenamedOption
+from vstatics.core.cli.shared.command import RenamedOption, under
 from vstatics.core.cli.shared.options import Option, gathered, refuse
 from vstatics.core.cli.shared.values import (
     each,
@@ -177,160 +177,191 @@ def _own_option(port: str) -> Option:
 
 _TOLERANCE: float = BoxSearch._field_defaults["tolerance"]
 
+_STRUCTURE = "Structure"
+_GEARS = "Gears"
+_KEPT = "Existing gearbox"
+_SELECTION = "Selection and order"
+
 options = gathered(
     "asked",
     _asked,
     gathered(
         "search",
         partial(BoxSearch, targets=()),
-        _count_option("sets", "N", "Number of planetary gear sets."),
-        _count_option("elements", "M", "Number of brakes and clutches.", "--elements"),
-        _count_option("engaged", "E", "Number of shift elements engaged in every gear."),
-        gathered(
-            "gears",
-            wanted_gears,
-            click.option(
-                "--ratios",
-                "targets",
-                multiple=True,
-                required=True,
-                cls=RequiredUnless,
-                unless="gears_wanted",
-                callback=value(each(wanted_ratio), "--ratios"),
-                metavar="I,...",
-                help="Wanted ratio or range of each gear, negative for reverse: 5.8:6.2,1,-4:-2.5.",
+        under(
+            _STRUCTURE,
+            _count_option("sets", "N", "Number of planetary gear sets."),
+            _count_option("elements", "M", "Number of brakes and clutches.", "--elements"),
+            _count_option("engaged", "E", "Number of shift elements engaged in every gear."),
+        ),
+        under(
+            _GEARS,
+            gathered(
+                "gears",
+                wanted_gears,
+                click.option(
+                    "--ratios",
+                    "targets",
+                    multiple=True,
+                    required=True,
+                    cls=RequiredUnless,
+                    unless="gears_wanted",
+                    callback=value(each(wanted_ratio), "--ratios"),
+                    metavar="I,...",
+                    help="Wanted ratio or range of each gear, negative for reverse: "
+                    "5.8:6.2,1,-4:-2.5.",
+                ),
+                click.option(
+                    "--tolerance",
+                    multiple=True,
+                    default=[str(_TOLERANCE)],
+                    callback=value(wanted_tolerances(_TOLERANCE), "--tolerance"),
+                    metavar="T,...",
+                    help="Largest |ln(i/wanted)| of all gears, or of one gear: 0.01,1=0.04,R=0.2.  "
+                    "[default: 0.01]",
+                ),
             ),
-            click.option(
-                "--tolerance",
-                multiple=True,
-                default=[str(_TOLERANCE)],
-                callback=value(wanted_tolerances(_TOLERANCE), "--tolerance"),
-                metavar="T,...",
-                help="Largest |ln(i/wanted)| of all gears, or of one gear: 0.01,1=0.04,R=0.2.  "
-                "[default: 0.01]",
+            gathered(
+                "sequence",
+                wanted_sequence,
+                click.option(
+                    "--gears",
+                    "gears_wanted",
+                    is_eager=True,
+                    callback=value(gear_counts, "--gears"),
+                    metavar="A:B",
+                    help="Number of further forward gears with any ratio: A, or from A to B.",
+                ),
+                click.option(
+                    "--spread",
+                    callback=value(ends, "--spread"),
+                    metavar="LOW:HIGH",
+                    help="Range of the spread of --gears: the first ratio divided by the last.",
+                ),
+                click.option(
+                    "--step-ratios",
+                    "steps",
+                    cls=RenamedOption,
+                    former=["--steps"],
+                    callback=value(ends, "--step-ratios"),
+                    metavar="LOW:HIGH",
+                    help="Range of the step ratios of --gears: each ratio divided by the next.",
+                ),
+                click.option(
+                    "--falling",
+                    is_flag=True,
+                    help="Let no step ratio be larger than the step ratio below it.",
+                ),
             ),
         ),
-        gathered(
-            "sequence",
-            wanted_sequence,
+        under(
+            _STRUCTURE,
             click.option(
-                "--gears",
-                "gears_wanted",
-                is_eager=True,
-                callback=value(gear_counts, "--gears"),
-                metavar="A:B",
-                help="Number of further forward gears with any ratio: A, or from A to B.",
-            ),
-            click.option(
-                "--spread",
-                callback=value(ends, "--spread"),
+                "--bounds",
+                default="1.4:5",
+                show_default=True,
+                callback=value(told(partial(pair, example="1.4:5")), "--bounds"),
                 metavar="LOW:HIGH",
-                help="Range of the spread of --gears: the first ratio divided by the last.",
+                help="Range of ring teeth divided by sun teeth of each gear set.",
             ),
-            click.option(
-                "--step-ratios",
-                "steps",
-                cls=RenamedOption,
-                former=["--steps"],
-                callback=value(ends, "--step-ratios"),
-                metavar="LOW:HIGH",
-                help="Range of the step ratios of --gears: each ratio divided by the next.",
+            _more_option("meshed", "Number of double-pinion gear sets.", "--meshed"),
+            _own_option("input"),
+            _own_option("output"),
+            _more_option(
+                "shafts",
+                "Number of further shafts without gear-set members; each connects three or more "
+                "shift elements.",
             ),
-            click.option(
-                "--falling", is_flag=True, help="Let no step ratio exceed the next lower one."
-            ),
+            _more_option("fixed", "Number of gear-set members that are always held."),
+        ),
+    ),
+    under(
+        _KEPT,
+        click.option(
+            "--keep",
+            type=click.Path(),
+            is_eager=True,
+            metavar="CASE",
+            help="Case whose structure, gear sets, input, output and shift elements are kept.",
         ),
         click.option(
-            "--bounds",
-            default="1.4:5",
+            "--free",
+            multiple=True,
+            callback=value(free_parts, "--free"),
+            metavar="shift-elements=N",
+            help="Largest number of shift elements of that case that can be left out.",
+        ),
+    ),
+    under(
+        _STRUCTURE,
+        click.option(
+            "--efficiency",
+            type=float,
+            default=EFFICIENCY,
             show_default=True,
-            callback=value(told(partial(pair, example="1.4:5")), "--bounds"),
-            metavar="LOW:HIGH",
-            help="Range of ring teeth divided by sun teeth of each gear set.",
+            callback=value(_efficiency, "--efficiency"),
+            metavar="ETA",
+            help="Basic efficiency of each gear set, carrier held.",
         ),
-        _more_option("meshed", "Number of double-pinion gear sets.", "--meshed"),
-        _own_option("input"),
-        _own_option("output"),
-        _more_option(
-            "shafts",
-            "Number of further shafts without gear-set members; each connects three or more shift "
-            "elements.",
-        ),
-        _more_option("fixed", "Number of gear-set members that are always held."),
     ),
-    click.option(
-        "--keep",
-        type=click.Path(),
-        is_eager=True,
-        metavar="CASE",
-        help="Case whose structure, gear sets, input, output and shift elements are kept.",
-    ),
-    click.option(
-        "--free",
-        multiple=True,
-        callback=value(free_parts, "--free"),
-        metavar="shift-elements=N",
-        help="Largest number of shift elements of that case that can be left out.",
-    ),
-    click.option(
-        "--efficiency",
-        type=float,
-        default=EFFICIENCY,
-        show_default=True,
-        callback=value(_efficiency, "--efficiency"),
-        metavar="ETA",
-        help="Basic efficiency of each gear set, carrier held.",
-    ),
-    gathered(
-        "figures",
-        WantedFigures,
-        click.option(
-            "--single", is_flag=True, help="Change one shift element between neighbouring gears."
+    under(
+        _SELECTION,
+        gathered(
+            "figures",
+            WantedFigures,
+            click.option(
+                "--single",
+                is_flag=True,
+                help="Change one shift element between neighbouring gears.",
+            ),
+            click.option(
+                "--planar", is_flag=True, help="Require a stick diagram without crossing shafts."
+            ),
+            click.option(
+                "--brakes",
+                multiple=True,
+                metavar="N,..",
+                help="Allowed numbers of brakes: 2, or 2,3.",
+            ),
+            click.option(
+                "--clutches", multiple=True, metavar="N,..", help="Allowed numbers of clutches."
+            ),
+            click.option(
+                "--limit",
+                "limits",
+                multiple=True,
+                callback=value(_limits, "--limit"),
+                metavar="FIGURE=X,...",
+                help="Largest values of figures, such as loss=0.05,torque=4. Figures are "
+                f"{spoken(LIMITED, 'and')}.",
+            ),
+        ),
+        gathered(
+            "order",
+            BoxOrder,
+            click.option(
+                "--sort",
+                multiple=True,
+                callback=value(_names, "--sort"),
+                metavar="FIGURE,...",
+                help="Sort by these figures, the smallest values first.",
+            ),
+            click.option(
+                "--pareto",
+                multiple=True,
+                default=PARETO,
+                callback=value(_names, "--pareto"),
+                metavar="FIGURE,...",
+                help=f"Figures of the Pareto list.  [default: {','.join(PARETO)}]",
+            ),
         ),
         click.option(
-            "--planar", is_flag=True, help="Require a stick diagram without crossing shafts."
-        ),
-        click.option(
-            "--brakes", multiple=True, metavar="N,..", help="Allowed numbers of brakes: 2, or 2,3."
-        ),
-        click.option(
-            "--clutches", multiple=True, metavar="N,..", help="Allowed numbers of clutches."
-        ),
-        click.option(
-            "--limit",
-            "limits",
+            "--weights",
             multiple=True,
-            callback=value(_limits, "--limit"),
-            metavar="FIGURE=X,...",
-            help="Largest values of figures, such as loss=0.05,torque=4. Figures are "
-            f"{spoken(LIMITED, 'and')}.",
+            callback=value(named("GEAR=WEIGHT", number), "--weights"),
+            metavar="GEAR=WEIGHT,...",
+            help="Weights of forward gears in the mean drag torque, such as 1=3.  [default: 1]",
         ),
-    ),
-    gathered(
-        "order",
-        BoxOrder,
-        click.option(
-            "--sort",
-            multiple=True,
-            callback=value(_names, "--sort"),
-            metavar="FIGURE,...",
-            help="Sort by these figures, the smallest values first.",
-        ),
-        click.option(
-            "--pareto",
-            multiple=True,
-            default=PARETO,
-            callback=value(_names, "--pareto"),
-            metavar="FIGURE,...",
-            help=f"Figures of the Pareto list.  [default: {','.join(PARETO)}]",
-        ),
-    ),
-    click.option(
-        "--weights",
-        multiple=True,
-        callback=value(named("GEAR=WEIGHT", number), "--weights"),
-        metavar="GEAR=WEIGHT,...",
-        help="Weights of forward gears in the mean drag torque, such as 1=3.  [default: 1]",
     ),
 )
 """Options of search, filter and order, combined into the argument `asked` of the command."""

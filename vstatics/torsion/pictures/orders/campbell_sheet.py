@@ -84,7 +84,7 @@ class CampbellSheet(NamedTuple):
         for numbers, english in (
             (
                 [n for n in every if n not in excited],
-                "the input stands in mode",
+                "the input is at rest in mode",
             ),
             (
                 [n for n in every if n in excited - met],

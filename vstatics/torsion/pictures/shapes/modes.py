@@ -179,7 +179,7 @@ def _part(results: Results, gear: int, modes: GearModes, style: Style) -> _GearM
     marks = {name: str(place) for place, name in enumerate(springs(links), 1)}
     note = style.text("amplitudes of links, the largest is 1")
     for names, english in (
-        (links.resting, "these stand"),
+        (links.resting, "at rest"),
         (links.idle, "without load"),
     ):
         if names:

@@ -1,0 +1,151 @@
+"""Help texts: examples run as printed, options are under headings, former names of options work."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+import pytest
+
+from tests.commands import CASES, process, vstatics
+from tests.installed import HERE, missing, used_in
+from tests.test_readme import prepared, run_all
+from vstatics.core.cli import main
+from vstatics.core.cli.shared.command import HeadedCommand, RenamedOption
+
+GEARBOX = "vstatics new gearbox.yaml --template zf-8hp70"
+"""Command that writes the case of the examples, from the help of the program."""
+ENDLESS = "vstatics serve"
+"""Commands that run until they are stopped."""
+
+
+def walk(command: click.Command, name: str) -> Iterator[tuple[str, click.Command]]:
+    """Yield a command and the commands of a group, with their full names."""
+    yield name, command
+    if isinstance(command, click.Group):
+        context = click.Context(command, info_name=name)
+        for inner in command.list_commands(context):
+            found = command.get_command(context, inner)
+            assert found is not None
+            yield from walk(found, f"{name} {inner}".strip())
+
+
+COMMANDS = dict(walk(main, ""))
+"""All commands by name; the name of the program is left out."""
+
+
+def examples(command: click.Command) -> list[str]:
+    """Return the commands in the indented lines of a help text, which can be continued."""
+    lines = inspect.cleandoc(command.help or "").splitlines()
+    found: list[str] = []
+    for line in lines:
+        if found and (found[-1].endswith("\\") or found[-1].count("'") % 2):
+            found[-1] += f"\n{line}"
+        elif re.match(r"  (?:vstatics|cat|echo|find|git|mkdir|printf) ", line):
+            found.append(line.strip())
+    return found
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(
+    not (shutil.which("bash") and shutil.which("jq")), reason="bash or jq is missing"
+)
+@pytest.mark.parametrize("name", COMMANDS)
+def test_examples_of_a_help_text_run(name: str, tmp_path: Path) -> None:
+    folder = prepared(tmp_path)
+    for shipped in ("cases", "schemas"):
+        (folder / shipped).unlink()  # the examples have the files that they write
+    if "synthesis" in HERE and "synth box" in (COMMANDS[name].help or ""):
+        from vstatics.synthesis.boxes.batches.found import prepare
+        from vstatics.synthesis.boxes.box import BoxSearch
+
+        prepare(BoxSearch(1, 2, 1, (3.0, 1.0)))  # compile before the time limit of the examples
+    asked = [GEARBOX, *examples(COMMANDS[name])] if name else examples(main)
+    asked = [line for line in asked if not line.startswith(ENDLESS)]
+    asked = [line for line in asked if not missing(used_in(line))]
+    lines = [f"{line}\necho status $?" for line in asked]
+    lines[0] = f"set -o pipefail; git init -q .; {lines[0]}; git add -A"
+    failed = [
+        f"$ {line}\n{output}"
+        for line, output in zip(asked, run_all(lines, folder, seconds=600), strict=True)
+        if output.splitlines()[-1:] != ["status 0"]
+    ]
+    assert not failed, "\n".join(failed)
+
+
+@pytest.mark.parametrize("name", [name for name in COMMANDS if name])
+def test_a_help_text_has_examples_of_its_command(name: str) -> None:
+    lines = [
+        line for line in examples(COMMANDS[name]) if f"vstatics {name.split(maxsplit=1)[0]}" in line
+    ]
+    assert lines or name.startswith("damage"), name
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_options_are_under_headings(name: str) -> None:
+    command = COMMANDS[name]
+    options = [option for option in command.params if isinstance(option, click.Option)]
+    shown = vstatics(*name.split(), "--help").out
+    if isinstance(command, click.Group):
+        return
+    assert isinstance(command, HeadedCommand)
+    headings = re.findall(r"(?m)^(\w[\w ]*):$", shown)
+    assert headings == (["Options"] if len(options) <= 6 else sorted(headings, key=headings.index))
+    assert len(options) <= 6 or headings[-1] == "Help"
+
+
+def test_exit_statuses_of_all_commands_are_stated_once() -> None:
+    assert "Exit status of all commands:" in (main.help or "")
+    for name, command in COMMANDS.items():
+        assert not name or not re.search("2 wrong use|0 done", command.help or ""), name
+
+
+FORMER = [
+    ("synth box", "--shift-elements", "--elements"),
+    ("synth box", "--double-pinion", "--meshed"),
+    ("synth box", "--step-ratios", "--steps"),
+    ("synth combinations", "--shift-elements", "--elements"),
+    ("run", "--unloaded", "--idle"),
+    ("summary", "--gearbox", "--box"),
+    ("plot", "--teeth", "--wheels"),
+    ("simulate", "--time-step", "--step"),
+    ("cycle", "--time-steps", "--steps"),
+]
+
+
+@pytest.mark.parametrize(("name", "option", "former"), FORMER)
+def test_a_former_name_is_neither_listed_nor_completed(name: str, option: str, former: str) -> None:
+    if missing(used_in(f"vstatics {name} {option}")):
+        pytest.skip("the annex of the option is not installed")
+    shown = vstatics(*name.split(), "--help").out
+    assert re.search(rf"{option}\b", shown)
+    assert not re.search(rf"(?<!\w){former}\b", shown)
+    words = ["vstatics", *name.split(), "--"]
+    _, out, _ = process(
+        _VSTATICS_COMPLETE="bash_complete",
+        COMP_WORDS=" ".join(words),
+        COMP_CWORD=str(len(words) - 1),
+    )
+    completed = out.decode().split()
+    assert (f"plain,{option}" in completed, f"plain,{former}" in completed) == (True, False)
+
+
+def test_former_names_work() -> None:
+    every = {
+        (name, option.former)
+        for name, command in COMMANDS.items()
+        for option in command.params
+        if isinstance(option, RenamedOption) and option.former
+    }
+    assert {former for _, names in every for former in names} <= {former for *_, former in FORMER}
+    case = str(CASES / "differential.yaml")
+    for option in ("--unloaded", "--idle"):
+        assert vstatics("run", case, option, "never").is_wrong_use("Invalid value for '--unloaded'")
+    exact = [
+        vstatics("run", case, option, "exact", "-f", "json") for option in ("--unloaded", "--idle")
+    ]
+    assert exact[0].out == exact[1].out != ""
