@@ -329,7 +329,7 @@ def _text(data: bytes, file: str, line: int) -> str:
         return with_plain_blanks(data.decode())
     except UnicodeDecodeError as error:
         if b"\0" in data[: error.start]:
-            message = "a zero byte: this is no text; save the table as CSV in UTF-8"
+            message = "read a zero byte, so this is not a text; save the table as CSV in UTF-8"
             raise refusal(message, Place(file, line, 1)) from None
         column = len(data[: error.start].decode()) + 1
         place = Place(file, line, column, data.decode(errors="replace"))
