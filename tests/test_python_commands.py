@@ -62,7 +62,7 @@ def test_a_text_is_checked_as_its_file_is_and_opens_none() -> None:
     skip_without("simulation")
     run = "{case: box.yaml, duration: 1, start: {speeds: {1: 10}}}"
     (refused,) = vstatics.check(io.StringIO(run))
-    assert (refused.id, "are not read" in refused.message) == ("E660", True)
+    assert (refused.id, "cannot name a file" in refused.message) == ("E660", True)
     with pytest.raises(vstatics.ReadError, match="E660"):
         vstatics.load_scenario(io.StringIO(run))
     Path("run.yaml").write_text(run, encoding="utf-8")

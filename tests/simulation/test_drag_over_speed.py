@@ -110,7 +110,7 @@ def test_a_clutch_that_closes_drags_no_more() -> None:
 
 def test_a_formula_that_turns_below_0_is_told() -> None:
     with pytest.raises(
-        CaseError, match=r"the drag of 1: read -0\.\d+, expected a torque of 0 or more"
+        CaseError, match=r"the drag torque of 1 is -0\.\d+ N\*m, expected 0 or more"
     ):
         run(dragged_link(DragFormula("1 - w/30")), 30.0, {1: 50.0})
 

@@ -98,7 +98,7 @@ def test_many_jobs_and_several_pieces_give_the_same_rows(
     [
         ("ratio[1]", "each row is of a gear, expected ratio"),
         ("k=1, k=2", "two columns are called `k`"),
-        ("ratio=1", "`ratio` means something already"),
+        ("ratio=1", "`ratio` already has a meaning"),
         ("pi[1]", "`pi` is a number"),
         ("sqrt(1, 2)", "sqrt of 2 parts, expected one"),
     ],

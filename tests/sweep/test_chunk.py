@@ -187,7 +187,7 @@ def test_a_chunk_becomes_a_table_of_pandas() -> None:
     ("arguments", "words"),
     [
         ({"vary": {"D.ratio": [[1.0]]}}, "D.ratio: read 2 axes"),
-        ({"variants": {"D.ratio": [1], "D.efficiency": [1, 2]}}, "equally many values"),
+        ({"variants": {"D.ratio": [1], "D.efficiency": [1, 2]}}, "the same number of values"),
         ({"vary": {"D.ratoi": [1]}}, "did you mean `ratio`"),
         ({"vary": ["D.ratio=1"], "out": "ratoi"}, "did you mean `ratio`"),
     ],

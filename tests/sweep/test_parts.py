@@ -283,7 +283,7 @@ def test_a_column_has_the_ratio_that_the_teeth_of_its_row_give(
 
 
 def test_a_ratio_and_the_teeth_that_give_it_are_one_number(case: vstatics.Transmission) -> None:
-    with pytest.raises(vstatics.ReadError, match=r"P1\.ratio is varied beside teeth"):
+    with pytest.raises(vstatics.ReadError, match=r"P1\.ratio is varied together with teeth"):
         vstatics.sweep(case, ["P1.ratio=-3,-2", "P1.teeth.sun=25,30"])
     [chunk] = vstatics.sweep(case, ["pair.ratio=-2,-3", "P1.teeth.sun=25,30"], out="P1.ratio")
     assert chunk.columns[:, 0].tolist() == [-3.0, -2.5, -3.0, -2.5]
@@ -314,5 +314,5 @@ def test_an_efficiency_that_follows_a_law_is_no_column() -> None:
     law = {"over": "torque", "points": [[0, 0.95], [40, 0.985]]}
     document = json.loads(json.dumps(CASE))
     document["elements"]["P1"]["efficiency"] = law
-    with pytest.raises(vstatics.ReadError, match=r"P1\.efficiency.*it is no number"):
+    with pytest.raises(vstatics.ReadError, match=r"P1\.efficiency.*it is not a number"):
         vstatics.sweep(from_dict(document), ["load.torque=50 N*m,60 N*m"], out="P1.efficiency")

@@ -112,7 +112,7 @@ def test_more_than_memory_holds_is_refused_before_it_is_calculated() -> None:
 
 @pytest.mark.parametrize("name", ["variant", "status", "gear"])
 def test_no_column_is_called_like_what_every_output_has(name: str) -> None:
-    with pytest.raises(CaseError, match=f"`{name}` means something already"):
+    with pytest.raises(CaseError, match=f"`{name}` already has a meaning"):
         sweep(DIFFERENTIAL, RATIOS, out=f"{name}=ratio[low]")
 
 

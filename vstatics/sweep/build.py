@@ -196,8 +196,8 @@ def _check_slopes(sweep_plan: SweepPlan) -> None:
     varied = [path.path for path in sweep_plan.paths if path.of]
     if bent and varied:
         message = (
-            f"the slope of {bent[0]}, which has `points`, follows what it carries, so there is no "
-            f"`{OMEGA}` where {varied[0]} varies: expected other numbers"
+            f"the slope of {bent[0]}, which has `points`, depends on its torque, so `{OMEGA}` "
+            f"cannot be calculated while {varied[0]} varies: vary other numbers"
         )
         raise CaseError("E720", message)
 
@@ -215,7 +215,7 @@ def _table(subject: Subject, columns: Mapping[str, ArrayLike]) -> VariantTable:
     arrays = [_list(name, values) for name, values in columns.items()]
     if len({len(array) for array in arrays}) != 1:
         lengths = ", ".join(f"{name} {len(a)}" for name, a in zip(columns, arrays, strict=True))
-        message = f"variants: expected equally many values of each number ({lengths or 'none'})"
+        message = f"variants: expected the same number of values for each ({lengths or 'none'})"
         raise CaseError("E702", message)
     return VariantTable(targets, np.column_stack(arrays))
 
@@ -239,7 +239,7 @@ def with_expressions(subject: Subject, options: SweepOptions, variants: Variants
     by_gear = options.by == GEAR
     if by_gear and not isinstance(subject, Transmission):
         raise CaseError(
-            "E719", "a row for each gear: expected a case, a run goes through its gears"
+            "E719", "a row for each gear needs a case, as a run passes through its gears"
         )
     terms = Terms(targets, by_gear=by_gear)
     out = OUT if isinstance(subject, Transmission) else subject.default_columns

@@ -242,7 +242,7 @@ class Sweep(Iterator[Chunk]):
         if size > (room := _memory()):
             message = (
                 f"{what} of {self.plan.count} rows would have about {size / GIB:.3g} GiB, but this "
-                f"machine has {room / GIB:.3g}: expected fewer variants or columns; go through the "
+                f"machine has {room / GIB:.3g}: expected fewer variants or columns; process the "
                 "chunks, or use `vstatics sweep -o`"
             )
             raise CaseError("E911", message)

@@ -13,7 +13,7 @@ def test_a_port_that_is_taken_is_told() -> None:
         taken.listen()
         port = str(taken.getsockname()[1])
         said = vstatics("serve", str(CASES / "simpson.yaml"), "--port", port)
-    assert said.gives_nothing(f"port {port} can't be listened on: Address already in use")
+    assert said.gives_nothing(f"port {port} cannot be used: Address already in use")
 
 
 def test_a_file_that_is_not_there_is_told() -> None:

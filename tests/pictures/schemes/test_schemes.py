@@ -92,7 +92,7 @@ def test_the_same_case_looks_the_same() -> None:
 
 def test_stick_diagram_needs_elements() -> None:
     results = shipped_results("moskvich-start.yaml")  # springs alone
-    with pytest.raises(CaseError, match="needs elements"):
+    with pytest.raises(CaseError, match="needs gear sets"):
         picture(results, "stick", Style())
 
 

@@ -122,7 +122,7 @@ def test_a_table_has_a_column_for_each_row() -> None:
         ("time_to[carrier]", "there are 2 target `carrier`, expected one of `carrier 10`"),
         ("speeds[sun,1]", "read one part too many, expected speeds[link]"),
         ("work[brake]", "`work` has no rows"),
-        ("sum(slips)", "a sum over all instants means nothing"),
+        ("sum(slips)", "a sum over all instants has no meaning"),
         ("speeds + heat", "`speeds` has one value per link and `heat` one per friction"),
         ("controls.brake.scale", "`controls.brake.scale` is not written in the document"),
         ("duratio.x", "has a key `duratio`; did you mean `duration`?"),

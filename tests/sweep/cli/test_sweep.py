@@ -275,7 +275,7 @@ def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
         ("--vary D.ratio=1 --where ratio[lwo]>1", "--where:1:7: error: there is no gear `lwo`"),
         ("--vary D.ratio=1 --out efficiencey", "--out:1:1: error: there is no table `efficiencey`"),
         ("--vary D.ratio=1 --min ratio", "--min:1:1: error: `ratio` has one value per gear"),
-        ("--vary D.ratio=1:2", "--vary:1:1: error: D.ratio=1:2 has no count"),
+        ("--vary D.ratio=1:2", "--vary:1:1: error: D.ratio=1:2 has no number of values"),
         ("--vary D.ratio=1 --file nowhere.yaml", "nowhere.yaml: error: cannot be read"),
         (
             "--vary D.ratio=1 --coast -o nowhere/out.csv",

@@ -130,7 +130,7 @@ def test_a_row_for_each_gear_gives_a_panel_or_a_line_for_each() -> None:
     ("asked", "said"),
     [
         ({"z": "zz"}, "no column `zz`; did you mean `z`?"),
-        ({"x": "z", "y": ["z"]}, "no column beside"),
+        ({"x": "z", "y": ["z"]}, "no column to draw"),
     ],
 )
 def test_what_cannot_be_drawn_is_told(asked: dict[str, object], said: str) -> None:
@@ -145,9 +145,9 @@ def test_curves_over_a_column_without_numbers_are_refused() -> None:
 
 
 def test_several_rows_at_a_place_are_told() -> None:
-    with pytest.raises(CaseError, match="runs over y too: expected --by"):
+    with pytest.raises(CaseError, match="as it also varies y: expected --by"):
         drawn(curves, saddle(), x="x", by="x")
-    with pytest.raises(CaseError, match="runs over x, y: expected --x"):
+    with pytest.raises(CaseError, match="varies x, y: expected --x"):
         drawn(curves, saddle())
 
 
@@ -167,7 +167,7 @@ def test_wrong_use(tmp_path: Path) -> None:
     (tmp_path / "box.yaml").write_text(CASE)
     case, to = str(tmp_path / "box.yaml"), str(tmp_path / "a.svg")
     ran = vstatics("plot", case, "-k", "map", "-o", to)
-    assert ran.fails("no table of variants")
+    assert ran.fails("not a table of variants")
     ran = vstatics("plot", case, "-k", "plan", "--x", "a", "-o", to)
     assert ran.is_wrong_use("only map, curves and histogram")
     assert not Path(to).exists()

@@ -31,7 +31,7 @@ from vstatics.sweep.variants.targets import target
         ("ratio[0]", "0]", "there is no gear `0`"),
         ("ratio[99999999999999999999]", "99999999999999999999]", "there is no gear"),
         ("speeds[N]", "N]", "a gear goes in the second place: [:,N]"),
-        ("ratio[2,1]", "1]", "one part too many, expected ratio[gear]"),
+        ("ratio[2,1]", "1]", "too many parts, expected ratio[gear]"),
         ("losses[D1,2,1]", "1]", "expected losses[mechanism, gear]"),
         ("speeds[1:2]", "1:2]", "`:` for all"),
         ("speeds[]", "]", "read nothing"),
@@ -103,7 +103,7 @@ from vstatics.sweep.variants.targets import target
         (
             "min(1, (slip_speeds) < losses)",
             "< losses)",
-            "one per mechanism, so `<` can't pair them",
+            "one per mechanism, so `<` cannot pair them",
         ),
         ("(" * 51 + "1" + ")" * 51, "(1" + ")" * 51, "more than 50 brackets"),
         ("1" * 2001, "1" * 2001, "read 2001 characters, expected 2000 at most"),

@@ -99,7 +99,7 @@ def test_a_unit_needs_a_load() -> None:
 
 
 def test_what_is_not_of_a_gear_is_refused(everything: Transmission) -> None:
-    with pytest.raises(ReadError, match="`AJK` is not of a gear"):
+    with pytest.raises(ReadError, match="`AJK` does not belong to a gear"):
         sweep_of(everything, "AJK")
 
 

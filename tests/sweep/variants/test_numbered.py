@@ -63,7 +63,7 @@ def test_what_does_not_go_together(made: Any) -> None:
     assert problem.message == "D1.ratio is varied twice, expected each number once"
     assert problem.place == Place("--vary", 1, 1, "#1.ratio=3,4")
     (problem,) = problems_of(made, "D1.ratio=1,2", "2.ratio=1:2")
-    assert "expected one such as 1:2:201, or a sample" in problem.message
+    assert "expected 1:2:201 or similar, or a sample" in problem.message
     assert problem.place == Place("--vary", 1, 1, "2.ratio=1:2")
 
 
@@ -76,7 +76,7 @@ def test_nothing_but_an_empty_list() -> None:
 def test_pairs_need_equally_many_values() -> None:
     first, second = problems_of(Zip, "D1.ratio=1,2", "2.ratio=1:2:3", "D1.efficiency=1")
     assert first.message == (
-        "D.2=x.ratio has 3 values, but D1.ratio has 2: pairs need as many of each"
+        "D.2=x.ratio has 3 values, but D1.ratio has 2: pairs need the same number of values"
     )
     assert second.place == Place("--vary", 1, 1, "D1.efficiency=1")
 

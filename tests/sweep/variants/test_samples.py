@@ -119,11 +119,11 @@ def test_each_value_of_a_list_is_picked_as_often() -> None:
     [
         ((UNIT, 0), "read a sample of 0 variants, expected at least 1"),
         ((UNIT, 2**63, "random"), "fewer than 2**63"),
-        ((UNIT, 2**30 + 1, "sobol"), "has 1073741824 (2**30); take fewer, or the method `random`"),
+        ((UNIT, 2**30 + 1, "sobol"), "has 1073741824 (2**30); use fewer, or the method `random`"),
         ((UNIT, 5, "sobool"), "expected one of sobol, lhs, random; did you mean `sobol`?"),
         ((UNIT, 5, "random", -1), "read the seed -1, expected 0 or above"),
         (([], 5, "random"), "nothing is varied"),
-        ((variations(*[Span(0.0, 1.0)] * 21202), 5, "sobol"), "has 21201; take"),
+        ((variations(*[Span(0.0, 1.0)] * 21202), 5, "sobol"), "has 21201; use"),
     ],
 )
 def test_what_cannot_be_sampled(arguments: tuple[Any, ...], words: str) -> None:
@@ -144,7 +144,7 @@ def test_nothing_is_sampled_twice() -> None:
 
 def test_without_scipy_random_numbers_are_left(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(samples, "find_spec", lambda _: None)
-    with pytest.raises(CaseError, match="needs scipy: install it, or take the method `random`"):
+    with pytest.raises(CaseError, match="needs scipy: install it, or use the method `random`"):
         Sample(UNIT, 5)
     assert Sample(UNIT, 5, "random").block(0, 5).shape == (5, 3)
 

@@ -107,8 +107,8 @@ def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
     [
         ("", 1, 1, "read an empty line, expected names such as D1.ratio"),
         ("\n1\n", 2, 1, "expected a mechanism"),
-        ("D1.ratio\n", 0, 0, "there is no variant, expected a line of numbers"),
-        ("D1.ratio\n\n \n", 0, 0, "there is no variant"),
+        ("D1.ratio\n", 0, 0, "the table has no variant, expected a line of numbers"),
+        ("D1.ratio\n\n \n", 0, 0, "the table has no variant"),
         ("D1.ratio\n-2\nnan\n", 3, 1, "D1.ratio: read `nan`, expected a finite number"),
         ("variant,D1.ratio\n0,-inf\n", 2, 3, "read `-inf`, expected a finite number"),
         ("variant\n1\n", 1, 1, "no column is a number of the case"),
@@ -117,7 +117,7 @@ def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
         ("varaint,D1.ratio\n1,2\n", 1, 1, "did you mean `variant`?"),
         ("D1.ratio,\n1,2\n", 2, 3, "read 2 cells, expected 1, as the headings"),
         ("D1.ratio,,1.ratio\n1,,2\n", 1, 10, "read nothing, expected a mechanism"),
-        ("D1.ratio,#1.ratio\n1,2\n", 1, 10, "D1.ratio has a column already"),
+        ("D1.ratio,#1.ratio\n1,2\n", 1, 10, "D1.ratio already has a column"),
         ("12\n34\n", 1, 1, "expected a mechanism"),
         ("D1.ratio,1.ratio\n1,2\n3, x\n", 3, 4, "1.ratio: read `x`, expected a number"),
         ("D1.ratio,1.ratio\n1,\n", 2, 3, "1.ratio: read nothing, expected a number"),
@@ -174,7 +174,7 @@ def test_what_a_sweep_wrote_are_the_variants_of_the_next(tmp_path: Path, suffix:
     assert table.block(0, 4).tolist() == [[47, 0.9], [47, 1.5], [48, 0.9], [48, 1.5]]
     assert command("sweep", case, "--variants", file).status == 0
     command("sweep", case, *asked[:2], "--by", "gear", "-o", file)
-    with pytest.raises(ReadError, match="has each variant once a gear"):
+    with pytest.raises(ReadError, match="repeats each variant"):
         load_table(file, vstatics.example("zf-8hp70"))
 
 

@@ -116,7 +116,7 @@ def test_a_stiffness_and_its_compliance_are_one_number() -> None:
         ("omega[tyre,1]", 7, "read `tyre`, expected the number of a mode"),
         ("omega[5]", 7, "read `5`, expected the number of a mode, 1 to 4"),
         ("omega[1,9]", 9, "there is no gear `9`"),
-        ("omega[1,1,1]", 11, "read one part too many, expected omega[mode, gear]"),
+        ("omega[1,1,1]", 11, "read too many parts, expected omega[mode, gear]"),
         ("omga[1]", 1, "there is no table `omga`; did you mean `omega`?"),
         ("omega*speeds", 6, "`omega` has one value per mode and `speeds` one per link"),
     ],
@@ -136,10 +136,10 @@ def test_a_condition_has_one_value() -> None:
 
 
 def test_a_case_without_modes_has_no_frequencies() -> None:
-    with pytest.raises(ReadError, match="no natural mode in any gear, so there is no `omega`"):
+    with pytest.raises(ReadError, match="no natural mode in any gear, so `omega` does not exist"):
         sweep(DIFFERENTIAL, "D.ratio=-2,-3", out="omega[1,1]")
     text = "links: 2\ninertias: {1: 0.2}\nsprings: {s: {links: [1, 2], stiffness: 5}}\n"
-    with pytest.raises(ReadError, match="it takes inertias, and springs or a stiffness"):
+    with pytest.raises(ReadError, match="give inertias, and springs or a stiffness"):
         sweep(loads(text), "s.stiffness=1", out="omega")
 
 

@@ -83,7 +83,7 @@ def test_what_gearboxes_have_can_be_asked_for(given: dict[str, Any]) -> None:
             "elements: read 5, expected 1, which are engaged, to 4, all that there are (1 brake and",
         ),
         ({"elements": 4}, "ratios: read 9 ratios, but 4 elements with 3 engaged give 4 gears"),
-        ({"targets": (2.0,)}, "elements: read 5, but 1 gear with 3 engaged can't use more than 3"),
+        ({"targets": (2.0,)}, "elements: read 5, but 1 gear with 3 engaged cannot use more than 3"),
     ],
 )
 def test_a_mistake_is_told_with_its_option(given: dict[str, Any], told: str) -> None:

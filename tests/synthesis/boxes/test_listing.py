@@ -86,12 +86,15 @@ def test_what_is_wrong_with_the_wish_is_told(wanted: Any, said: str) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (b"", "boxes.json:1:1: error: not JSON: Expecting value; expected a document of found"),
+        (
+            b"",
+            "boxes.json:1:1: error: not valid JSON: Expecting value; expected a document of found",
+        ),
         (b"[]", "expected a document of found boxes"),
         (b'{"searched": 1, "boxes": [3]}', "box 1: read int 3, expected an object"),
         (b'{"searched": NaN, "boxes": []}', "read NaN, expected a number or null"),
-        (b"\xff\xfe", "not JSON that can be read"),
-        (b"[" * 100_000, "not JSON"),
+        (b"\xff\xfe", "the JSON cannot be read"),
+        (b"[" * 100_000, "nested too deeply"),
     ],
 )
 def test_what_is_no_document_of_boxes_is_told(text: bytes, said: str) -> None:

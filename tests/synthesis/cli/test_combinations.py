@@ -299,7 +299,7 @@ def test_an_estimate_as_json(tmp_path: Path) -> None:
 
 
 WRONG = {
-    ("--engaged", "7"): "read 7 engaged elements, expected 0 to 6",
+    ("--engaged", "7"): "read 7 engaged shift elements, expected 0 to 6",
     ("--engaged", "two"): "read `two`, expected a whole number of elements",
     ("--engaged", ""): "read ``, expected a whole number",
     ("--engaged", "-1"): "read `-1`",
@@ -336,7 +336,9 @@ def test_what_has_no_room_is_refused_before_it_begins(
 
 def test_nothing_to_choose_from() -> None:
     done = said(CASES / "power-split.yaml")
-    assert done.fails("2 engaged elements leave one degree of freedom", "see --shift-elements")
+    assert done.fails(
+        "2 engaged shift elements leave one degree of freedom", "see --shift-elements"
+    )
 
 
 def test_no_gear_to_write(tmp_path: Path) -> None:

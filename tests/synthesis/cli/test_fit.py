@@ -103,7 +103,7 @@ def test_planet_ratios_that_are_left_out_are_told(tmp_path: Path) -> None:
 
 def test_what_leaves_a_choice_is_told() -> None:
     answer = said("--ratios", "R2=-8")
-    assert "the wanted ratios leave a choice of P1, P2, P3, P4" in answer.err
+    assert "the wanted ratios do not determine P1, P2, P3, P4" in answer.err
     assert answer.status == 0
 
 
@@ -147,7 +147,7 @@ def test_a_ratio_of_any_size_is_shown() -> None:
         (("--ratios", "2=4", "--bounds", "P3=-4..-1"), "expected LOW:HIGH, such as -4:-1.5"),
         (("--ratios", "2=4", "--bounds", "-4:-1"), "expected MECHANISM=LOW:HIGH"),
         (("--ratios", "2=4", "--bounds", "P8=-4:-1"), "no mechanism `P8`"),
-        (("--ratios", "2=4", "--weights", "1=2"), "gear 1: no ratio is wanted of it"),
+        (("--ratios", "2=4", "--weights", "1=2"), "gear 1: read a weight without a ratio"),
         (("--ratios", "2=4", "--tolerance", "0"), "--tolerance: read 0, expected a number above 0"),
         (("--ratios", "2=4", "--tolerance", "nan"), "read nan, expected a number above 0"),
         (("--ratios", "2=4", "--write", "x.txt"), "can't tell the format of x.txt"),
@@ -170,7 +170,7 @@ def test_a_gear_whose_ratios_are_all_given_is_not_met() -> None:
     answer = said("--ratios", "2=4", "--bounds", "P3=-4")
     assert answer.fails(
         "error: not met: 2, off by up to 22.3 %",
-        "gear 2 can't have 4: within the bounds its ratio is 5",
+        "gear 2 cannot have 4: within the bounds its ratio is 5",
     )
 
 

@@ -90,7 +90,7 @@ def test_other_commands_tell_what_it_is(command: tuple[str, ...], boxes: Path) -
 
 def test_what_is_no_document_of_boxes_is_told(tmp_path: Path, boxes: Path) -> None:
     answer = vstatics("plot", CASES / "simpson.yaml", "--kind", "boxes", "-o", tmp_path / "a.svg")
-    assert answer.fails("not JSON")
+    assert answer.fails("not valid JSON")
     boxes.write_text('{"searched": 5, "found": 0, "families": 0, "boxes": []}')
     for command in (
         ("plot", "--kind", "boxes", "-o", tmp_path / "a.svg"),

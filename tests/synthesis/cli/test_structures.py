@@ -177,7 +177,7 @@ def test_a_case_in_every_format(form: str) -> None:
 def test_ratios_that_are_not_given_are_told() -> None:
     said = vstatics("synth", "case", "0-1-2-0-3-1", "--input", "L0", "--output", "L1")
     assert said.status == 0
-    assert said.err == "no ratios are given: the sets have -2 and -2.1\n"
+    assert said.err == "no ratios are given, so the gear sets have -2 and -2.1\n"
 
 
 def test_sets_that_turn_as_one_body_are_told(tmp_path: Path) -> None:

@@ -57,11 +57,11 @@ def test_the_case_that_is_written_has_the_ratios(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (("--ratios", "9=3"), "no gear or set `9`; gears are 1, 2"),
+        (("--ratios", "9=3"), "no gear or gear set `9`; gears are 1, 2"),
         (("--ratios", "2=-4"), "expected a ratio above 0"),
         (("--ratios", "P1=2.03"), "did you mean -2.03?"),
-        (("--range", "sin=17:20"), "no wheel `sin`; did you mean `sun`?"),
-        (("--range", "sun=20:17"), "the least first"),
+        (("--range", "sin=17:20"), "no toothed gear `sin`; did you mean `sun`?"),
+        (("--range", "sun=20:17"), "the smaller number first"),
         (("--range", "sun=17.5:20"), "expected whole numbers of teeth"),
         (("--planets", "0"), "from 1 to"),
         (("--centre", "P1=52"), "no external gear pair `P1`"),
@@ -104,4 +104,4 @@ def test_the_ranges_hold_the_own_teeth_and_what_is_beyond_them_is_told() -> None
     ranges = asked["ranges"]
     assert asked["kinds"] == {"P3": "planetary", "P4": "planetary"}
     assert {name: one["sun"]["from"] for name, one in ranges.items()} == {"P3": 15, "P4": 17}
-    assert "warning: gear 2 can't have 20: within the bounds its ratio is" in answer.err
+    assert "warning: gear 2 cannot have 20: within the bounds its ratio is" in answer.err

@@ -286,14 +286,14 @@ def test_ratios_of_any_size() -> None:
 
 
 def test_more_than_there_are() -> None:
-    with pytest.raises(CaseError, match="read 7 engaged elements, expected 0 to 6"):
+    with pytest.raises(CaseError, match="read 7 engaged shift elements, expected 0 to 6"):
         combinations(belaz(), 7)
     with pytest.raises(CaseError, match="more than the 100 that may be tried"):
         combinations(belaz(), elements="auto", at_most=100)
     with pytest.raises(CaseError, match="did you mean `F1`"):
         combinations(belaz(), elements=["f1"])
     alone = belaz().replace(shift_elements=[], gears=[Gear()])
-    with pytest.raises(CaseError, match="2 engaged elements leave one degree of freedom"):
+    with pytest.raises(CaseError, match="2 engaged shift elements leave one degree of freedom"):
         combinations(alone)
 
 

@@ -206,7 +206,9 @@ def test_ranges_that_keep_all_wishes_from_being_met_together_are_told() -> None:
     case, wish = Transmission(5, elements, sets, gears), {"1": 2.5 * 3.6, "2": 3.6}
     [told] = find_teeth(case, wish).doubts
     shared = math.log((1 + 93 / 59) / 2.5) / 2
-    assert f"error is {shared:.3g} at least; at its end is P (-7.118 to -1.576)" in told
+    assert (
+        f"error is at least {shared:.3g}; at the end of its range is P (-7.118 to -1.576)" in told
+    )
     wider = TeethLimits({"P.sun": (60, 100), "P.ring": (90, 150)})
     found = find_teeth(case, wish, wider)
     assert (found.doubts, found.solutions[0].error < shared / 50) == ([], True)

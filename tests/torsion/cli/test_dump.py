@@ -54,8 +54,8 @@ def test_gears_without_such_a_torque_are_told() -> None:
     assert answer.status == 1
     *_, neutral, loose = answer.json["gears"]
     assert neutral.keys() == {"name", "error"}
-    assert loose["error"].startswith("engine of J1 does not turn with propshaft")
-    assert "error: gear N: engine of J1 does not turn with propshaft" in answer.err
+    assert loose["error"].startswith("engine of J1 does not rotate with propshaft")
+    assert "error: gear N: engine of J1 does not rotate with propshaft" in answer.err
 
 
 @pytest.mark.parametrize(
@@ -133,11 +133,11 @@ def test_a_case_in_json(tmp_path: Path) -> None:
 
 def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
     answer = vstatics("torsion", "dump", MZKT)
-    assert answer.fails("there is no `dump`, expected the links of `J1` to `J5`")
+    assert answer.fails("the case has no `dump`, expected the links of `J1` to `J5`")
     file = tmp_path / "case.yaml"
     file.write_text(VAZ[: VAZ.index("dump:")], "utf-8")
     answer = vstatics("torsion", "dump", file)
-    assert f"{file}:1:1: error: dump: there is no `dump`" in answer.err
+    assert f"{file}:1:1: error: dump: the case has no `dump`" in answer.err
 
 
 def test_what_is_wrong_in_a_case_is_told_with_its_place() -> None:

@@ -114,7 +114,7 @@ mechanisms: {D: {first: 1, second: 2, ratio: 3}}
 gears: {1: []}
 """
     answer = said("damping", "--gear", "1", "--decrements", "D=.1", text=text)
-    assert answer.fails("<stdin>:4:9: error: gear 1: nothing elastic joins inertias")
+    assert answer.fails("<stdin>:4:9: error: gear 1: nothing elastic connects the inertias")
 
 
 SWING = """\
@@ -165,7 +165,7 @@ def test_peaks_tell_the_same() -> None:
     ("rows", "message"),
     [
         ([(0, 1), (1, 2), (2, 3)], "record.csv:1:1: error: M: read 0 extremes of a vibration"),
-        ([(0, 1), (1, 2), (1, 3)], "record.csv:4:1: error: read the time 0.001 s, expected times"),
+        ([(0, 1), (1, 2), (1, 3)], "record.csv:4:1: error: read the time 0.001 s, expected asc"),
         ([(0, 1), (1, math.nan)], "record.csv:3:1: error: M: read 'nan', expected a finite numb"),
         ([(0, 0), *((t, (-2) ** t) for t in range(1, 9))], "record.csv:1:1: error: M: the decre"),
         ([], "record.csv:1:1: error: M: read 0 extremes"),

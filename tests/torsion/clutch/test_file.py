@@ -84,7 +84,7 @@ def test_numbers_too_large_for_a_torque_are_an_error_of_the_file() -> None:
     answer = said(
         GOOD.replace("3362", "1e308").replace("71.3e-5", "1e308").replace("81.7", "1e308")
     )
-    assert answer.fails("<stdin>:1:1: error: numbers so large or so small")
+    assert answer.fails("<stdin>:1:1: error: the numbers are too large or too small")
 
 
 def test_the_command_shows_a_table_for_people() -> None:
@@ -92,7 +92,7 @@ def test_the_command_shows_a_table_for_people() -> None:
     assert answer.status == 0
     assert re.search("^largest torque +5878.944  as M_C0$", answer.out, re.MULTILINE)
     assert "case V2 is on the safe side, by 17 to 23 %" in answer.out
-    assert "against the one that was measured by 42 %" in answer.out
+    assert "compared with a measurement by 42 %" in answer.out
 
 
 def test_json_has_what_the_library_has(tmp_path: Path) -> None:

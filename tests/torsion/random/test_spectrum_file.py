@@ -45,7 +45,7 @@ def test_numbers_may_have_units() -> None:
         ("{variance: 1, correlation: [[1, 0, 3]]}", "1:33", "an alpha above 0"),
         ("{variance: 1, correlation: [[1, 2, 3]], speed: 0}", "1:48", "a speed above 0"),
         ("{variance: 1, correlation: [[1, 2, 3]], speed: 3 N}", "1:48", "expected a velocity"),
-        ("{points: [[0, 1]]}", "1:10", "two points at least"),
+        ("{points: [[0, 1]]}", "1:10", "at least two points"),
         ("{points: [[0, 1], [1, -2]]}", "1:23", "a spectrum of 0 or more at a point"),
         ("{points: [[-1, 1], [1, 2]]}", "1:12", "an omega of 0 or more"),
         ("{points: [[1, 1], [1, 2]]}", "1:20", "an omega above 1"),

@@ -109,8 +109,8 @@ def test_where_only_ends_are_left_no_rule_goes_on() -> None:
     with pytest.raises(CaseError) as error:
         simplify(star, 1)
     assert said(error) == [
-        "no link is left that a rule removes: one device alone acts on each of a, b, c; "
-        "name those to remove"
+        "no link remains that a rule removes, as only one component acts on each of a, b, c; "
+        "name the links to remove"
     ]
     assert simplify(star, 1, remove=["b"]).scheme.names == ("a", "c")
 
@@ -174,8 +174,8 @@ def test_a_warning_where_a_kept_frequency_is_near_to_one_that_is_gone() -> None:
     [warning] = simplify(BRANCHED, 2).warnings
     assert warning.severity == "warning"
     assert warning.message == (
-        "142.4 rad/s is kept, more than half of the partial frequency 265.5 rad/s that is taken "
-        "out (remove 6): it may be more than 5 % off"
+        "the remaining frequency 142.4 rad/s is more than half of the removed partial "
+        "frequency 265.5 rad/s (remove 6): it can be more than 5 % off"
     )
     assert simplify(BRANCHED, 3).warnings == ()
 
@@ -184,7 +184,7 @@ def test_partial_is_for_chains() -> None:
     with pytest.raises(CaseError) as error:
         simplify(BRANCHED, 3, "partial")
     assert said(error) == [
-        "read rule `partial`, expected r, b or u: the scheme is no chain, `s4` is no shaft between "
+        "read rule `partial`, expected r, b or u: the scheme is not a chain, `s4` is no shaft between "
         "two links: it acts on 4, 5 and 6 with coefficients 1, -1 and -1"
     ]
 
@@ -208,7 +208,7 @@ def test_partial_is_for_chains() -> None:
             "read 2 links to remove, expected 1 at most, so that 4 of 5 natural frequencies remain",
         ),
         (3, ["33"], "read `33` to remove, expected a link of the scheme; did you mean `3`?"),
-        (3, ["2", "2"], "read `2` to remove, which is removed before"),
+        (3, ["2", "2"], "read `2` to remove, which is already removed"),
     ],
 )
 def test_what_is_asked_for_must_be_possible(count: int, remove: list[str], message: str) -> None:
@@ -227,7 +227,7 @@ def test_a_mass_that_no_device_acts_on_is_not_removed() -> None:
     apart = CHAIN._replace(names=(*CHAIN.names, "apart"), inertias=(*CHAIN.inertias, 1.0))
     with pytest.raises(CaseError) as error:
         simplify(apart, 2, remove=["apart"])
-    assert said(error) == ["`apart` can't be removed: no device acts on it"]
+    assert said(error) == ["`apart` cannot be removed: no component acts on it"]
 
 
 def test_a_mass_without_inertia_is_not_named() -> None:

@@ -236,7 +236,7 @@ def test_locked_up_a_converter_takes_no_part() -> None:
     [
         (None, "give `speed_ratios` in the gear"),
         (Load(torque=94), "give `speed_ratios` in the gear"),
-        (Load(speed=1900), "speed and torque of the `load` would tell it"),
+        (Load(speed=1900), "a `load` with speed and torque would"),
         (Load(speed=1900, torque=-94), "at no speed ratio up to 1 it takes the torque"),
         (Load(speed=1900, torque=1e4), "at no speed ratio up to 1 it takes the torque"),
     ],
@@ -253,7 +253,7 @@ def test_without_torque_a_converter_turns_as_one() -> None:
 
 
 def test_a_speed_ratio_alone_needs_the_speed_of_the_load() -> None:
-    with pytest.raises(CaseError, match="the speed of the pump of TC is not known"):
+    with pytest.raises(CaseError, match="the speed of the pump of TC is unknown"):
         modes(two_masses(load=None), speed_ratios={"TC": 0.6})
     with pytest.raises(ValueError, match="no converter 'TK'; converters are TC"):
         modes(two_masses(), speed_ratios={"TK": 0.6})

@@ -185,5 +185,5 @@ def test_a_gear_without_modes_is_told() -> None:
     with pytest.raises(CaseError, match=r"gears\[2\]: tied up"):
         identify(stuck, 2, 15.0)
     text = "inertias: {1: 1}\nlinks: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}"
-    with pytest.raises(CaseError, match=r"gears\[1\]: nothing elastic joins inertias"):
+    with pytest.raises(CaseError, match=r"gears\[1\]: nothing elastic connects the inertias"):
         identify(loads(text), 1, 15.0)

@@ -91,7 +91,7 @@ def test_what_is_wrong_is_told_where_it_stands(
 
 def test_a_device_that_there_is_not() -> None:
     case = CASE.replace("fatigue: {shaft", "fatigue: {shafd") % f"diameter: .04, {GIVEN}"
-    with pytest.raises(ReadError, match=r"no device `shafd`; did you mean `shaft`\?") as caught:
+    with pytest.raises(ReadError, match=r"no component `shafd`; did you mean `shaft`\?") as caught:
         loads(case, format="yaml")
     assert [one.id for one in caught.value.problems] == ["E880"]
 
@@ -99,5 +99,5 @@ def test_a_device_that_there_is_not() -> None:
 def test_a_device_without_a_name_has_that_which_it_gets() -> None:
     spring = Spring(between(1), stiffness=1.0)
     assert [*Transmission(1, [], [], [], springs=[spring], fatigue={"S1": SHAFT}).fatigue] == ["S1"]
-    with pytest.raises(CaseError, match="no device `S2`"):
+    with pytest.raises(CaseError, match="no component `S2`"):
         Transmission(1, [], [], [], springs=[spring], fatigue={"S2": SHAFT})

@@ -67,7 +67,7 @@ def test_laws_keep_the_ends_and_fit_between() -> None:
 
 
 def test_one_forward_gear_has_no_steps() -> None:
-    with pytest.raises(CaseError, match="forward gears of two") as caught:
+    with pytest.raises(CaseError, match="two forward gears with") as caught:
         picture(box([2.0, -3.0]), "steps", Style())
     assert caught.value.problems[0].id == "E444"
 

@@ -114,7 +114,7 @@ def serve_page(
             asyncio.run(_until_stopped(server, port, opens=opens))
     except OSError as error:
         why = os.strerror(error.errno) if error.errno else str(error)
-        message = f"port {port} can't be listened on: {why}"
+        message = f"port {port} cannot be used: {why}"
         raise ReadError([of_file("E760", "127.0.0.1", message)]) from None
     return DONE
 

@@ -98,7 +98,7 @@ def draw(
     if np.isnan(results.efficiency[chosen]).all():
         asked = ", ".join(case.gears[place].name for place in chosen)
         which = f"gear {asked}" if gears else "the case"
-        raise CaseError("E402", f"{which} has no efficiency that could be drawn")
+        raise CaseError("E402", f"{which} has no efficiency to draw")
     losses = _losses(results, chosen, style)
     known = np.concatenate([losses.efficiency, *(other.efficiency for other in alike)])
     lowest = min(float(np.nanmin(known)), 0.99)

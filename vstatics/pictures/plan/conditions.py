@@ -105,7 +105,9 @@ class FreeOutputs:
                 message = (
                     f"gear {gear.gear.name} has too many plans, {MOST_STATES} are drawn at most"
                 )
-                raise CaseError("E406", f"{message}: its elements do the same in many ways")
+                raise CaseError(
+                    "E406", f"{message}: its shift elements are equivalent in many ways"
+                )
             if self.is_free(gear.input, gear.output, chosen):
                 maximal = [smaller for smaller in maximal if not chosen > smaller] + [chosen]
                 continue

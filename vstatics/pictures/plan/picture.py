@@ -127,7 +127,9 @@ def _chosen(
     chosen = [plan for plan in every if not gears or {*gears} & {*plan.gears}]
     if gears and every and not chosen:
         names = ", ".join(case.gears[gear - 1].name for gear in gears)
-        problem = Problem("E404", f"gear {names} is on no kinematic plan", ("gears", gears[0]))
+        problem = Problem(
+            "E404", f"gear {names} does not appear on any kinematic plan", ("gears", gears[0])
+        )
         raise CaseError([problem])
     return chosen
 

@@ -120,8 +120,8 @@ def plans(results: Results) -> list[KinematicPlan]:
         for state in free.largest(gear, carried[number])
     )
     if not states:
-        message = "a kinematic plan shows what is left free by all elements of a gear but one"
-        raise CaseError("E405", f"{message}, and no gear of this case leaves anything free")
+        message = "a kinematic plan shows the speeds that all shift elements but one leave free"
+        raise CaseError("E405", f"{message}, but no gear of this case leaves a speed free")
     drawn = []
     for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
         gears_of_ports = {

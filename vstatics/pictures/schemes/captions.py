@@ -39,7 +39,7 @@ def told_of(
         If several gears are given.
     """
     if len(gears) > 1:
-        raise CaseError("E410", "the picture of a scheme shows one gear at a time")
+        raise CaseError("E410", "this picture shows one gear at a time: name it with --gear")
     state, texts, shown, gear = SchemeState(), [subject], None, None
     for gear in gears:
         shown = state_of(results, gear)

@@ -63,9 +63,9 @@ def stick_scheme(case: Transmission) -> Scheme:
         return scheme
     if not any(map(can_be_set, scheme.devices)):
         message = (
-            "a stick diagram needs elements with their kinds, as `vstatics new` writes them; "
-            "this case has mechanisms only, none with three links that turn, no pair of wheels: "
-            "take the picture `structure`, or find teeth for it "
+            "a stick diagram needs gear sets under `elements:`, as `vstatics new` writes them; "
+            "this case has mechanisms only, and none of them can be a gear set: "
+            "choose the picture `structure`, or find tooth numbers "
             "(vstatics synth teeth CASE --write FILE)"
         )
         raise CaseError("E411", message)

@@ -54,7 +54,7 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
             "variants or columns, --where, --best, or another disk"
         )
         if pieces.finished():
-            message += "; with more room the same command with --resume goes on"
+            message += "; with more room, the same command with --resume continues"
         raise ReadError([of_file("E017", output, message)])
 
 

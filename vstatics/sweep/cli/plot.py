@@ -48,7 +48,7 @@ def plot_written_sweep(
     )
     data, name = files.read_input(sweeps[0], TABLE_BYTES)
     if not sweep_tables.is_sweep(data):
-        message = "this is no table of variants: expected what `vstatics sweep -o` has written"
+        message = "this is not a table of variants: expected a file written by `vstatics sweep -o`"
         raise ReadError([of_file("E039", name, message)])
     sweep = sweep_tables.read(data, name)
     with files.problems_of_file(name):

@@ -71,7 +71,9 @@ def sweep_figures(
     from vstatics.pictures.drawing.files import settings_of
 
     if not sweep.variants:
-        message = "the sweep has no row, so there is nothing to draw: expected one with variants"
+        message = (
+            "the sweep has no row, so there is nothing to draw: expected a sweep with variants"
+        )
         raise CaseError("E433", f"{message} that its --where leaves")
     with settings_of(style):
         return list(module_of(kind).draw(sweep, style, selected))

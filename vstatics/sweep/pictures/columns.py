@@ -87,7 +87,7 @@ def axis(sweep: WrittenSweep, named: str, excluded: Sequence[str], option: str) 
         return named
     left = running(sweep, excluded)
     if len(left) != 1:
-        what = f"runs over {listed(left)}" if left else "has no further varied number"
+        what = f"varies {listed(left)}" if left else "has no further varied number"
         raise CaseError("E431", f"the sweep {what}: expected {option} with the name of a column")
     return left[0]
 
@@ -111,11 +111,11 @@ def parts(sweep: WrittenSweep, selected: DrawnColumns, axes: Sequence[str]) -> l
         at = [tuple(column[row] for column in places) for row in part.rows]
         if len(set(at)) < len(at):
             others = running(sweep, [*axes, selected.by])
-            hint = f", which runs over {listed(others)} too" if others else ""
+            hint = f", as it also varies {listed(others)}" if others else ""
             raise CaseError(
                 "E432",
                 f"several rows of the sweep have the same {' and '.join(axes)}{hint}: expected "
-                "--by with a column that tells them apart, or a sweep with fewer numbers",
+                "--by with a column that distinguishes them, or a sweep with fewer numbers",
             )
     return row_groups
 

@@ -76,7 +76,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     x = axis(sweep, selected.x, [by], "--x")
     names = list(selected.y) or results_of(sweep, [x, by])[:MOST_PANELS]
     if not names:
-        raise CaseError("E433", "the sweep has no column beside its varied numbers to draw")
+        raise CaseError("E433", "the sweep has no column to draw apart from its varied numbers")
     every = parts(sweep, selected._replace(by=by), (x,))
     places = np.linspace(0, len(every) - 1, min(len(every), MOST_CURVES)).round().astype(int)
     shown = [every[place] for place in places]

@@ -81,7 +81,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     y = axis(sweep, upward, [x, selected.by], "--y")
     z = selected.z or next(iter(results_of(sweep, [x, y, selected.by])), "")
     if not z:
-        raise CaseError("E433", "the sweep has no column beside its varied numbers to draw")
+        raise CaseError("E433", "the sweep has no column to draw apart from its varied numbers")
     surfaces = []
     for part in parts(sweep, selected, (x, y)):
         surface = _surface(part, *(numbers(sweep, name)[part.rows] for name in (x, y, z)))
@@ -138,7 +138,7 @@ def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
     xs, column = np.unique(x, return_inverse=True)
     ys, row = np.unique(y, return_inverse=True)
     if min(len(xs), len(ys)) < 2:
-        raise CaseError("E434", "a map needs two numbers that vary: expected --kind curves")
+        raise CaseError("E434", "a map needs two numbers that vary: use --kind curves")
     if len(x) >= LEAST_FILLED * len(xs) * len(ys):
         table = np.full((len(ys), len(xs)), np.nan)
         table[row, column] = z

@@ -180,7 +180,7 @@ def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -
     """
     meaning = *BY_NAME, *names.language.functions, *CONSTANTS, OMEGA, *OF_RATIOS, OK
     if name in (*meaning, *output_headings((), ()), GEAR):
-        message = f"`{name}` means something already, expected another name"
+        message = f"`{name}` already has a meaning, expected another name"
     elif name in known:
         message = f"two columns are called `{name}`, expected another name"
     else:

@@ -219,7 +219,7 @@ def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -
         return ResolvedPart(node, per_gear=False, table=operands[0].table)
     if name in REDUCTIONS and len(operands) == 1:
         if name == "sum" and operands[0].per_gear and not names.gears:
-            message = "a sum over all instants means nothing: take min, max or last"
+            message = "a sum over all instants has no meaning: use min, max or last"
             raise names.source.error(message, tree.at)
         return ResolvedPart(node)
     tables = [operand.table for operand in operands if operand.table]
@@ -229,7 +229,7 @@ def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -
         if unlike or names.rows(tables[0]) != names.rows(other):
             message = (
                 f"`{tables[0]}` has one value per {row} and `{other}` one per {paired}, so "
-                f"`{name}` can't pair them: pick a row, or use min, max or sum"
+                f"`{name}` cannot pair them: select a row, or use min, max or sum"
             )
             raise names.source.error(message, tree.at)
     per_gear = any(operand.per_gear for operand in operands)
@@ -244,7 +244,7 @@ def _named(
     if isinstance(tree, TableName):
         if tree.name in (*named, *CONSTANTS):
             if tree.subscripts:
-                message = f"`{tree.name}` is a number, so nothing of it can be picked"
+                message = f"`{tree.name}` is a number, so it has no rows to select"
                 raise names.source.error(message, tree.subscripts[0].at)
             return named.get(tree.name) or ResolvedPart(Constant(CONSTANTS[tree.name]))
         part = names.table(tree)

@@ -106,7 +106,7 @@ class SweepNames:
         value = own_number(self.case, number_in_case.owner, number_in_case.quantity)
         if isinstance(value, Law):
             message = (
-                f"{quoted(number_in_case.name)} follows what the mechanism does: it is no number"
+                f"{quoted(number_in_case.name)} depends on the operating point: it is not a number"
             )
             raise self.source.error(message, name.at)
         if number_in_case.quantity in PART_NUMBERS and any(map(_changes_mechanisms, self.varied)):
@@ -138,7 +138,7 @@ class SweepNames:
         if known is None:
             raise self.source.error(self._no_table(read.name), read.at)
         if known.columns != "gears":
-            message = f"`{read.name}` is not of a gear, so a sweep does not have it"
+            message = f"`{read.name}` does not belong to a gear, so a sweep does not have it"
             raise self.source.error(message, read.at)
         if known.unit and known.unit not in self._units:
             raise self.source.error(lacking_load(read.name, known.unit), read.at)
@@ -163,7 +163,7 @@ class SweepNames:
     def _nothing_more(self, subscripts: Sequence[Subscript], expected: str) -> None:
         if subscripts:
             gears = "each row is of a gear, " * self.by_gear
-            message = f"read one part too many, {gears}expected {expected}"
+            message = f"read too many parts, {gears}expected {expected}"
             raise self.source.error(message, subscripts[0].at)
 
     def rows(self, table: str) -> Sequence[str]:
@@ -191,7 +191,7 @@ class SweepNames:
     def _frequency(self, read: TableName) -> Selection:
         """Return natural frequencies; a mode missing in the case can exist in a variant."""
         if not self._modes:
-            message = "the case has no natural mode in any gear, so there is no `omega`: it takes "
+            message = "the case has no natural mode in any gear, so `omega` does not exist: give "
             message += "inertias, and springs or a stiffness between them"
             raise self.source.error(message, read.at)
         subscripts, mode = list(read.subscripts), None

@@ -105,7 +105,7 @@ class Zip:
             Problem(
                 "E705",
                 f"{variation.target.name} has {len(values)} values, but "
-                f"{self.targets[0].name} has {self.count}: pairs need as many of each",
+                f"{self.targets[0].name} has {self.count}: pairs need the same number of values",
                 place=variation.place,
             )
             for variation, values in zip(variations, self.values, strict=True)
@@ -241,7 +241,9 @@ def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floa
     for target, values, place in variations:
         if isinstance(values, Span):
             span = f"{values.low:g}:{values.high:g}"
-            message = f"{target.name}={span} has no count, expected one such as {span}:201"
+            message = (
+                f"{target.name}={span} has no number of values, expected {span}:201 or similar"
+            )
             problems.append(Problem("E708", f"{message}, or a sample", place=place))
         elif isinstance(values, DrawnNumbers):
             message = f"{target.name} has a distribution, expected values, or a sample"

@@ -96,17 +96,17 @@ def _complaints(sample: Sample) -> Iterator[str]:
         hint = nearest(str(method), METHODS)
         yield f"read the method `{method}`, expected one of {', '.join(METHODS)}{hint}"
     elif method != "random" and find_spec("scipy") is None:
-        yield f"the method `{method}` needs scipy: install it, or take the method `random`"
+        yield f"the method `{method}` needs scipy: install it, or use the method `random`"
     if not dimensions:
-        yield "nothing is varied, expected a number to take samples of"
+        yield "nothing is varied, expected a number to sample"
     if not 0 < count <= MOST:
         yield f"read a sample of {count} variants, expected at least 1 and fewer than 2**63"
     elif method == "sobol" and count > 2**SOBOL_BITS:
         most = f"Sobol's sequence has {2**SOBOL_BITS} (2**{SOBOL_BITS})"
-        yield f"read a sample of {count} variants, but {most}; take fewer, or the method `random`"
+        yield f"read a sample of {count} variants, but {most}; use fewer, or the method `random`"
     if method == "sobol" and dimensions > SOBOL_TARGETS:
         most = f"Sobol's sequence has {SOBOL_TARGETS}"
-        yield f"{dimensions} numbers are varied, but {most}; take the method `random`"
+        yield f"{dimensions} numbers are varied, but {most}; use the method `random`"
     if sample.seed < 0:
         yield f"read the seed {sample.seed}, expected 0 or above"
 
@@ -143,7 +143,7 @@ def _latin_hypercube(dimensions: int, count: int, seed: int) -> Floats:
     try:
         return qmc.LatinHypercube(dimensions, rng=np.random.default_rng(seed)).random(count)
     except MemoryError:
-        message = f"a Latin hypercube of {count} variants does not fit into memory: take fewer"
+        message = f"a Latin hypercube of {count} variants does not fit into memory: use fewer"
         raise CaseError("E711", f"{message}, or the method `sobol`") from None
 
 

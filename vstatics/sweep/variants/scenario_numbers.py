@@ -133,7 +133,7 @@ def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
     message = f"neither the scenario nor its case has a key {quoted(keys[0])}"
     if trees.case is None:
         known, message = of_scenario, f"the scenario has no key {quoted(keys[0])}"
-        message += "; numbers of a deck vary once `vstatics convert` has made a YAML of it"
+        message += "; to vary numbers of a deck, convert it to YAML with `vstatics convert`"
     raise NoValueError(message + nearest(keys[0], known), parts[0].at)
 
 

@@ -116,5 +116,5 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
 
 def varied_beside_teeth(name: str, place: Place | None) -> ReadError:
     """Return the error of a ratio that varies together with its teeth."""
-    message = f"{name} is varied beside teeth that it follows from, expected one of the two"
+    message = f"{name} is varied together with teeth that determine it, expected one of the two"
     return ReadError([Problem("E706", message, place=place)])

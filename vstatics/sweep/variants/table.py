@@ -119,7 +119,7 @@ def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantT
             spool.close()
         raise
     if spool is None and not parts:
-        message = "there is no variant, expected a line of numbers below the names"
+        message = "the table has no variant, expected a line of numbers below the names"
         raise ReadError([of_file("E713", file, message)])
     return VariantTable(columns.targets, spool or np.concatenate(parts), digest.hexdigest())
 
@@ -187,7 +187,7 @@ def targets_of(
     chosen: list[int] = []
     problems: list[Problem] = []
     if is_own and GEAR in names:
-        message = "a sweep `--by gear` has each variant once a gear, expected it without"
+        message = "a sweep with `--by gear` repeats each variant, expected a sweep without it"
         problems.append(Problem("E717", message, place=cells[names.index(GEAR)][1]))
     for index, (name, place) in enumerate(cells[: names.index(STATUS) if is_own else None]):
         if len(problems) >= MOST_PROBLEMS:
@@ -200,7 +200,7 @@ def targets_of(
             problems += _hinted(error.problems, name)
             continue
         if any(varied.numbers & earlier.numbers for earlier in targets):
-            message = f"{varied.name} has a column already, expected each number once"
+            message = f"{varied.name} already has a column, expected each number once"
             problems.append(Problem("E714", message, place=place))
         targets.append(varied)
         chosen.append(index)
@@ -329,7 +329,7 @@ def _text(data: bytes, file: str, line: int) -> str:
         return with_plain_blanks(data.decode())
     except UnicodeDecodeError as error:
         if b"\0" in data[: error.start]:
-            message = "a zero byte: this is no text; save the table as CSV in UTF-8"
+            message = "read a zero byte, so this is not a text; save the table as CSV in UTF-8"
             raise refusal(message, Place(file, line, 1)) from None
         column = len(data[: error.start].decode()) + 1
         place = Place(file, line, column, data.decode(errors="replace"))

@@ -44,13 +44,13 @@ def load_table(path: str, subject: VariedSubject) -> VariantTable:
         raise ReadError([unreadable(path, error)]) from None
     place = Place(path, 1, 1)
     if not columns:
-        message = "it is empty, expected names and numbers below them"
+        message = "the table is empty, expected names and numbers below them"
         raise ReadError([of_file("E713", path, message)])
     targets, chosen = targets_of([(name, place) for name in columns], subject)
     names = list(columns)
     rows = np.column_stack([_numbers(names[n], columns[names[n]], place) for n in chosen])
     if not len(rows):
-        message = "there is no variant, expected a row of numbers below the names"
+        message = "the table has no variant, expected a row of numbers below the names"
         raise ReadError([of_file("E713", path, message)])
     return VariantTable(targets, rows)
 

@@ -270,7 +270,7 @@ def _of_numbers(search: BoxSearch) -> Iterator[Problem]:
         return
     low, high = search.bounds
     if not 1 < low < high <= LARGEST_BOX_RATIO:
-        expected = f"two numbers above 1, the larger one behind, up to {LARGEST_BOX_RATIO:g}"
+        expected = f"two numbers above 1, the larger one second, up to {LARGEST_BOX_RATIO:g}"
         yield _problem("bounds", f"read {low:g}:{high:g}, expected {expected}")
     if not 0 < search.tolerance <= COARSEST:
         yield _problem(
@@ -307,12 +307,12 @@ def _of_sequence(wanted: WantedSequence | None) -> Iterator[Problem]:
     if not 2 <= wanted.least <= wanted.most <= MOST_SEQUENCE:
         given = f"read {wanted.least}:{wanted.most}"
         yield _problem(
-            "gears", f"{given}, expected numbers from 2 to {MOST_SEQUENCE}, the larger behind"
+            "gears", f"{given}, expected numbers from 2 to {MOST_SEQUENCE}, the larger second"
         )
     for name, (low, high) in (("spread", wanted.spread), ("steps", wanted.steps)):
         if not ANY_QUOTIENT[0] <= low <= high <= ANY_QUOTIENT[1]:
             yield _problem(
-                name, f"read {low:g}:{high:g}, expected two numbers from 1 on, the larger behind"
+                name, f"read {low:g}:{high:g}, expected two numbers from 1 on, the larger second"
             )
 
 
@@ -357,7 +357,7 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
     elif elements > gears * engaged:
         used = f"{gears} {plural('gear', gears)} with {engaged} engaged"
         yield _problem(
-            "elements", f"read {elements}, but {used} can't use more than {gears * engaged}"
+            "elements", f"read {elements}, but {used} cannot use more than {gears * engaged}"
         )
 
 

@@ -50,7 +50,7 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     if engaged < 1:
         raise CaseError(
             "E922",
-            f"{engaged + len(sets) + 1} links and {len(sets)} sets leave no element"
+            f"{engaged + len(sets) + 1} links and {len(sets)} gear sets leave no shift element"
             " to be engaged: expected a gearbox that shifts",
         )
     first, last = body[gearbox.input], body[gearbox.output]
@@ -94,17 +94,17 @@ def _planetary_sets(case: Transmission) -> list[Mechanism]:
         If the case has springs, other mechanisms, or no planetary set.
     """
     if case.springs:
-        message = "the case has springs: expected a gearbox whose shafts turn as one piece"
+        message = "the case has springs: expected a gearbox with rigid shafts"
         raise CaseError("E921", message, ("springs",))
     sets = [mechanism for mechanism in case.mechanisms if mechanism.ratio != 1 or mechanism.kind]
     if not sets:
-        message = "there is no planetary set: expected a gearbox of these"
+        message = "the case has no planetary gear set, expected a gearbox of planetary gear sets"
         raise CaseError("E920", message, ("mechanisms",))
     for mechanism in sets:
         is_pair = mechanism.third == HOUSING and not mechanism.is_set
         if mechanism.kind or is_pair or mechanism.ratio == -1:
             message = (
-                f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
+                f"mechanism {mechanism.name} is not a planetary gear set, expected only such sets"
             )
             raise CaseError("E920", message, ("mechanisms", mechanism.name))
     return sets

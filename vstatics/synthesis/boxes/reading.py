@@ -60,10 +60,12 @@ def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
         document = json.loads(data.decode("utf-8-sig"), parse_constant=_refuse_constant)
     except json.JSONDecodeError as error:
         place = Source(file, data.decode("utf-8-sig")).place(error.lineno, error.colno)
-        raise ReadError("E803", f"not JSON: {error.msg}; expected {ASKED}", place=place) from None
+        raise ReadError(
+            "E803", f"not valid JSON: {error.msg}; expected {ASKED}", place=place
+        ) from None
     except (ValueError, RecursionError) as error:
         reason = "nested too deeply" if isinstance(error, RecursionError) else error
-        raise ReadError([of_file("E804", file, f"not JSON that can be read: {reason}")]) from None
+        raise ReadError([of_file("E804", file, f"the JSON cannot be read: {reason}")]) from None
     try:
         return listing_of(document), document
     except ReadError as error:

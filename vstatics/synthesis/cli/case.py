@@ -104,7 +104,7 @@ def case_command(
         files.say(f"there may be more gears than the {MOST_OF_SCHEME} of the case")
     if not ratios:
         some = spoken(f"{ratio:g}" for ratio in given)
-        files.show([Problem("N002", f"no ratios are given: the sets have {some}")])
+        files.show([Problem("N002", f"no ratios are given, so the gear sets have {some}")])
     if form == "deck":  # a deck has no inertias, and these are placeholders
         case_of_code = case_of_code.replace(inertias={}, description="")
         files.say("a deck holds no inertias: those of input and output are left out")

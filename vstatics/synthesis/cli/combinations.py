@@ -199,8 +199,8 @@ def _hint(hint: str) -> Iterator[None]:
 def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
     names = [element.name for element in search.elements if element.is_freewheel]
     if names and not telling.quiet:
-        message = f"note: a freewheel counts as an element that holds: {listed(names)}"
-        files.say(f"{message}; --write keeps the gears in which they do")
+        message = f"note: freewheels count as holding shift elements: {listed(names)}"
+        files.say(f"{message}; --write keeps the gears in which they hold")
 
 
 def _write(search: CombinationSearch, target: str, form: str, request: OneCase) -> bool:

@@ -150,6 +150,6 @@ def _notes(result: Fit, file: str) -> list[Problem]:
         notes.append(of_file("E021", file, f"not met: {spoken(result.unmet)}, off by {off}"))
     warnings = [*result.warnings]
     if result.free:
-        choice = f"the wanted ratios leave a choice of {listed(result.free)}"
-        warnings.append(f"{choice}: they are as near as may be to the case's own")
+        choice = f"the wanted ratios do not determine {listed(result.free)}"
+        warnings.append(f"{choice}, which stay as close as possible to the case")
     return notes + warnings_of("W805", warnings, file)

@@ -219,11 +219,13 @@ def _notes(result: FoundTeeth, file: str) -> Iterator[Problem]:
     """Yield notes about the solutions."""
     yield from warnings_of("W802", result.doubts, file)
     if result.problem.unused:
-        message = f"in no wanted ratio, so as they are: {listed(result.problem.unused)}"
+        message = (
+            f"no wanted ratio uses these, so they stay unchanged: {listed(result.problem.unused)}"
+        )
         yield of_file("N801", file, message)
     if not result.is_proven:
         message = (
-            f"the search was ended: that others are better is possible, "
+            "the search ended early: better solutions are possible, "
             f"but none has an error below {result.bound:.3g}"
         )
         yield from warnings_of("W803", [message], file)

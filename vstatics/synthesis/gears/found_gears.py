@@ -75,7 +75,7 @@ def found_gears(search: CombinationSearch) -> FoundGears:
         raise CaseError(
             "E810",
             f"the combinations give more than {MOST_GEARS} gears, too many for a case"
-            "; expected fewer elements to choose from",
+            "; choose from fewer shift elements",
         )
     left *= bool(determined)
     elements = case.shift_elements if search.are_own else search.elements

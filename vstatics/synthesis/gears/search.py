@@ -76,7 +76,7 @@ def _number(case: Transmission, asked: str) -> int:
         return number - 1
     hint = nearest(asked, [*names, AUTO])
     if not hint:
-        hint = f"; they are {listed(names, 12)}" if names else f"; expected `{AUTO}`"
+        hint = f"; expected {listed(names, 12)}" if names else f"; expected `{AUTO}`"
     raise CaseError("E813", f"no shift element {quoted(asked)}{hint}")
 
 
@@ -155,8 +155,8 @@ def refuse_converters(case: Transmission) -> None:
         if part.kind == "converter":
             raise CaseError(
                 "E456",
-                f"{part.name} loses power, and a lock-up clutch bypasses it: expected the train "
-                "behind it, its turbine as `input`",
+                f"{part.name} loses power, and a lock-up clutch bypasses it: expected the "
+                "gear train behind it, with its turbine as `input`",
                 ("mechanisms", number),
             )
 
@@ -196,14 +196,14 @@ class CombinationSearch:
             if not 0 <= size <= self.choice:
                 raise CaseError(
                     "E814",
-                    f"read {size} engaged elements, expected 0 to {self.choice}: there are "
+                    f"read {size} engaged shift elements, expected 0 to {self.choice}: there are "
                     f"{self.choice} {plural('shift element', self.choice)} to choose from",
                 )
         if not engaged and self.sizes[0] > self.choice:
             raise CaseError(
                 "E815",
-                f"{self.sizes[0]} engaged elements leave one degree of freedom, but there are "
-                f"{self.choice} to choose from",
+                f"{self.sizes[0]} engaged shift elements leave one degree of freedom, but there "
+                f"are {self.choice} to choose from",
                 ("shift_elements",),
             )
 
@@ -245,7 +245,7 @@ class CombinationSearch:
             raise CaseError(
                 "E817",
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
-                f"{lacking}; expected some of them, or fewer to engage",
+                f"{lacking}; choose from fewer of them, or engage fewer",
                 ("shift_elements",),
             )
 

@@ -93,7 +93,7 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
             raise CaseError(
                 "E818",
                 f"the formula of its ratio has more than {MOST_FORMULA_TERMS} terms"
-                "; expected more ratios that are given",
+                "; give more ratios as numbers",
             )
     return minors.get((1 << len(unknowns)) - 1, {})
 

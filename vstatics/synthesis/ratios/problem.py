@@ -238,7 +238,7 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
     weighted, wrong = _by_gear(case, "weights", weights)
     problems += [*wrong, *_wrong_numbers(case, targets, weighted)]
     if not ratios:
-        problems.append(Problem("E823", "expected a ratio for one gear at least", ("ratios",)))
+        problems.append(Problem("E823", "expected a ratio for at least one gear", ("ratios",)))
     if limits is None or problems:
         raise CaseError(problems)
     fixed = {n: low for n, low in enumerate(limits.low) if limits.is_fixed(n)}
@@ -300,7 +300,7 @@ def _by_gear(
         problems.append(
             Problem(
                 "E826",
-                f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}",
+                f"read {len(given)} numbers, but the case has {count} {plural('gear', count)}",
                 (argument,),
             )
         )
@@ -321,7 +321,11 @@ def _wrong_numbers(
     for index, weight in weights.items():
         name = case.gears[index].name
         if index not in targets:
-            yield Problem("E828", f"gear {name}: no ratio is wanted of it", ("weights", index))
+            yield Problem(
+                "E828",
+                f"gear {name}: read a weight without a ratio, expected both",
+                ("weights", index),
+            )
         if not 0 < weight < math.inf:
             yield Problem(
                 "E829",
@@ -376,7 +380,7 @@ def doubts(problem: FitProblem) -> Iterator[str]:
         if limits is not None:
             part = min(max(target, limits[0]), limits[1]) / target
             if not (part > 0 and abs(math.log(part)) <= problem.tolerance):
-                yield f"gear {names[index]} can't have {target:g}: {reach_text(*limits)}"
+                yield f"gear {names[index]} cannot have {target:g}: {reach_text(*limits)}"
         _, *polynomials = problem.formulas[index]
         first = alike.setdefault(
             tuple(frozenset(polynomial.items()) for polynomial in polynomials), index
@@ -394,7 +398,7 @@ def _other_signs(problem: FitProblem) -> Iterator[str]:
         if high < 0 < mechanism.ratio or mechanism.ratio < 0 < low:
             ratio = f"{mechanism.name} has the ratio {mechanism.ratio:.4g} in the case"
             hint = f"{-high:g}:{-low:g}" if low != high else f"{-low:g}"
-            yield f"{ratio}, and bounds of the other sign; did you mean {hint}?"
+            yield f"{ratio}, but its bounds have the other sign; did you mean {hint}?"
 
 
 def reach_text(low: float, high: float) -> str:

@@ -120,8 +120,8 @@ def fit_starts(space: FitSpace) -> FitPoints:
     names = [space.problem.links.case.gears[index].name for index in space.problem.fitted]
     seldom = int(np.argmin(turning))
     message = (
-        f"of {ROUNDS * SAMPLES} sets of ratios within the bounds none lets all gears turn as "
-        f"wanted, {turning[seldom]:.0f} let gear {names[seldom]}: expected other signs or bounds"
+        f"none of {ROUNDS * SAMPLES} sets of ratios within the bounds lets all gears rotate as "
+        f"wanted, {turning[seldom]:.0f} let gear {names[seldom]}: change the signs or the bounds"
     )
     raise CaseError([Problem("E832", message, ("ratios",))])
 

@@ -66,7 +66,7 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     >>> from vstatics.synthesis.teeth.finding import find_teeth
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> find_teeth(case, {"1": 20.0}).doubts
-    ["gear 1 can't have 20: within the bounds its ratio is 2.576 to 8.118"]
+    ['gear 1 cannot have 20: within the bounds its ratio is 2.576 to 8.118']
 
     With gear 2 met, gear 1 needs a ratio of -1.5 of P, beyond the default ranges:
 
@@ -75,7 +75,7 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     >>> case = Transmission(5, [ShiftElement(2), ShiftElement(4), ShiftElement(1, 2)], sets, gears)
     >>> [doubt] = find_teeth(case, {"1": 2.5 * 3.6, "2": 3.6}).doubts
     >>> doubt.partition("; ")[2]
-    'at its end is P (-7.118 to -1.576): wider ranges may help'
+    'at the end of its range is P (-7.118 to -1.576): wider ranges can help'
     """
     gears = {gear.name for gear in problem.links.case.gears}
     is_excluded = False
@@ -85,7 +85,7 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
         if reached is not None and least > MET_ERROR:
             is_excluded = True
             name = f"gear {target.name}" if target.name in gears else target.name
-            yield f"{name} can't have {target.wanted:g}: {reach_text(*reached)}"
+            yield f"{name} cannot have {target.wanted:g}: {reach_text(*reached)}"
     if is_excluded or (least := least_possible(problem.targets, low, high)) <= TOLD_ERROR:
         return
     ends = narrowed(problem.targets, low, high, least * (1 + NARROW_WINDOW) + NARROW_WINDOW)
@@ -99,9 +99,10 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     ]
     if at_end:
         yield (
-            "within the bounds no ratios come to all that is wanted, the error is "
-            f"{least:.3g} at least; at {'its end is' if len(at_end) == 1 else 'their ends are'} "
-            f"{listed(at_end)}: wider ranges may help"
+            "within the bounds no ratios meet all wanted ratios together, the error is at least "
+            f"{least:.3g}; at the end of "
+            f"{'its range is' if len(at_end) == 1 else 'their ranges are'} "
+            f"{listed(at_end)}: wider ranges can help"
         )
 
 
@@ -365,7 +366,7 @@ def _by_limits(
     first = tables.index(None)
     if is_whole:
         raise NoTeethError([none_fits(rows[first].layout, excluded)])
-    message = f"{rows[first].layout.name}: too many teeth to be looked at"
+    message = f"{rows[first].layout.name}: the ranges contain too many tooth numbers to examine"
     hint = "expected narrower ranges, or fewer numbers of planets or modules"
     raise CaseError("E835", f"{message}; {hint}", ("range",))
 

@@ -57,7 +57,7 @@ def teeth_problem(
     problems = [*_wrong_limits(limits, layouts)]
     if not ratios:
         problems.append(
-            Problem("E836", "expected a ratio for one gear or set at least", ("ratios",))
+            Problem("E836", "expected a ratio for at least one gear or gear set", ("ratios",))
         )
     formulas: dict[str, GearFormula] = {}
     asked = _AskedByName(links, layouts)
@@ -71,9 +71,9 @@ def teeth_problem(
     occurring = {index for formula in formulas.values() for index in formula.ratios}
     used = [part for part in layouts if any(r.mechanism in occurring for r in part.ratios)]
     if not used:
-        message = "no teeth that can be looked for are in what is wanted"
+        message = "the wanted ratios depend on no gear set whose teeth can be searched"
         if layouts:
-            message += f"; they can be for {listed([layout.name for layout in layouts], 12)}"
+            message += f"; such gear sets are {listed([layout.name for layout in layouts], 12)}"
         raise CaseError("E837", message, ("ratios",))
     columns: dict[int, int] = {}
     for layout in used:
@@ -127,8 +127,8 @@ class _AskedByName:
         if name not in of_sets:
             hint = f"{nearest(name, [*gears, *of_sets])}; gears are {listed(gears, 12)}"
             if of_sets:
-                hint += f"; sets are {listed([*of_sets], 12)}"
-            raise CaseError("E839", f"no gear or set {quoted(name)}{hint}", path)
+                hint += f"; gear sets are {listed([*of_sets], 12)}"
+            raise CaseError("E839", f"no gear or gear set {quoted(name)}{hint}", path)
         ratio = of_sets[name]
         if wanted * ratio.sign < 0:
             side = "below" if ratio.sign < 0 else "above"
@@ -157,8 +157,8 @@ class _AskedByName:
         if len(formula.ratios) > MOST_RATIOS:
             raise CaseError(
                 "E842",
-                f"gear {name}: {len(formula.ratios)} ratios are in its own"
-                f", expected no more than {MOST_RATIOS}",
+                f"gear {name}: its ratio depends on {len(formula.ratios)} basic ratios, expected "
+                f"at most {MOST_RATIOS}",
                 path,
             )
         return formula
@@ -171,12 +171,12 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
     for name, (low, high) in limits.ranges.items():
         if name not in names:
             hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
-            yield Problem("E847", f"no wheel {quoted(name)}{hint}", ("range", name))
+            yield Problem("E847", f"no toothed gear {quoted(name)}{hint}", ("range", name))
         elif not 1 <= low <= high < LARGEST_WHEEL:
             yield Problem(
                 "E848",
                 f"{name}: read {low}:{high}, expected two numbers of teeth"
-                f", the least first, below {LARGEST_WHEEL}",
+                f" below {LARGEST_WHEEL}, the smaller number first",
                 ("range", name),
             )
     for count in limits.planets:
@@ -188,7 +188,9 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
             )
     if not 0 <= limits.clearance < math.inf:
         yield Problem(
-            "E844", f"read {limits.clearance:g}, expected modules of 0 or more", ("clearance",)
+            "E844",
+            f"read {limits.clearance:g}, expected a number of modules of 0 or more",
+            ("clearance",),
         )
     pairs = [layout.name for layout in layouts if layout.element.kind == "gear_pair"]
     for name, distance in limits.centre.items():
@@ -197,7 +199,9 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
             yield Problem("E845", f"no external gear pair {quoted(name)}{hint}", ("centre", name))
         elif not 0 < distance < LARGEST_WHEEL:
             yield Problem(
-                "E846", f"{name}: read {distance:g}, expected modules above 0", ("centre", name)
+                "E846",
+                f"{name}: read {distance:g}, expected a number of modules above 0",
+                ("centre", name),
             )
     yield from _wrong_sizes(limits)
 
@@ -220,12 +224,14 @@ def _wrong_sizes(limits: TeethLimits) -> Iterator[Problem]:
             )
         if not limits.modules:
             yield Problem(
-                "E852", "teeth have a size by their module: give --modules", ("largest-diameter",)
+                "E852",
+                "the size of teeth follows from their module: give --modules",
+                ("largest-diameter",),
             )
     if not 0 <= limits.shift <= SHIFT:
         yield Problem(
             "E853",
             f"read {limits.shift}, expected 0 to {SHIFT} teeth"
-            ": shifted profiles make up for no more",
+            ": profile shifts cannot compensate more",
             ("shift",),
         )

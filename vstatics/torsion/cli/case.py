@@ -194,8 +194,8 @@ def _friction_notes(reading: Reading) -> Iterator[Problem]:
     for number, spring in enumerate(reading.case.springs, 1):
         if spring.friction:
             text = (
-                f"the dry friction of {spring.name}, {spring.friction:g} N*m, is left out of "
-                "linear vibration; `simulate` takes it, or give a `damping` that loses as much"
+                f"linear vibration omits the dry friction of {spring.name}, {spring.friction:g} "
+                "N*m; use `simulate`, or give a `damping` that dissipates the same energy"
             )
             yield reading.locate(Problem("N507", text, ("springs", number, "friction")))
 

@@ -79,7 +79,7 @@ def _recorded(file: str, column: str) -> Decay:
     falls = np.flatnonzero(np.diff(times) <= 0)
     if len(falls):
         row = int(rows[falls[0] + 1])
-        message = f"read the time {times[falls[0] + 1]:g} s, expected times that rise"
+        message = f"read the time {times[falls[0] + 1]:g} s, expected ascending times"
         raise ReadError([Problem("E886", message, (), record.place(row))])
     try:
         return recorded_decay(times, values)

@@ -111,5 +111,7 @@ def _lifeless(reading: Reading, gears: Sequence[GearRandom]) -> Iterator[Problem
     elastic = {name for gear in excited for name in gear.devices}
     for number, name in enumerate(reading.case.fatigue, 1):
         if excited and name not in elastic:
-            text = f"{quoted(name)} is rigid or open: its life is not told; give it a `stiffness`"
+            text = (
+                f"{quoted(name)} is rigid or disengaged, so it has no life; give it a `stiffness`"
+            )
             yield reading.locate(Problem("W880", text, ("fatigue", number)))

@@ -115,8 +115,8 @@ def _unbounded(gear: GearResponse) -> str:
         return ""
     names = f"{plural('resonance', len(speeds))} at {listed(speeds)} rpm"
     return (
-        f"nothing damps the {names}: there is no bound near, and the largest values are those of "
-        "the speeds that are asked for"
+        f"nothing damps the {names}: the response near them is unbounded, and the largest values "
+        "are those at the requested speeds"
     )
 
 

@@ -214,4 +214,4 @@ def _lost_dampings(case: Transmission) -> list[str]:
     names = [device.name for device in devices if damping(device.damping).loss_factor]
     if not names:
         return []
-    return [f"the loss factor of {spoken(names)} is left out: a scheme has viscous damping only"]
+    return [f"the loss factor of {spoken(names)} is omitted: a scheme has viscous damping only"]

@@ -83,14 +83,14 @@ def of_dump(case: TransmissionFields) -> Iterator[Problem]:
     seen: dict[int, str] = {}
     for name, links in dump.masses.items():
         if not links and name in NEEDED:
-            yield Problem("E259", "there is no link, expected one at least", ("dump", name))
+            yield Problem("E259", "read no link, expected at least one", ("dump", name))
         for number, link in enumerate(links, 1):
             path = ("dump", name, number)
             yield from of_link(link, path, case.own_links, lowest=1)
             if link in seen:
                 yield Problem(
                     "E260",
-                    f"link {called(case, link)} is in {seen[link]} already"
+                    f"link {called(case, link)} is already in {seen[link]}"
                     ", expected each link once",
                     path,
                 )

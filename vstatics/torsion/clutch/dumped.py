@@ -176,7 +176,7 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
         None if rate is None else engagement(rate, given.J2 + given.J3, given.E),
     )
     if not all(math.isfinite(value) for value in result[1:6]):
-        raise CaseError("E501", "numbers so large or so small give no torque")
+        raise CaseError("E501", "the numbers are too large or too small to give a torque")
     return result._replace(messages=tuple(_messages(given, result, course)))
 
 
@@ -260,20 +260,21 @@ def _messages(given: Dump, result: DumpTorque, course: _Course) -> Iterator[Mess
         margin = ""
         if case in MARGINS:
             of_integration = f"{MARGINS[case]} % of an integration in time"
-            margin = f", by {of_integration}, for the vehicles of the source"
+            margin = f", by {of_integration} for the vehicles of the source"
         if case == "V2":
-            margin += "; against the one that was measured by 42 % (table 3.2)"
+            margin += "; compared with a measurement by 42 % (table 3.2)"
         yield Message("N501", f"case {case} is on the safe side{margin}")
     if course.missed is not None:
         yield Message(
             "N502",
-            f"case {course.missed} does not come: by its closed form the torque does not"
-            f" reach {course.limit:.6g}; case {case} holds",
+            f"case {course.missed} does not occur, as the torque of its closed form does not"
+            f" reach {course.limit:.6g}; case {case} applies",
         )
     if given.clamped and case == "V1":
         stuck = _swing(given, (), 0.0).largest(0.0, given.omega1)
-        yield Message("N503", f"with a clutch that stays stuck the torque is {stuck:.6g} (case B1)")
+        yield Message("N503", f"a clutch that keeps sticking has the torque {stuck:.6g} (case B1)")
     if result.engagement is not None and case not in ("A1", "A2"):
         yield Message(
-            "N504", "the factor of the engagement is for a clutch that slips and tyres that grip"
+            "N504",
+            "the factor of engagement holds for a slipping clutch and gripping tyres only",
         )

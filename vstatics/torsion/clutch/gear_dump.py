@@ -110,7 +110,7 @@ def gear_dumps(
     if clutch is None:
         raise CaseError(
             "E503",
-            "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`",
+            "the case has no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`",
             ("dump",),
         )
     return [_gear_dump(case, gear, clutch, rate) for gear in asked_gears(case, gears)]
@@ -137,7 +137,8 @@ def _gear_dump(case: Transmission, gear: Gear, clutch: ClutchDump, rate: float |
             messages=(
                 *torques.messages,
                 Message(
-                    "N505", f"in none of J1 to J5, though turning with {to}: {', '.join(left_out)}"
+                    "N505",
+                    f"links that rotate with {to} are in none of J1 to J5: {', '.join(left_out)}",
                 ),
             )
         )
@@ -158,7 +159,7 @@ def _reduced(
             speed = speeds[link - 1]
             if not speed:
                 hint = "; is the clutch engaged in this gear?" if name == "J1" else ""
-                still = f"{case.link_name(link)} of {name} does not turn with"
+                still = f"{case.link_name(link)} of {name} does not rotate with"
                 return f"{still} {case.link_name(clutch.link)}{hint}"
             by_link[link] = speed
     without = [name for name in NEEDED if not inertias[name]]
@@ -168,8 +169,8 @@ def _reduced(
     turning = [by_link[link] for link in clutch.J2]
     compliance = clutch.E or path_compliance(system, near, turning, far)
     if not compliance:
-        why = "nothing elastic is" if compliance == 0 else "no device is"
-        return f"{why} between J2 and J5; give a device a compliance, or `dump` its `E`"
+        why = "nothing elastic is" if compliance == 0 else "no component is"
+        return f"{why} between J2 and J5; give a component a compliance, or `dump` its `E`"
     tyres = clutch.J4[0] if clutch.J4 else clutch.J5[0]
     return Dump(
         **inertias,

@@ -176,7 +176,7 @@ def response(  # noqa: PLR0913 - all but the first by name
     if (number := case.link_number(at)) in case.masses:
         raise CaseError(
             "E547",
-            f"link {at} moves straight, so it has no revolutions: expected a link that turns",
+            f"link {at} moves straight, so it has no revolutions: expected a link that rotates",
             ("masses", number),
         )
     link, given = number - 1, np.asarray(speeds, dtype=np.float64)

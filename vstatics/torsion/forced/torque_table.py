@@ -48,7 +48,7 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
         elif order in harmonics:
             fault = f"order {order:g} is given twice"
         elif row == MOST_ORDERS:
-            fault = f"more than {MOST_ORDERS} orders, expected at most so many"
+            fault = f"read more than {MOST_ORDERS} orders, expected at most {MOST_ORDERS}"
         if fault:
             problems.append(Problem("E505", fault, (), table.place(row)))
         harmonics[order] = Harmonic(order, amplitudes[row], phases[row])

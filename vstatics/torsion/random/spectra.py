@@ -134,7 +134,7 @@ class SpectrumPoints(NamedTuple):
     def problems(self) -> Iterator[Problem]:
         """Yield problems of points that are not valid."""
         if len(self.points) < 2:
-            yield Problem("E532", "expected two points at least", ("points",))
+            yield Problem("E532", "expected at least two points", ("points",))
         previous = -math.inf
         for number, (omega, value) in enumerate(self.points, 1):
             if not (max(previous, 0.0) <= omega < math.inf and omega > previous):

@@ -134,7 +134,7 @@ def simplify(
     elif isinstance(chain, Chain):
         stages = [*_by_partial_systems(chain, count, remove)]
     else:
-        message = f"read rule `partial`, expected r, b or u: the scheme is no chain, {chain}"
+        message = f"read rule `partial`, expected r, b or u: the scheme is not a chain, {chain}"
         raise CaseError("E506", message)
     described = tuple(step_of(stage, rule, is_chain=is_chain) for stage in stages)
     final = without_massless(stages[-1][1] if stages else given)
@@ -164,13 +164,15 @@ def _by_masses(
             if not inner:
                 raise CaseError(
                     "E508",
-                    "no link is left that a rule removes: one device alone acts on each of "
-                    f"{listed([system.names[0] for system in systems])}; name those to remove",
+                    "no link remains that a rule removes, as only one component acts on each of "
+                    f"{listed([system.names[0] for system in systems])}; name the links to remove",
                 )
             system = _highest(inner)
         [mass] = system.masses
         if not system.frequency:
-            raise CaseError("E507", f"`{system.names[0]}` can't be removed: no device acts on it")
+            raise CaseError(
+                "E507", f"`{system.names[0]}` cannot be removed: no component acts on it"
+            )
         scheme = without_branch_mass(scheme, mass, rule)
         yield system, scheme
 
@@ -220,7 +222,7 @@ def _problems(
             hint = nearest(name, inertias)
             yield Problem("E511", f"read `{name}` to remove, expected a link of the scheme{hint}")
         elif name in remove[:place]:
-            yield Problem("E512", f"read `{name}` to remove, which is removed before")
+            yield Problem("E512", f"read `{name}` to remove, which is already removed")
         elif not inertias[name]:
             yield Problem("E513", f"read `{name}` to remove, expected a link with inertia")
 
@@ -244,8 +246,8 @@ def doubts_of(
     if omega > ACCURATE * partial:
         yield Problem(
             "W501",
-            f"{omega:.4g} rad/s is kept, more than half of the partial frequency {partial:.4g} "
-            f"rad/s that is taken out ({lowest.operation}): it may be more than 5 % off",
+            f"the remaining frequency {omega:.4g} rad/s is more than half of the removed partial "
+            f"frequency {partial:.4g} rad/s ({lowest.operation}): it can be more than 5 % off",
         )
 
 

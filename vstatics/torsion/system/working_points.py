@@ -126,7 +126,7 @@ class _WorkingPoints:
         if len(unknown) == 1:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
-            raise self._unknown(unknown, "of one converter alone it follows from the load")
+            raise self._unknown(unknown, "a load determines one converter only")
         case, doubts = self._loaded(self._case_at(ratios))
         results = solve(case)
         working = []
@@ -183,16 +183,15 @@ class _WorkingPoints:
         if self.load.speed is None:
             raise CaseError(
                 "E523",
-                f"the speed of the pump of {converter.name} is not known: give `speed` in "
-                "the `load`",
+                f"the speed of the pump of {converter.name} is unknown: give `speed` in the `load`",
                 self.path,
             )
         speed = relative * self.load.speed * RAD_PER_RPM
         if math.isnan(speed):
             raise CaseError(
                 "E524",
-                f"the pump of {converter.name} has no speed in gear {self.gear.name}, as "
-                "`vstatics run` tells of it",
+                f"the pump of {converter.name} has no speed in gear {self.gear.name}; "
+                "`vstatics run` gives the reason",
                 self.path,
             )
         return speed
@@ -200,7 +199,7 @@ class _WorkingPoints:
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
         """Return the largest speed ratio up to 1 at which the pump takes the torque of the load."""
         if (self.load.torque is None and not self.driving) or self.load.speed is None:
-            raise self._unknown([converter], "speed and torque of the `load` would tell it")
+            raise self._unknown([converter], "a `load` with speed and torque would determine it")
         corners = {point[0] for point in converter.points if point[0] < 1} | {1.0}
         excess = {ratio: self._excess(converter, ratios, ratio) for ratio in corners}
         for above, below in pairwise(sorted(corners, reverse=True)):
@@ -274,7 +273,7 @@ class _WorkingPoints:
         return CaseError(
             "E525",
             f"the {plural('speed ratio', len(converters))} of {names} in gear {self.gear.name} "
-            f"{'is' if len(converters) == 1 else 'are'} not known: give `speed_ratios` in the "
+            f"{'is' if len(converters) == 1 else 'are'} unknown: give `speed_ratios` in the "
             f"gear, or --speed-ratio; {why}",
             self.path,
         )

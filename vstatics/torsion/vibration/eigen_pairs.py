@@ -211,7 +211,7 @@ def _require_finite(matrix: Floats) -> Floats:
         raise CaseError(
             "E520",
             "inertias, stiffnesses and dampings differ by so many powers of ten that the damped "
-            "vibration can't be calculated: expected numbers nearer to each other",
+            "vibration cannot be calculated: expected numbers of similar size",
             ("inertias",),
         )
     return matrix

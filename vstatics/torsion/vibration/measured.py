@@ -201,7 +201,9 @@ def _devices_and_mode(
         raise CaseError("E515", of_gear.error, ("gears", number_of_gear))
     if not of_gear.modes:
         raise CaseError(
-            "E516", "nothing elastic joins inertias, so there is no mode", ("gears", number_of_gear)
+            "E516",
+            "nothing elastic connects the inertias, so the gear has no mode",
+            ("gears", number_of_gear),
         )
     if number > len(of_gear.modes):
         raise ValueError(f"no mode {number} in gear {of_gear.name}; it has {len(of_gear.modes)}")

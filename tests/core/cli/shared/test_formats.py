@@ -161,7 +161,7 @@ def test_a_picture_shows_the_gears_that_are_asked_for() -> None:
     ]
     assert sizes[0] > 2 * sizes[1]
     said = vstatics("plot", ZF, "-k", "stick", "--gear", "1", "--gear", "2", "-o", "x.svg")
-    assert said.fails("the picture of a scheme shows one gear at a time")
+    assert said.fails("this picture shows one gear at a time")
 
 
 def test_a_case_without_the_gear_that_is_asked_for_fails_alone() -> None:

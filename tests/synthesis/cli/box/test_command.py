@@ -377,7 +377,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("vstatics.synthesis.boxes.batches.work.MOST_FOUND_BOXES", 3)
     said = vstatics("synth", "box", *ASKED)
-    assert said.gives_nothing("more than 3 boxes are found: expected a smaller --tolerance")
+    assert said.gives_nothing("more than 3 gearboxes are found: expected a smaller --tolerance")
 
 
 # wrong use

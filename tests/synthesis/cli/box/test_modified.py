@@ -29,7 +29,7 @@ def test_the_gearbox_itself_is_found() -> None:
             "--free applies to the case of --keep",
         ),
         (("--keep", "cases/none.yaml", *KEEP[2:]), 1, "none.yaml"),
-        (("--keep", "cases/two-stage.yaml", *KEEP[2:]), 1, "P0 is no planetary set"),
+        (("--keep", "cases/two-stage.yaml", *KEEP[2:]), 1, "P0 is not a planetary gear set"),
         (KEEP[2:], 2, "Missing option '--sets'"),
     ],
 )

@@ -167,8 +167,8 @@ def check_most(count: int, most: int) -> None:
     if count > most:
         raise CaseError(
             "E808",
-            f"more than {most} boxes are found: expected a smaller --tolerance, more --ratios"
-            ", or less choice by --brakes and --clutches",
+            f"more than {most} gearboxes are found: expected a smaller --tolerance, more --ratios"
+            ", or fewer --brakes and --clutches",
         )
 
 

@@ -117,7 +117,11 @@ def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
         if not 0 <= weight < math.inf
     ]
     if not problems and not any(weights.get(name, 1.0) for name in names):
-        problems = [Problem("E796", "read 0 for all gears, expected one above 0", ("weights",))]
+        problems = [
+            Problem(
+                "E796", "read 0 for all gears, expected at least one number above 0", ("weights",)
+            )
+        ]
     if problems:
         raise CaseError(problems)
 
