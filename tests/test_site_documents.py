@@ -57,4 +57,4 @@ def test_a_page_tells_how_its_files_are_got(tmp_path: Path) -> None:
     assert {path.name for path in (tmp_path / "how-to/shift/cases/scenarios").iterdir()}
     assert "come with the program" not in texts["how-to/drive"]
     assert "`car.yaml`:\n" in texts["reference/vehicle"]
-    assert "Files that are not shown here stand in [" in texts["how-to/drive"]
+    assert "Files that are not shown here are in [" in texts["how-to/drive"]

@@ -92,12 +92,12 @@ def pages() -> Iterator[Page]:
 
 
 def _files_of(document: str) -> Callable[[re.Match[str]], str]:
-    """What a reader is told of the document whose files are used."""
+    """Return the function that names the document whose files are used."""
 
     def said(found: re.Match[str]) -> str:
         other = (ROOT / document).parent / found[1]
         title = other.read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ")
-        return f"Files that are not shown here stand in [{title}]({found[1]})."
+        return f"Files that are not shown here are in [{title}]({found[1]})."
 
     return said
 
