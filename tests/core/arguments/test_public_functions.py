@@ -180,7 +180,7 @@ def test_what_behaves_like_a_number_a_row_or_a_path_is_one() -> None:
         ),
         pytest.param(
             lambda: _cycle("time [s],speed [km/h]\n0,0\n1,9\n"),
-            "expected one, `shifts`, or `leas",
+            "expected this column, `shifts`, or `leas",
             marks=needs("vehicle"),
         ),
     ],

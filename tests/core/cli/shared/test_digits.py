@@ -78,7 +78,7 @@ def test_a_listing_of_any_digits_is_read_and_compared(digits: int) -> None:
 
 def test_whole_numbers_and_marks_have_no_digits() -> None:
     said = vstatics("run", MZKT, "-f", "markdown", "--digits", "5").out
-    signs = said.split("[IX\\]**")[1].split("**")[0]
+    signs = said.split("[power\\_sign\\]**")[1].split("**")[0]
     assert re.findall(r"\.\d", signs) == []
 
 
