@@ -98,7 +98,7 @@ def test_nor_among_those_of_what_is_geared_to_the_output(link: int) -> None:
         ({"radius": 300}, ["read 300 m, more than a wheel can have"]),
         ({"radius": "300 mm"}, []),
         ({"radius": 1.8}, []),
-        ({"engine": [[1000, 100], [6000, 120]]}, ["read 6000 rad/s, more than an engine has"]),
+        ({"engine": [[1000, 100], [6000, 120]]}, ["read 6000 rad/s, more than an engine can have"]),
         ({"engine": [["1000 rpm", 100], ["20000 rpm", 120]]}, []),
     ],
 )
