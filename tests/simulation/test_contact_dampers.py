@@ -317,7 +317,7 @@ springs: {shaft: {links: [a, c], stiffness: 100}, visc: {links: [c, b], damping:
     [
         ("", "`points` and `damping`"),
         ("stiffness: 0", "expected a stiffness above 0"),
-        ("damping: {ratio: 0.1}", "without `stiffness`"),
+        ("damping: {ratio: 0.1}", "which needs a `stiffness`"),
         ("damping: -1", "expected a damping of 0 or more"),
         ("compliance: 0, damping: 1", "expected a compliance above 0"),
     ],

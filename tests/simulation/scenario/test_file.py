@@ -140,7 +140,7 @@ FAULTS = [
     ("controls: {B: 3 kg}", "4:15", "expected a number in N*m or Pa, bare or with its unit"),
     ("controls: {B: 2*(t + speed)}", "4:22", "read `speed`, expected a formula of t"),
     ("controls: {B: {points: [[0, 1]], scale: -2}}", "4:41", "read -2, expected a scale of 0 or"),
-    ("controls: {B: sqrt(1 - t)}", "4:12", "gives nan at 1.0"),
+    ("controls: {B: sqrt(1 - t)}", "4:12", "is nan at 1.0"),
     ("controls: {B: .nan}", "4:15", "read `.`, expected a number, t, or"),
     ("controls: {W: 3}", "4:12", "read a control of a freewheel, which holds without a control"),
     ("controls: [3]", "4:11", "expected a mapping: a number for each shift element"),
@@ -166,7 +166,7 @@ FAULTS = [
     (
         "converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}",
         "4:59",
-        "must ascend",
+        "points must ascend",
     ),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),

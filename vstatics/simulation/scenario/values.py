@@ -133,7 +133,7 @@ class ScenarioValues:
         try:
             return table_of(self.spots.document.source.file, name)
         except OSError as error:
-            message = f"read {quoted(name)}, which can't be read: {error.strerror or error}"
+            message = f"read {quoted(name)}, which cannot be read: {error.strerror or error}"
         except ValueError as error:
             message = f"read {quoted(name)}: {error}"
         self.spots.tell(path, message)
