@@ -1,4 +1,4 @@
-"""Record of the core: its commands, public names and functions called by name, as in an annex."""
+"""Record of the core in the form of an annex: commands, public names, and other functions."""
 
 from vstatics.core.annexes import Annex, Command
 
@@ -71,4 +71,4 @@ CORE = Annex(
         "with_part_numbers": "vstatics.core.elements.part_numbers",
     },
 )
-"""Record of the core; modules are imported on first use of a name."""
+"""Record of the core; a module is imported when a name from it is used for the first time."""

@@ -224,7 +224,7 @@ def speaks_against(tried: TriedSigns) -> str:
 
 
 def _efficiency(explanation: Explanation, digits: int | None) -> str:
-    """Return a phrase with the efficiency, or about the missing efficiency of a dragged gear."""
+    """Return a phrase with the efficiency, which does not exist for a back-driven gear."""
     assert explanation.lossy is not None  # noqa: S101 - for mypy
     if math.isnan(explanation.efficiency) and not any(
         map(math.isnan, explanation.lossy.values.values())
@@ -241,7 +241,7 @@ def _drags(explanation: Explanation) -> bool:
 
 
 def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
-    """Yield a mechanism with power by the first link, sign and ratio with losses."""
+    """Yield lines about a mechanism: power at the first link, its sign, and ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
         yield f"{label}{sign.told}, u = {short(sign.ratio, digits)}"

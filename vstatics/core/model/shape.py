@@ -141,7 +141,7 @@ class Numbers(NamedTuple):
 
 
 class Shares(NamedTuple):
-    """Mapping of gears, of any case, to shares."""
+    """Mapping of gear names to shares; the reader does not compare the names with a case."""
 
 
 class KeyShape(NamedTuple):

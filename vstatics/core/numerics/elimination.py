@@ -330,7 +330,7 @@ def _sum_of_terms(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
 
 
 FloatEntry = tuple[float, float]
-"""Entry of a single variant."""
+"""Value and size of an entry for a single variant."""
 
 
 def _float_entry(number: float) -> FloatEntry:

@@ -83,13 +83,14 @@ class Results(PhysicalResults):
         return shown
 
     def to_dataframe(self) -> pd.DataFrame:
-        """Return a pandas table: a row per variant and gear, a column per table and row.
+        """Return all tables as a pandas table with a row for each variant and gear.
 
         Returns
         -------
         DataFrame
             Table of `vstatics.core.tables.dataframe.to_dataframe`: speeds, torques and powers
-            relative to the input [-], with a load also in rpm, N*m and kW.
+            relative to the input [-], with an operating point also in rpm, N*m and kW. A column is
+            named by a table and its row, such as ``("speeds", "C1")``.
 
         Raises
         ------

@@ -13,7 +13,7 @@ class Status(NamedTuple):
     name: str
     """Name in tables and in the output of sweeps."""
     english: str
-    """Name in lines of text and pictures."""
+    """English name in sentences and pictures."""
     meaning: str
     """Clause that explains the status to a new reader."""
     is_fault: bool = False

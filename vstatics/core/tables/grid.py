@@ -32,7 +32,10 @@ class Column(NamedTuple):
     over: str = ""
     """Second heading on a page, shared by adjacent columns with equal text."""
     is_name: bool = False
-    """Marks a heading that is a name of the case, as headings below a second heading are."""
+    """Marks a heading that is a name from the case, so that it is not translated.
+
+    Headings below a second heading are always names and need no mark.
+    """
 
 
 Datum = float | int | bool | str | None
@@ -54,7 +57,7 @@ class Cell(NamedTuple):
     marks: Mapping[str, str] = {}
     """Data attributes for the scripts of a page."""
     is_said: bool = False
-    """Marks a word of the program, which is translated, unlike a name of the case."""
+    """Marks a word of the program, which is translated, unlike a name from the case."""
     written_as: str = ""
     """Word in data formats; empty: the text."""
     look: str = ""

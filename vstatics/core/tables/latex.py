@@ -15,8 +15,8 @@ _COMMANDS = {
     "<": r"\textless{}",
     ">": r"\textgreater{}",
     "|": r"\textbar{}",
-    '"': "''",  # the sign itself needs a font encoding
-    "[": "{[}",  # at the start of a row it would be a length
+    '"': "''",  # a straight double quote needs the font encoding T1
+    "[": "{[}",  # at the start of a row, it would begin the length after `\\`
     "]": "{]}",
     "*": "{*}",
     **{sign: f"\\{sign}" for sign in "&%$#_{}"},

@@ -254,7 +254,7 @@ class ModeSelection:
             state = state_of(equations, at)
             heavy, speeds = self.system.heavy, equations.structure.free @ state[: equations.motions]
             jump_of_bodies = largest(heavy @ speeds - heavy @ at.speeds)
-            if jump_of_bodies > 100 * STANDING * scales.speed:  # bodies cannot change their speed
+            if jump_of_bodies > 100 * STANDING * scales.speed:  # inertia forbids jumps of speed
                 return None, self._caught(states, at, scales)
             state, jump = consistent(equations, state, scales)
             equations.check_seen(at.time, state)

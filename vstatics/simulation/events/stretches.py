@@ -43,7 +43,7 @@ class Exponential:
     matrix : ndarray
         A.
     nodes : ndarray, optional
-        Parts of the time at which the exponential is needed repeatedly.
+        Values of s at which the exponential is needed repeatedly.
     rows : int, optional
         Number of the first rows, which alone are needed at the nodes. Below them, A is 0 except for
         some numbers next to its diagonal, as in chains of derivatives. This saves most of the work.
@@ -62,7 +62,7 @@ class Exponential:
         self.dense = len(matrix) if rows is None else rows
         orders = np.arange(len(matrix)) - np.arange(self.dense, len(matrix))[:, None]
         self.doubling = 2.0 ** np.clip(orders, 0, _ORDERS)
-        """Factors of the numbers of chains in the exponential for twice the time."""
+        """Factors by which entries of the exponential in chains grow when the time doubles."""
         chained = np.eye(len(matrix))[self.dense :]
         terms, lower = [np.eye(len(matrix))[: self.dense]], [chained]
         superdiagonal = np.append(0.0, np.diag(self.step, 1))
@@ -89,7 +89,7 @@ class Exponential:
         return np.vstack([first, exponential[self.dense :] * self.doubling])
 
     def _product(self, rows: Floats, exponential: Floats) -> Floats:
-        """Return first rows of a matrix, or of several, times an exponential."""
+        """Multiply the first rows of one or several matrices by an exponential."""
         dense = self.dense
         product: Floats = rows[..., :dense] @ exponential[:dense]
         given, chains = rows[..., dense:], exponential[dense:, dense:]
@@ -100,7 +100,7 @@ class Exponential:
         return product
 
     def at(self, parts: Floats) -> Floats:
-        """Return the first rows at parts of the time from 0 to 1, shape (parts, rows, size)."""
+        """Return the first rows of ``exp(A s)`` for each s of `parts`: (parts, rows, size)."""
         steps, remainders = self._split(parts)
         series = self.series
         factors = remainders[:, None] ** np.arange(len(series))
@@ -112,7 +112,7 @@ class Exponential:
         return np.asarray(exponentials)
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
-        """Return states, as columns, each after a part of the time from 0 to 1."""
+        """Return ``exp(A s) x`` for each column x of `states` and its s of `parts`."""
         steps, remainders = self._split(parts)
         result = states.copy()
         for halved, far in steps:
@@ -126,7 +126,11 @@ class Exponential:
         return result
 
     def _split(self, parts: Floats) -> tuple[list[tuple[Floats, Integers]], Floats]:
-        """Split parts of the time into sums of halvings, with columns, and remainders."""
+        """Split each s of `parts` into some of the terms 1, 1/2, 1/4, ... and a remainder.
+
+        Returns the exponential of each term with the indices of the s that contain the term, then
+        the remainders in units of the last term.
+        """
         steps: list[tuple[Floats, Integers]] = []
         remainders = parts.copy()
         for number, halved in enumerate(self.halved):
@@ -169,8 +173,8 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
     to_series : ndarray, shape (instants, DEGREE + 1)
         Values to Chebyshev coefficients.
     to_powers : ndarray, shape (DEGREE + 1, DEGREE + 1)
-        Chebyshev coefficients to derivatives by the time in lengths of a part, divided by their
-        factorials.
+        Chebyshev coefficients to derivatives at the start, with the length of a part as the unit
+        of time.
     to_values : ndarray, shape (DEGREE + 1, instants)
         Chebyshev coefficients to values.
     """
@@ -239,7 +243,7 @@ def _largest_rate(matrix: Floats) -> float:
     return bound
 
 
-class NoFit(Exception):  # noqa: N818 - it never leaves the room
+class NoFit(Exception):  # noqa: N818 - the simulation always catches it
     """Signal that no polynomial fits the torques."""
 
 
@@ -254,7 +258,7 @@ class Parts(NamedTuple):
 
     @property
     def times(self) -> Floats:
-        """Return the Gauss points and ends, shape (parts, points) [s]."""
+        """Gauss points and end of each part, shape (parts, points) [s]."""
         return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
 
 
@@ -292,7 +296,7 @@ class Closed:
         looks = {*rates, *equations.seeing}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
-        """Orders used in each polynomial; a law that is linear in all its inputs leaves a line."""
+        """Orders used in each polynomial; only 0 and 1 for a law linear in all its inputs."""
         self.latest: Floats = np.zeros(len(self.bending))
         """Nonlinear torques at the end of the last stretch."""
         self.size = equations.works.start
@@ -441,7 +445,7 @@ class Closed:
         return exponential
 
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
-        """Calculate a stretch from a state on, or return None if torques bend too much."""
+        """Calculate a stretch from its first state; return None if no polynomial fits."""
         times = parts.times.reshape(-1)
         to_series, to_powers, to_values = fitting(parts.number)
         given = np.zeros((len(self.bending), _ORDERS))
@@ -458,7 +462,7 @@ class Closed:
             given = now @ to_series
             limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
             bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
-            if bends.any():  # torques that bend from now on keep all orders
+            if bends.any():  # from now on, polynomials of these torques keep all orders
                 self.is_used[bends] = True
                 self.exponentials.clear()
                 before = None

@@ -27,14 +27,14 @@ class ClutchPhase(NamedTuple):
 
 
 class PublishedEquations:
-    """Equations of motion (12) for one phase."""
+    """Equations of motion for one phase of a clutch: equation (12) of the published method."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], phase: ClutchPhase, end: float
     ) -> None:
         self.phase, self.masses = phase, phase.masses
         self.last = math.nextafter(end, -math.inf)
-        """Last instant before a possible jump of the laws. [s]"""
+        """Last instant before `end`, where outside torques or the capacity can jump. [s]"""
         self.contact = None if phase.clutch is None else system.contacts[phase.clutch]
         self.laws = [(ends.index(outside.link), outside.law) for outside in system.outside]
 
@@ -54,7 +54,7 @@ class PublishedEquations:
         return torques[0], -torques[1]
 
     def w_f(self, state: Floats) -> float:
-        """Return w_f by (13) [rad/s]."""
+        """Return w_f by equation (13) [rad/s]."""
         return float(state[0] - self.masses.ratio * state[1])
 
     def friction(self, time: float, state: Floats) -> float:
@@ -67,7 +67,7 @@ class PublishedEquations:
         )
 
     def accelerations(self, time: float, state: Floats) -> tuple[float, float]:
-        """Return the accelerations of input and output by (12) [rad/s^2]."""
+        """Return the accelerations of input and output by equation (12) [rad/s^2]."""
         masses, (m_in, m_out) = self.masses, self.torques(time, state)
         u, eta = masses.ratio, masses.efficiency
         j_in, j_out = masses.input_inertia(state[0], state[1]), masses.output_inertia
@@ -99,7 +99,7 @@ class PublishedEquations:
         return m_through / (self.masses.ratio * self.masses.efficiency)
 
     def margin(self, time: float, state: Floats) -> float:
-        """Return the margin of M_f above the magnitude of the transmitted torque, (15) [N*m]."""
+        """Return M_f less the magnitude of the transmitted torque, by equation (15) [N*m]."""
         return self.friction(time, state) - abs(self.passed(time, state))
 
     def torque(self, time: float, state: Floats) -> float:

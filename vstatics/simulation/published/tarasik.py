@@ -249,7 +249,7 @@ _INSTEAD = "use the default method, `events`"
 
 
 def refusals(system: MotionSystem) -> Iterator[Problem]:
-    """Yield problems for parts of a scenario that (12) to (15) do not cover."""
+    """Yield problems for parts of a scenario that equations (12) to (15) do not cover."""
     numbers = {spring.name: k for k, spring in enumerate(system.scenario.case.springs, 1)}
     for key in ("states", "sequences", "speeds", "speed_ratios"):
         if getattr(system.scenario, key):

@@ -170,13 +170,13 @@ class Motion(NamedTuple):
         return shown(higher("motion_grids")(self))
 
     def to_dataframe(self) -> pd.DataFrame:
-        """Return the course as a data frame with the columns of `vstatics simulate -o run.csv`.
+        """Return the motion over time, with the columns of `vstatics simulate -o run.csv`.
 
         Returns
         -------
         DataFrame
             A row for each instant, with its time as index [s]; speeds and slips [rad/s], torques
-            [N*m], then additional columns. An instant of a jump has two rows.
+            [N*m], then additional columns. An instant at which a value jumps has two rows.
 
         Raises
         ------

@@ -142,7 +142,7 @@ class Record:
         self.messages.append(Message("W602", text))
 
     def sets(self, time: float, values: Mapping[str, float]) -> None:
-        """Warn once of each state that a step sets beyond the limits at a time [s]."""
+        """Warn once of each state that a step of a sequence sets beyond its limits."""
         for state in self.system.scenario.states:
             beyond = state.beyond(values.get(state.name, state.start))
             if beyond and state.name not in self.cut:
@@ -177,7 +177,7 @@ class Record:
         self.messages.append(Message("N606", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
-        """Begin a piece of the run, with its margins, at a state."""
+        """Begin a piece of the run at a state; `margins` and their equations apply to all of it."""
         equations = margins.equations
         self.pieces.append(Piece(margins, equations.time, state))
         self.time = equations.time
@@ -231,7 +231,7 @@ class Record:
         return False
 
     def _draw(self, *, hurried: bool = False) -> None:
-        """Reduce all pieces to the instants that draw them, and begin a new piece."""
+        """Reduce all pieces to the instants needed to draw them, and begin a new piece."""
         self.drawn.add(self.pieces, hurried=hurried)
         last = self.pieces[-1]
         self.pieces, self.numbers = [Piece(last.margins, self.time, last.states[-1])], 0

@@ -45,7 +45,7 @@ class Programme(NamedTuple):
     largest: float | None = None
     """Capacity in the case, which limits a control that depends on the motion. [N*m or Pa]"""
     given: Curve | None = None
-    """Control of the scenario, which becomes `curve` by clipping at the capacity in the case."""
+    """Control of the scenario before it is clipped at the capacity in the case."""
     look: Look | None = None
     """Value of a curve that depends on more than the time."""
     table: LookupTable | None = None

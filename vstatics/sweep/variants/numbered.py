@@ -1,4 +1,4 @@
-"""Numbered variants, which can be calculated in any order and always have equal numbers."""
+"""Numbered variants, which can be calculated in any order and always have the same values."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vstatics.sweep.variants.variation import MOST, DrawnNumbers, Span, Variatio
 
 
 class Variants(Protocol):
-    """Numbered variants with varied numbers."""
+    """Variants of a case, counted from 0, with the values of the varied numbers."""
 
     @property
     def targets(self) -> tuple[Varied, ...]:
@@ -29,10 +29,10 @@ class Variants(Protocol):
         """Number of variants."""
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the numbers of the variants from `start` up to `stop`, counted from 0.
+        """Return the values of the variants from `start` up to, but excluding, `stop`.
 
         Shape (stop - start, len(targets)), each column contiguous. Blocks can be requested in
-        any order; the numbers of a variant never change.
+        any order; the values of a variant never change.
         """
 
 
@@ -73,7 +73,7 @@ class VariantGrid:
             raise CaseError("E704", message + "give fewer values, or take a sample")
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the numbers of a block of variants; see `Variants`."""
+        """Return the values of a block of variants; see `Variants`."""
         block = empty_block(self, start, stop)
         numbers = np.arange(start, stop)
         for column, values in reversed(list(enumerate(self.values))):
@@ -115,7 +115,7 @@ class Zip:
             raise ReadError(problems)
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the numbers of a block of variants; see `Variants`."""
+        """Return the values of a block of variants; see `Variants`."""
         block = empty_block(self, start, stop)
         numbers = np.arange(start, stop)
         for column, values in enumerate(self.values):
@@ -126,7 +126,7 @@ class Zip:
 class VariantTable:
     """Variants from a table of the user, a row each.
 
-    A table in a spool has a temporary file: `close` it in the end. Pickled copies are then small,
+    A table in a spool has a temporary file: `close` it after use. Pickled copies are then small,
     and read this file.
 
     Parameters
@@ -160,7 +160,7 @@ class VariantTable:
         self.count = rows.rows if isinstance(rows, Spool) else len(rows)
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the numbers of a block of variants; see `Variants`."""
+        """Return the values of a block of variants; see `Variants`."""
         block = empty_block(self, start, stop)
         rows = self._rows
         block[:] = rows.take(start, stop) if isinstance(rows, Spool) else rows[start:stop]
@@ -173,7 +173,7 @@ class VariantTable:
 
 
 class VariantPart:
-    """Some of the variants of a table with their numbers, for a machine without the table.
+    """Some variants of a table with their values, for a machine without the table.
 
     >>> from vstatics.sweep.variants.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
@@ -188,7 +188,7 @@ class VariantPart:
         self.values = whole.block(start, stop)
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the numbers of a block within the part; see `Variants`."""
+        """Return the values of a block within the part; see `Variants`."""
         end = self.start + len(self.values)
         if not self.start <= start <= stop <= end:
             raise IndexError(f"variants {start} to {stop} of a part from {self.start} to {end}")

@@ -201,7 +201,7 @@ class BoxList(NamedTuple):
     """Number of element sets that could be gearboxes but were not examined completely."""
 
     def __repr__(self) -> str:
-        """Return the numbers of gearboxes instead of all values."""
+        """Return the counts of found and searched gearboxes instead of all values."""
         return f"<BoxList: {len(self.boxes)} found, {self.searched} searched>"
 
     def _repr_html_(self) -> str:

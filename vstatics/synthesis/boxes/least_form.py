@@ -11,18 +11,19 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 
 class _Renaming(NamedTuple):
-    """Order of the first gear sets, with the new numbers of links."""
+    """Gear sets renamed so far, in their new order, and the new numbers of their links."""
 
     order: tuple[int, ...]
     links: dict[int, int]
 
 
 def least_box(box: FoundBox) -> FoundBox:
-    """Return the gearbox with sets and links renamed for the least code.
+    """Return the gearbox with gear sets and links renumbered so that the code is least.
 
-    Among the renamings with this code, and of shafts without a gear-set member, the result has the
-    least input, then output, held link, meshed sets and elements. Without meshed sets, code and
-    ports therefore agree with `schemes`.
+    Several renumberings can give this code, and shafts without a gear-set member can be numbered
+    in any order. Among all these, the result has the least input, then output, held link,
+    double-pinion sets and shift elements. Without double-pinion sets, code and ports therefore
+    agree with `schemes`.
 
     Parameters
     ----------
@@ -42,7 +43,7 @@ def least_box(box: FoundBox) -> FoundBox:
 
 
 def least_forms(box: FoundBox) -> list[FoundBox]:
-    """Return all forms with the least identity; a symmetric gearbox has several.
+    """Return all renumbered gearboxes with the least `identity`; symmetry gives several.
 
     >>> box = FoundBox(SetScheme.of_code("0-1-2-0-1-3"), None, 0, 1, ((2, HELD), (3, HELD)),
     ...                (-2.0, -3.0), ((0,), (1,)), 0.0)
@@ -68,7 +69,7 @@ def identity(box: FoundBox) -> tuple[Any, ...]:
 
 
 def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
-    """Yield all renamings that give the least code, found set by set."""
+    """Yield all renumberings that give the least code, which is found set by set."""
     least = [_Renaming((), {})]
     for _ in sets:
         codes = [
@@ -90,7 +91,7 @@ def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
 
 
 def _shafts(box: FoundBox) -> Iterator[dict[int, int]]:
-    """Yield new numbers of links without a gear-set member; separate ports are unchanged."""
+    """Yield the possible new numbers of links outside gear sets; ports keep their numbers."""
     shafts = range(box.scheme.links, box.links)
     ports = {link: link for link in shafts if link in (box.input, box.output)}
     others = [link for link in shafts if link not in ports]

@@ -1,10 +1,11 @@
-"""Effect of sets of engaged elements on input and output, for many sets at once or for one.
+"""Effect of engaged shift elements on input and output: blocked, parking, neutral or a ratio.
 
-The rows of many systems are eliminated as in `numerics.elimination`. Each value carries a size that
-shows when a difference is only rounding noise, so the rank needs no chosen tolerance.
+`engaged_kinds` evaluates many sets of elements at once, by elimination as in
+`numerics.elimination`. The size of a value, which is stored with it, shows when a difference is
+only rounding noise, so the rank needs no chosen tolerance.
 
-`kind_alone` takes longer than `engaged_kinds`, but eliminates the engaged elements together with
-the mechanisms in the order that loses least. It serves sets for which too many digits may be lost.
+`kind_alone` evaluates one set and takes longer. It eliminates elements and mechanisms together, in
+the order that loses the fewest digits, and is used where `engaged_kinds` can lose too many.
 """
 
 from __future__ import annotations
@@ -202,7 +203,7 @@ def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
     return KindAlone(EngagedKind.GEAR, 1 / speed, free)
 
 
-@np.errstate(all="ignore")  # an overflow misses the ratio
+@np.errstate(all="ignore")  # after an overflow, torques are NaN
 def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floats:
     """Return the torque that the first link gives to each element, shape (sets, elements) [-].
 

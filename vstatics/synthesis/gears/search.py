@@ -1,4 +1,4 @@
-"""Search through all combinations of shift elements of a case, and choice of the elements."""
+"""Search through all combinations of shift elements, from the case or all that it can have."""
 
 from __future__ import annotations
 
@@ -144,7 +144,7 @@ WORK = 30_000
 
 
 def refuse_converters(case: Transmission) -> None:
-    """Refuse a train with a converter, whose power and equations combinations change.
+    """Refuse a train with a converter, because its losses and equations depend on combinations.
 
     Raises
     ------
@@ -224,7 +224,7 @@ class CombinationSearch:
         return chosen_elements(self.case, self._asked)
 
     def check(self, at_most: int | None = MOST_TRIED_COMBINATIONS) -> None:
-        """Refuse more combinations than a limit, or more than memory has room for.
+        """Refuse a search with more combinations than a limit, or too large for memory or time.
 
         Raises
         ------

@@ -39,7 +39,7 @@ DIAGRAMS_SIDE_BY_SIDE = 2
 DIAGRAM_GAP = 16.0
 """Distance between diagrams. [pt]"""
 LARGEST_DIAGRAM_SCALE = 0.62
-"""Largest scale of a diagram."""
+"""Largest scale factor of a diagram, drawn size to full size. [-]"""
 
 
 class BoxCell(NamedTuple):
@@ -49,7 +49,7 @@ class BoxCell(NamedTuple):
     caption: Sequence[str]
     stick: BareStick
     part: float
-    """Scale of the diagram."""
+    """Scale factor of the diagram, drawn size to full size. [-]"""
 
     @property
     def size(self) -> Point:
@@ -58,7 +58,7 @@ class BoxCell(NamedTuple):
         return wide, high + CAPTION_LINE_HEIGHT * (1 + len(self.caption)) + DIAGRAM_GAP
 
     def draw(self, page: Pen, x: float, top: float, room: float) -> None:
-        """Draw the cell at the upper left corner, with the diagram centred in the room."""
+        """Draw the cell with its upper left corner at (x, top), the diagram centred in `room`."""
         page.text(x, top, self.heading, bold=True, va="top")
         y = top
         for line in self.caption:

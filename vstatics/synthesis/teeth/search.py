@@ -50,7 +50,9 @@ def best_teeth(
     most: float = math.inf,
     advance: Advance = untold,
 ) -> BestTeeth:
-    """Return the places in the tables with the least errors, for enough different tooth numbers.
+    """Return the choices of tooth numbers with the least errors, as places in the tables.
+
+    Choices are added until `MOST_TEETH_SOLUTIONS` solutions differ in tooth numbers.
 
     Parameters
     ----------
@@ -87,7 +89,7 @@ def best_teeth(
 
 
 def different_teeth(tables: Sequence[TeethTable], places: Integers) -> Floats:
-    """Return the number of different tooth numbers at places of tables, shape (places,)."""
+    """Return the number of solutions with different tooth numbers at places, shape (places,)."""
     pairs = zip(tables, places.T, strict=True)
     return np.asarray(
         np.prod([table.different[rows].astype(float) for table, rows in pairs], axis=0)
@@ -125,7 +127,7 @@ class _Halving:
         return least_errors(self.targets, *self.ends(regions))
 
     def halved(self, regions: Integers) -> Iterator[tuple[Floats, Integers]]:
-        """Yield the remaining halves of regions, the best first; small regions are tried out."""
+        """Yield the remaining halves of regions, best first; in small regions, try every choice."""
         nodes = [table.nodes[node, :2] for table, node in zip(self.tables, regions.T, strict=True)]
         starts, ends = np.stack(nodes, axis=1).transpose(2, 0, 1)
         sizes = ends - starts
@@ -168,7 +170,7 @@ class _Halving:
         return np.concatenate(children)
 
     def _solve(self, number: int, regions: Integers, starts: Integers, sizes: Integers) -> None:
-        """Try the places of a single free gear set with an error below the best."""
+        """Try the places of the only gear set not yet chosen that give errors below the limit."""
         if not len(regions):
             return
         table, column = self.tables[number], self.columns[number]

@@ -93,11 +93,12 @@ class ExcitedGear:
         return free @ (row / (row @ row)) if self.by_motion else np.zeros(len(free))
 
     def answers(self, forms: Floats, omega: float) -> Complex:
-        """Return the frequency response of forms of the angles of links, shape (forms,).
+        """Return the frequency response of linear forms of the link angles, shape (forms,).
 
         Parameters
         ----------
         forms : ndarray, shape (forms, links)
+            Coefficients of the angles of links.
         omega : float
             Frequency of the input. [rad/s]
 
@@ -161,7 +162,7 @@ class ExcitedGear:
     def _rates(
         self, massive: Floats, slow: Floats, force: Floats, at_once: Floats
     ) -> tuple[Floats, Floats, Floats]:
-        """Return the rates of states per state, per input and per rate of the input."""
+        """Return A, b and c of ``x' = A x + b u + c u'``; a shift of the states then removes c."""
         _, stiffness, resistance, hysteresis = self.links
         omegas, light, heavy = self.natural.omegas, slow.shape[1], massive.shape[1]
         modes, size = len(omegas), len(omegas) + light + heavy

@@ -34,7 +34,7 @@ def simplify_merging(
     remove: Sequence[str],
     merge: Sequence[str],
 ) -> Simplification:
-    """Remove masses, merge pairs of other masses, then continue by the rule.
+    """Remove the masses in `remove`, merge the pairs in `merge`, then simplify by the rule.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def simplify_merging(
     Raises
     ------
     CaseError
-        If `simplify` raises it, or a name is not the name of a mass.
+        As in `simplify`, or if a name in `merge` is not the name of a mass.
 
     Examples
     --------

@@ -47,7 +47,7 @@ class CycleLosses(NamedTuple):
     """Torques of engaged shift elements, shape (steps, shift elements). [N*m]"""
 
     def add(self, loads: PointLoads, rows: Integers, duration: Floats) -> None:
-        """Add steps of some durations [s]."""
+        """Add the losses in some steps of given durations [s]."""
         self.held_torques[rows] = loads.held_torques
         self.outside.update(dict.fromkeys(loads.outside))
         for name, powers in (loads.losses() | loads.drag_losses()).items():
@@ -133,7 +133,7 @@ class CycleSteps(NamedTuple):
 
     @property
     def engine_speeds(self) -> Floats:
-        """Speeds of the engine, forward [rad/s]."""
+        """Speeds of the engine, as magnitudes [rad/s]."""
         return np.abs(self.link_speeds("input"))
 
     def course(self, engine: Floats) -> dict[str, Floats]:
@@ -156,7 +156,7 @@ class CycleSteps(NamedTuple):
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return inertia torques on all other links, by path [N*m]."""
+        """Return inertia torques on links that are neither outputs nor held, by path [N*m]."""
         return {
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
             for gear in case.gears
@@ -202,7 +202,7 @@ class CycleSteps(NamedTuple):
         return self.case.replace(gears=gears, outputs=())
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
-        """Solve points of some rows.
+        """Solve the transmission at the operating points of some steps.
 
         Raises
         ------

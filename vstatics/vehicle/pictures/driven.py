@@ -52,7 +52,7 @@ class DrivenVehicle(NamedTuple):
 
 
 def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicle:
-    """Return the vehicle of a case with the driving gears: all, or some by number.
+    """Return the vehicle of a case with the gears that drive it: all, or those in `shown`.
 
     Raises
     ------
@@ -117,7 +117,7 @@ def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
 
 
 def name_on_line(pen: Pen, places: Iterable[Point], name: str, taken: Taken) -> None:
-    """Write a name at the first of some places that covers no other name."""
+    """Write a name at the first of some places where it covers no other name."""
     long, tall = width(name) + NAME_CLEARANCE, LINE_HEIGHT * SIZE
     place = first_free(places, long, tall, pen.size, taken)
     if place:

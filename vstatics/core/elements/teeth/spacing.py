@@ -53,7 +53,7 @@ def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
-    """Report central gears in mesh with a rim at different distances."""
+    """Report central gears that mesh with the same planet gear at different centre distances."""
     for rim in layout.group.planet_of:
         wheels, teeth = layout.around(rim), layout.teeth(rim)
         if not wheels or teeth is None:
@@ -86,7 +86,7 @@ def _off_axis(layout: AxisLayout, first: CentralWheel, other: CentralWheel, chan
 
 
 def _modules(layout: AxisLayout) -> Iterator[Doubt]:
-    """Note rims of a planet that need different modules."""
+    """Note toothed gears of a stepped planet that need different modules."""
     for rims in layout.group.planets.values():
         first, *others = [rim for rim in rims if layout.around(rim)] or [""]
         for rim in others:
@@ -130,7 +130,7 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
 def _sides(
     layout: AxisLayout, rim: str, partner: str
 ) -> tuple[Fraction, Fraction, Fraction] | None:
-    """Return twice the radii of two planet axes, and twice the distance, in modules."""
+    """Return twice the radii of two planet axes, and twice their distance in mesh, in modules."""
     first, second = layout.axis(rim), layout.axis(partner)
     teeth = (layout.teeth(rim), layout.teeth(partner))
     if first is None or second is None or teeth[0] is None or teeth[1] is None:
@@ -139,7 +139,7 @@ def _sides(
 
 
 def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
-    """Report meshed planets that touch a central gear without mesh.
+    """Report planets that touch a central gear although they do not mesh with it.
 
     A Ravigneaux ring is next to the short planets, over the large sun, and long planets can end
     before the small sun; that only deserves a note.
@@ -188,7 +188,7 @@ def _touching_neighbours(layout: AxisLayout, count: int) -> Iterator[Doubt]:
 
 
 def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterator[Doubt]:
-    """Report a planet that touches the planet in mesh with its neighbour."""
+    """Report a planet that touches the mating planet of the neighbouring pair."""
     sides = _sides(layout, rim, partner)
     if sides is None or not closes(*map(float, sides)):
         return

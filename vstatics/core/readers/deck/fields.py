@@ -26,7 +26,7 @@ class Fields:
     """Reader of fields, which collects errors, places and stand-ins."""
 
     def __init__(self, scan: Scan, capacity: int) -> None:
-        """Start from the fields of a deck whose text has `capacity` characters."""
+        """Start with the fields of a scanned deck; `capacity` is the length of its text."""
         self.scan = scan
         self.capacity = capacity
         """Number of characters of the text, an upper bound on every size and count."""

@@ -224,7 +224,7 @@ class Spots:
         self._spots: dict[Path, Spot] = {}
 
     def keep(self, spot: Spot, node: Node | None = None) -> None:
-        """Store a spot, or `node` as its place; the first spot of a path counts."""
+        """Store a spot unless its path has one; `node`, if given, is its place in the document."""
         self._spots.setdefault(spot.path, spot._replace(node=node or spot.node))
 
     def has(self, path: Path) -> bool:
@@ -265,7 +265,7 @@ class Spots:
         return self.document.source.place(node.line, node.column)
 
     def locate(self, problem: Problem) -> Problem:
-        """Add the place and the label to a problem of the model."""
+        """Add the place in the document, and the label, to a problem of the model."""
         if problem.place is not None:
             return problem
         known = problem.path

@@ -65,7 +65,7 @@ class SetRoom(NamedTuple):
     targets: Integers
     """Targets that the combinations of a set reach, as bits, shape (combinations of a set,)."""
     seen: Integers
-    """Number of the last evaluated set with each ratio, shape (ratios,)."""
+    """Number of the last evaluated set that contained each ratio, shape (ratios,)."""
     match: MatchRoom
     steps: Integers
     """Number of attempts to join, and the limit; shape (2,)."""

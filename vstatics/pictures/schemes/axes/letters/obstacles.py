@@ -106,7 +106,7 @@ def _of_pair(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obs
 
 
 def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obstacle]:
-    """Yield the lines and supports of a gear set, and the inside at a lower cost."""
+    """Yield the lines and supports of a gear set, and its interior at a lower cost."""
     axis, glyph = station.axes[0], station.glyphs[placing.chosen.ways[number]]
     left, middle = placing.xs[number] - glyph.width / 2, placing.sign_height(axis)
 
@@ -127,7 +127,7 @@ def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obst
 
 
 def _of_section(station: Station, layout: CoaxialLayout, x: float, y: float) -> Iterator[Obstacle]:
-    """Yield the upper part of a half-section as a whole, and the names below the axis."""
+    """Yield an obstacle for all of a half-section above its axis, and for each part below."""
     low, high = x - station.half, x + station.half
     yield Obstacle(Rectangle(low, y - HALF_LINE, high, y + station.reach[1]))
     for up, at in zip(layout.uprights, layout.places.at, strict=True):

@@ -18,7 +18,7 @@ FOLD, TURN, CROSSING, EXCHANGE = 8, 2, 400, 10
 
 
 class SectionState(NamedTuple):
-    """Bars at a place along the axis, and the bits of everything to the left."""
+    """Bars at a place along the axis, and the components to the left of it, as bits."""
 
     below: Bars
     above: Bars
@@ -33,21 +33,21 @@ class SweepStep(NamedTuple):
     number: int
     """Number of the top, pair or set; link of a wall."""
     bars: Sequence[tuple[Bars, Bars]]
-    """Bars at the component; for a set at the left arm, the planes and the right arm."""
+    """Bars at the component; for a set, at the left arm, at each plane and at the right arm."""
     place: int = -1
     """Place of the lower of two connected neighbours, from the axis; -1 for the nearest bars."""
     is_turned: bool = False
-    """True for a set with planes from right to left."""
+    """True for a gear set whose planes are drawn in reverse order."""
     left: tuple[bool, bool] = (False, False)
-    """True for a left arm to the last bar below, and to the first bar above."""
+    """True where the left arm of a carrier meets the last bar below, and the first bar above."""
     right: tuple[bool, bool] = (False, False)
-    """True for a right arm to the last bar below, and to the first bar above."""
+    """True where the right arm of a carrier meets the last bar below, and the first bar above."""
     before: tuple[Bars, Bars] | None = None
     """Bars to the left, if the component starts bars."""
 
 
 class Move(NamedTuple):
-    """Step with the following state, and the cost without bars."""
+    """Step of the search with the state after it, and the cost of the step without bars."""
 
     state: SectionState
     length: int
