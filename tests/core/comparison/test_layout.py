@@ -147,7 +147,7 @@ def test_directories_are_compared_file_by_file(two: tuple[Path, Path]) -> None:
     assert (said.status, said.out) == (0, "1 same, 0 changed, 0 added, 0 gone\n")
     (two[0] / "same.json").write_text("{", "utf-8")
     said = vstatics("compare", *two)
-    assert said.fails("no JSON")
+    assert said.fails("the file is not JSON")
 
 
 def test_formats_of_results_are_mixed_by_their_stems(two: tuple[Path, Path]) -> None:

@@ -169,7 +169,7 @@ def _figures(material: Material) -> Grid:
         ("gears", len(design.gears)),
         ("spread", design.spread),
         ("lowest efficiency", min(known, default=math.nan)),
-        (f"largest element torque, {RELATIVE}", [*torques, math.nan][0]),
+        (f"largest torque of a shift element, {RELATIVE}", [*torques, math.nan][0]),
         ("largest recirculating power, % of the input power", 100 * max(shares, default=math.nan)),
     ]
     figure_rows = ((Cell(heading(name)), value) for name, value in rows)
