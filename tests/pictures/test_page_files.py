@@ -47,8 +47,8 @@ def test_each_page_is_a_file_and_stale_ones_go(folder: Path, count: list[int], f
         count[0] = number
         said = vstatics("plot", UMDM, "-k", "efficiency", "-o", f"box.{form}")
         further = [f"box-{page}.{form}" for page in range(2, number + 1)]
-        names = " and ".join(further)
-        assert said.all == (f"box.{form} continues in {names}\n" if further else "")
+        listed = " and ".join(further)
+        assert said.all == (f"box.{form} continues in {listed}\n" if further else "")
         assert said.status == 0
         further = [f"box-{page}.{form}" for page in range(2, number + 1)]
         assert names(folder) == [*further, f"box.{form}"]
