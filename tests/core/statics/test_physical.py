@@ -142,7 +142,9 @@ def test_a_load_may_tell_one_of_speed_and_torque() -> None:
     case = replace(SET, load=Load(torque=300), gears=[Gear([2])])
     assert solve(case).output_torque_Nm == pytest.approx([1050])
     assert known_units(case) == {"Nm"}
-    assert lacking_load("losses_kW", "kW").endswith("load: {speed: 2000 rpm, torque: 300 N*m}")
+    assert lacking_load("losses_kW", "kW").endswith(
+        "give `load: {speed: 2000 rpm, torque: 300 N*m}`"
+    )
 
 
 def test_a_gear_without_a_load_has_no_values() -> None:

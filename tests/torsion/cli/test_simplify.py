@@ -150,7 +150,7 @@ def test_a_loss_factor_is_left_out_with_a_warning() -> None:
         (("--links", "2", "--remove", "dsic"), "did you mean `disc`?"),
         (("--links", "2", "--remove", "disc,disc"), "which is already removed"),
         (("--links", "3", "--remove", "disc,wheel"), "read 2 links to remove, expected 1 at most"),
-        (("--links", "2", "--rule", "partial"), "the scheme is not a chain, `axle` is no shaft"),
+        (("--links", "2", "--rule", "partial"), "the scheme is not a chain, `axle` is not a shaft"),
     ],
 )
 def test_what_the_scheme_does_not_have(options: tuple[str, ...], words: str) -> None:

@@ -271,9 +271,9 @@ def test_a_warning_is_printed_unless_quiet_and_fails_if_strict() -> None:
     ):
         answer = said("modes", *options, text=text)
         assert answer.status == status, options
-        assert ("lost has neither an inertia nor a device" in answer.err) is is_told, options
+        assert ("lost has neither an inertia nor a component" in answer.err) is is_told, options
         assert answer.out == said("modes", text=text).out
-    quiet = "<stdin>: error: 1 warning (W503), which --strict makes fail; without -q it is told\n"
+    quiet = "<stdin>: error: 1 warning (W503), which --strict makes fail; without -q it is shown\n"
     assert said("modes", "-q", "--strict", text=text).err == quiet
 
 

@@ -194,7 +194,7 @@ def test_a_mode_in_which_the_input_stands_has_no_resonance(link: int, excited: b
     }
     assert (0.796 in frequencies) == excited
     assert len(frequencies) > 1
-    note = "the input stands in mode"
+    note = "the input is at rest in mode"
     assert (note in "".join(said.texts(picture(solve(case), "campbell", Style())))) != excited
 
 

@@ -55,8 +55,8 @@ def test_parallel_shafts_are_one() -> None:
 @pytest.mark.parametrize(
     ("scheme", "why"),
     [
-        (joined("abcd", "ab", "ac", "ad"), "3 devices act on `a`"),
-        (joined("abc", "ab", "bc", "b"), "3 devices act on `b`"),
+        (joined("abcd", "ab", "ac", "ad"), "3 components act on `a`"),
+        (joined("abc", "ab", "bc", "b"), "3 components act on `b`"),
         (joined("abc", "ab", "bc", "ca"), "its springs make a ring"),
         (joined("abcd", "ab", "cd"), "not all of its links are joined by springs"),
         (joined("ab"), "not all of its links are joined by springs"),
@@ -66,7 +66,7 @@ def test_parallel_shafts_are_one() -> None:
                 (1, 1, 1),
                 (SchemeSpring("axle", {0: 1, 1: -1, 2: -1}, 1.0),),
             ),
-            "`axle` is no shaft between two links: "
+            "`axle` is not a shaft between two links: "
             "it acts on a, b and c with coefficients 1, -1 and -1",
         ),
     ],

@@ -184,8 +184,8 @@ def test_partial_is_for_chains() -> None:
     with pytest.raises(CaseError) as error:
         simplify(BRANCHED, 3, "partial")
     assert said(error) == [
-        "read rule `partial`, expected r, b or u: the scheme is not a chain, `s4` is no shaft between "
-        "two links: it acts on 4, 5 and 6 with coefficients 1, -1 and -1"
+        "read rule `partial`, expected r, b or u: the scheme is not a chain, `s4` is not a shaft "
+        "between two links: it acts on 4, 5 and 6 with coefficients 1, -1 and -1"
     ]
 
 

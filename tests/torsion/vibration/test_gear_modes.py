@@ -255,7 +255,7 @@ def test_what_nothing_moves_or_holds_is_left_out_with_a_warning() -> None:
     assert omegas(closed) == pytest.approx([5.0])
     assert math.isnan(opened.modes[0].shape["3"])
     [warning] = opened.warnings
-    assert warning.startswith("3 has neither an inertia nor a device that resists")
+    assert warning.startswith("3 has neither an inertia nor a component that resists")
     assert closed.modes[0].shape["3"] == pytest.approx(-0.25)
     assert closed.warnings == []
     assert closed.modes[0].torques["C"] == pytest.approx(0, abs=1e-12)
@@ -268,9 +268,7 @@ def test_redundant_devices_have_no_torque_of_their_own() -> None:
         3, twice, [], [Gear([1, 2])], springs=springs, output=3, inertias={1: 2.0, 3: 8.0}
     )
     gear = only(case)
-    told = (
-        "C and D: 1 device is in excess; the speeds agree, the torque of C and D is not determined"
-    )
+    told = "C and D: 1 component is in excess; the speeds agree, the torque of C and D is not determined"
     assert gear.warnings == [told]
     assert math.isnan(gear.modes[0].torques["C"])
     assert gear.modes[0].torques["shaft 1"] == pytest.approx(50)

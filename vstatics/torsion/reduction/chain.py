@@ -93,19 +93,19 @@ def chain_of(scheme: TorsionScheme) -> Chain | str:
     >>> chain_of(TorsionScheme(("a", "b"), (3.0, 4.0), springs)).inertias
     (3.0, 4.0, inf)
     >>> chain_of(TorsionScheme(("a", "b"), (3.0, 4.0), (SchemeSpring("s", {0: 1, 1: -2}, 1.0),)))
-    '`s` is no shaft between two links: it acts on a and b with coefficients 1 and -2'
+    '`s` is not a shaft between two links: it acts on a and b with coefficients 1 and -2'
     """
     names, inertias, springs = tidied(scheme)
     for spring in springs:
         if not _is_shaft(spring):
             coefficients = spoken(f"{a:.4g}" for a in spring.twist.values())
             return (
-                f"`{spring.name}` is no shaft between two links: it acts on "
+                f"`{spring.name}` is not a shaft between two links: it acts on "
                 f"{spoken(names[mass] for mass in spring.twist)} with coefficients {coefficients}"
             )
     for mass, name in enumerate(names):
         if (count := sum(mass in spring.twist for spring in springs)) > 2:
-            return f"{count} devices act on `{name}`"
+            return f"{count} components act on `{name}`"
     path = _path(len(names), springs)
     if isinstance(path, str):
         return path

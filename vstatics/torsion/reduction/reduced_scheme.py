@@ -65,8 +65,9 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     scheme = _scheme(system) or _scheme(_with_stiff_sets(system))
     if scheme is None or (not isinstance(scheme, str) and min(scheme.inertias, default=0.0) < 0):
         return (
-            "rigid devices make bodies follow several links that can move apart, so they are no "
-            "masses by themselves; leave out their inertia, or give a device a stiffness"
+            "rigid components make bodies follow several links that can move apart, so these "
+            "bodies are not separate masses; leave out their inertia, or give a component a "
+            "stiffness"
         )
     return scheme
 

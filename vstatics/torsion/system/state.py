@@ -49,7 +49,7 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     let = "lets" if len(names) == 1 else "let"
     return (
         f"{TIED_UP.english}: {spoken(names)} {let} nothing move; release one of the engaged "
-        "elements, or give a device a stiffness"
+        "shift elements, or give a component a stiffness"
     )
 
 
