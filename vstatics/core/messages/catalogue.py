@@ -78,10 +78,11 @@ def explained(identity: str) -> ExplainedMessage:
 def text(message: ExplainedMessage) -> str:
     """Write the explanation of a message, with an example if there is any.
 
-    >>> print(text(explained("E660")), end="")
-    E660 (error)
-    Cause: The case that a scenario names has errors.
-    Remedy: Mend the case.
+    >>> print(text(explained("W432")), end="")
+    W432 (warning)
+    Cause: The gear is marked `kind: neutral`, but its engaged shift elements
+    determine all speeds, so it drives.
+    Remedy: Remove `kind: neutral`, or release a shift element.
     """
     sentences = [f"Cause: {message.cause}", f"Remedy: {message.remedy}"]
     lines = [f"{message.id} ({message.severity})"]
