@@ -80,8 +80,10 @@ def text(message: ExplainedMessage) -> str:
 
     >>> print(text(explained("E660")), end="")
     E660 (error)
-    Cause: The case that a scenario names has errors.
-    Remedy: Mend the case.
+    Cause: The scenario does not name a case that can be read. The key `case` is
+    missing, or its file is missing, has errors or is not a case.
+    Remedy: Name the file of a correct case, relative to the file of the scenario.
+    `vstatics check` lists the errors of the case.
     """
     sentences = [f"Cause: {message.cause}", f"Remedy: {message.remedy}"]
     lines = [f"{message.id} ({message.severity})"]

@@ -76,7 +76,7 @@ def view(
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5, 0.96, name="set")], [Gear([1]), Gear([2])])
     >>> len(view(solve(case), ASCII).renderables)
-    5
+    7
     """
     case = results.case
     title = [Text(case.name, style="bold")] * bool(case.name)

@@ -126,7 +126,7 @@ class Grid(NamedTuple):
 
         >>> from vstatics.core.texts import speaking
         >>> with speaking("ru"):
-        ...     grid_of("Gears", ["gear", "state"], [["R", word("idle")]]).spoken.texts
+        ...     grid_of("Gears", ["gear", "state"], [["R", word("unloaded")]]).spoken.texts
         [['R', 'без нагрузки']]
         """
         if spoken() == "en":

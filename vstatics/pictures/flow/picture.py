@@ -54,7 +54,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
     >>> [[figure]] = each(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), [()])
-    >>> [text.get_text() for text in figure.texts if "circulates" in text.get_text()][-1]
+    >>> [text.get_text() for text in figure.texts if "of the power" in text.get_text()][-1]
     'recirculating power 1.000: 100.0% of the power in'
     """
     every = flows(results)

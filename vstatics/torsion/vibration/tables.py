@@ -24,7 +24,7 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
     >>> tables = list(modes_grids(modes(case)))
     >>> [table.title for table in tables[:3]]
-    ['Rigid modes', 'Natural frequencies', 'Where most of the energy is']
+    ['Rigid modes', 'Natural frequencies', 'Largest shares of energy']
     >>> tables[1].texts
     [['1', '1', '10.000', '1.592', '0.000', '1.592', '1']]
     >>> [table.title for table in tables[3:]]
