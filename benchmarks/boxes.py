@@ -22,11 +22,11 @@ from vstatics.synthesis.boxes.least_form import least_box
 from vstatics.synthesis.structures.scheme import SetScheme
 
 SMALL = (
-    *("--sets=2", "--elements=4", "--engaged=2", "--own-input"),
+    *("--sets=2", "--shift-elements=4", "--engaged=2", "--own-input"),
     "--ratios=2.45,1.45,1,-2.2",
 )
 EIGHT = (
-    *("--sets=4", "--elements=5", "--engaged=3", "--tolerance=.005"),
+    *("--sets=4", "--shift-elements=5", "--engaged=3", "--tolerance=.005"),
     "--ratios=4.70,3.13,2.10,1.67,1.28,1,.84,.67,-3.30",
 )
 FIRST = 5

@@ -408,8 +408,7 @@ def options_of(words: list[str]) -> set[str]:
             break
         command = inner
     own = {name for one in command.params for name in (*one.opts, *one.secondary_opts)}
-    former = {name for one in command.params for name in getattr(one, "former", ())}
-    return own | former | {"--help", "--version"}
+    return own | {"--help", "--version"}
 
 
 @pytest.mark.parametrize("name", NAMES[:1] + NAMES[2:])

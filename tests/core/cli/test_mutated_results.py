@@ -71,12 +71,12 @@ def test_an_npz_of_ones_own_is_a_table_of_variants_as_the_same_csv(tmp_path: Pat
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ('{"P1.ratio": -2}\n{"P1.ratio": -2, "P1.ratio": -3}', ":2:1: error: no table of variants: `P1.ratio` is given twice"),
-        ('{"P1.ratio": -2}\n\n{"variant": 3}', ":3:1: error: no table of variants: the key `P1.ratio` is missing"),
-        ('{"P1.ratio": -2}\n{"P1.ratio": -2, "x": 1}', ":2:1: error: no table of variants: the key `x` is not in the first line"),
-        ('{"P1.ratio": -2}\n' + '{"P1.ratio": ' + "[" * 100_000, ":2:1: error: no table of variants: nested too deeply"),
+        ('{"P1.ratio": -2}\n{"P1.ratio": -2, "P1.ratio": -3}', ":2:1: error: not a table of variants: `P1.ratio` is given twice"),
+        ('{"P1.ratio": -2}\n\n{"variant": 3}', ":3:1: error: not a table of variants: the key `P1.ratio` is missing"),
+        ('{"P1.ratio": -2}\n{"P1.ratio": -2, "x": 1}', ":2:1: error: not a table of variants: the key `x` is not in the first line"),
+        ('{"P1.ratio": -2}\n' + '{"P1.ratio": ' + "[" * 100_000, ":2:1: error: not a table of variants: nested too deeply"),
         ("[" * 100_000, ":1:1: error: "),
-        ('{"P1.ratio": -2}\n[1]', ":2:1: error: no table of variants: read no JSON object"),
+        ('{"P1.ratio": -2}\n[1]', ":2:1: error: not a table of variants: read no JSON object"),
         ('{"P1.ratio": [1]}', "P1.ratio: read"),
         ('{"P1.ratio": 1e999}', "P1.ratio: read"),
     ],
@@ -95,7 +95,7 @@ def test_results_and_boxes_nested_too_deeply_are_reported_so(tmp_path: Path) -> 
     file.write_text('{"searched": 1, "boxes": ' + "[" * 100_000, encoding="utf-8")
     for words in (("compare", file, file), ("plot", "-k", "boxes", file, "-o", tmp_path / "a.svg")):
         told = vstatics(*words)
-        assert told.fails("deep.json: error: ", "can be read: nested too deeply")
+        assert told.fails("deep.json: error: ", "be read: nested too deeply")
 
 
 @pytest.mark.parametrize(

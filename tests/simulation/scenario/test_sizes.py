@@ -66,7 +66,8 @@ def test_inertias_that_are_unlike(tmp_path: Path) -> None:
     (tmp_path / "case.yaml").write_text(CASE.replace("in: 1,", "in: 1e-13,"))
     (tmp_path / "scenario.yaml").write_text(SCENARIO)
     said = vstatics("simulate", tmp_path / "scenario.yaml")
-    assert "case.yaml:2:12: error: inertias.in: read 1e-13 beside 2, expected at least" in said.err
+    assert "case.yaml:2:12: error: inertias.in: read 1e-13, expected at least" in said.err
+    assert "the largest inertia, 2: leave it out" in said.err
 
 
 @pytest.mark.parametrize("law", ["1/0", '"1/0"', '"0/0"', '"15/(t - t)"', '"exp(1e4)"'])

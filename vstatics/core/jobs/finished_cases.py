@@ -36,7 +36,7 @@ def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
 
     >>> differing({"gears": [7, [6.5, 9]]}, {"gears": (7, (6.5, 9.0))})
     []
-    >>> differing({"--coast": True, "--idle": None}, {"--coast": False, "--idle": None})
+    >>> differing({"--coast": True, "--unloaded": None}, {"--coast": False, "--unloaded": None})
     ['--coast']
     """
     as_read = json.loads(json.dumps(dict(wanted)))

@@ -182,7 +182,7 @@ def typeset(text: str) -> str:
 
     >>> typeset("-0.953"), typeset("sun 1-2: -0.5, 2.5 (-1e-07)")
     ('−0.953', 'sun 1-2: −0.5, 2.5 (−1e-07)')
-    >>> typeset("-M_C + M_1 = 0; --idle exact")
-    '−M_C + M_1 = 0; --idle exact'
+    >>> typeset("-M_C + M_1 = 0; --unloaded exact")
+    '−M_C + M_1 = 0; --unloaded exact'
     """
     return _MINUS.sub("−", text) if "-" in text else text

@@ -69,7 +69,7 @@ def test_files_of_one_name_are_told_with_their_folders() -> None:
 
 
 def test_parquet_has_the_rows_of_csv() -> None:
-    """But for those of conventions, which no program needs."""
+    """Rows of conventions and of the program are metadata in Parquet."""
     cases = ("drawer/**/*.dat", "bad.yaml", "neutral.yaml")
     said = vstatics("run", *cases, "-o", "all.parquet", "-j", 2)
     assert said.fails("4 of 5 cases calculated, 1 failed")
@@ -83,7 +83,7 @@ def test_parquet_has_the_rows_of_csv() -> None:
             "value": float(row["value"]) if row["value"] else None,
         }
         for row in told
-        if row["table"] != "conventions"
+        if row["table"] not in ("conventions", "program")
     ]
     assert rows("all.parquet") == expected
     assert vstatics("run", "neutral.yaml", "-o", "one.parquet").status == 0
