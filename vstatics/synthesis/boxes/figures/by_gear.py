@@ -139,7 +139,9 @@ def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> Non
     >>> from vstatics.synthesis.boxes.box import WantedSequence
     >>> search = BoxSearch(2, 4, 2, (), sequence=WantedSequence(3, 4, (1, 9), (1, 9)))
     >>> check_search_weights(search, {"4": 2.0})
-    >>> check_search_weights(search, {"1": 0.0, "2": 0.0, "3": 0.0})
+    >>> check_search_weights(
+    ...     search, {"1": 0.0, "2": 0.0, "3": 0.0}
+    ... )  # doctest: +NORMALIZE_WHITESPACE
     Traceback (most recent call last):
     vstatics.core.errors.CaseError: weights: read 0 for all gears, expected at least one number above 0 [E796]
     """
