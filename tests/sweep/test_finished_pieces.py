@@ -134,7 +134,7 @@ def test_a_directory_of_others_is_left_alone(tmp_path: Path) -> None:
     folder = tmp_path / "out.csv.parts"
     folder.mkdir()
     (folder / "letter.txt").write_text("dear", encoding="utf-8")
-    with pytest.raises(ReadError, match="holds no sweep"):
+    with pytest.raises(ReadError, match="contains no sweep"):
         store(tmp_path / "out.csv", resume=True)
     assert (folder / "letter.txt").read_text(encoding="utf-8") == "dear"
 

@@ -90,7 +90,7 @@ def test_a_device_that_was_not_recorded_is_left_out() -> None:
             "torques[shaft] [kW]\n5\n6\n",
             "record.csv:1:1: error: torques[shaft]: read the unit 'kW'",
         ),
-        ("torques[shaft]\n1e300\n-1e300\n", "record.csv:1:1: error: torques of `shaft` are so lar"),
+        ("torques[shaft]\n1e300\n-1e300\n", "record.csv:1:1: error: torques of `shaft` are too lar"),
         ("", "record.csv:1:1: error: the file is empty, expected a record"),
     ],
 )
@@ -166,5 +166,5 @@ def test_a_rigid_device_has_no_life_under_random_torques(tmp_path: Path) -> None
     for stiffness, warned in ("", True), (", stiffness: 1e6", False):
         box.write_text(text % stiffness)
         made = vstatics("torsion", "random", str(box), "--at", "a", "--input", str(noise))
-        assert ("`pair` is rigid or open: its life is not told" in made.err) == warned
+        assert ("`pair` is rigid or disengaged, so it has no life" in made.err) == warned
         assert "`s`" not in made.err

@@ -143,7 +143,8 @@ def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> Non
     ...     search, {"1": 0.0, "2": 0.0, "3": 0.0}
     ... )  # doctest: +NORMALIZE_WHITESPACE
     Traceback (most recent call last):
-    vstatics.core.errors.CaseError: weights: read 0 for all gears, expected at least one number above 0 [E796]
+    vstatics.core.errors.CaseError: weights: read 0 for all gears, expected at least one
+    number above 0 [E796]
     """
     wanted = search.sequence
     fewest, most = (0, 0) if wanted is None else (wanted.least, wanted.most)
