@@ -397,7 +397,7 @@ def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> No
     [
         ("shift", {}, "expected motion=vstatics.simulate(scenario)"),
         ("plan", {"merge": True}, "`merge` is not for it, only levers can be merged"),
-        ("lever", {"wheels": True}, "only stick diagrams name them"),
+        ("lever", {"wheels": True}, "only stick diagrams show teeth"),
         ("modes", {"orders": [2]}, "only campbell and response have orders"),
         ("campbell", {"at": "in"}, "only a response is that of a link"),
     ],

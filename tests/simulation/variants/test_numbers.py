@@ -143,7 +143,7 @@ def test_of_a_deck_no_numbers_vary() -> None:
     varied = type(varied)(varied.scenario, varied.case._replace(file="mzkt.dat"))
     assert varied.trees.case is None
     with pytest.raises(
-        ReadError, match="has no key `D1`; numbers of a deck vary once `vstatics convert` has"
+        ReadError, match="has no key `D1`; to vary numbers of a deck, convert it to YAML"
     ):
         varied.target("D1.ratio")
     assert subject(case=CASE).trees.case is not None

@@ -77,7 +77,7 @@ def test_teeth_that_do_not_go_together_are_told_and_the_run_stands() -> None:
     assert (made.columns[:, 2] == 1).all()
     for more, said in (
         ([], r"set\.ratio follows from teeth, .* expected teeth such as set\.teeth\.sun"),
-        (["set.teeth.ring=60,62"], r"set\.ratio is varied beside teeth that it follows from"),
+        (["set.teeth.ring=60,62"], r"set\.ratio is varied together with teeth that determine it"),
     ):
         with pytest.raises(ReadError, match=said):
             build.plan(subject(case=case), SweepOptions.of(vary=["set.ratio=-2,-3", *more]))
