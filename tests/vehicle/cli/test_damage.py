@@ -90,7 +90,10 @@ def test_a_device_that_was_not_recorded_is_left_out() -> None:
             "torques[shaft] [kW]\n5\n6\n",
             "record.csv:1:1: error: torques[shaft]: read the unit 'kW'",
         ),
-        ("torques[shaft]\n1e300\n-1e300\n", "record.csv:1:1: error: torques of `shaft` are too lar"),
+        (
+            "torques[shaft]\n1e300\n-1e300\n",
+            "record.csv:1:1: error: torques of `shaft` are too lar",
+        ),
         ("", "record.csv:1:1: error: the file is empty, expected a record"),
     ],
 )
