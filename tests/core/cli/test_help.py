@@ -15,7 +15,7 @@ from tests.commands import CASES, process, vstatics
 from tests.installed import HERE, missing, skip_without, used_in
 from tests.test_readme import prepared, run_all
 from vstatics.core.cli import main
-from vstatics.core.cli.shared.command import HeadedCommand, RenamedOption
+from vstatics.core.cli.shared.options import HeadedCommand, RenamedOption
 
 GEARBOX = "vstatics new gearbox.yaml --template zf-8hp70"
 """Command that writes the case of the examples, from the help of the program."""

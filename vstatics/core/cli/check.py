@@ -13,10 +13,9 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
-from vstatics.core.cli.shared.command import MESSAGES, OUTPUT, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import WHOLE_OUTPUT, OutputOptions, TextStyle
-from vstatics.core.cli.shared.options import completing, refuse
+from vstatics.core.cli.shared.options import MESSAGES, OUTPUT, command, completing, refuse, under
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of

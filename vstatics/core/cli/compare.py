@@ -9,9 +9,8 @@ from collections.abc import Callable
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.options import Command, completing, gathered, refuse
+from vstatics.core.cli.shared.options import Command, command, completing, gathered, refuse
 from vstatics.core.cli.shared.values import value
 from vstatics.core.comparison import layout
 from vstatics.core.comparison.pairs import (

@@ -7,8 +7,8 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import OUTPUT, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.options import OUTPUT, command, under
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.writers.saving import case_data

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
+from vstatics.core.cli.shared.options import command
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid

@@ -9,8 +9,7 @@ from importlib import resources
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import command
-from vstatics.core.cli.shared.options import completing
+from vstatics.core.cli.shared.options import command, completing
 from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.examples import example_file, example_files

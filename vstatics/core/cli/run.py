@@ -11,11 +11,10 @@ import click
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate
-from vstatics.core.cli.shared.command import OUTPUT, PROCESSING, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import Destination, OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.options import OUTPUT, PROCESSING, command, refuse, under
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.errors import CaseError, printable
 from vstatics.core.jobs.files import STDOUT, is_stream

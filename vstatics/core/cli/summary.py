@@ -12,11 +12,10 @@ from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate, show_problems
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import provided, refuse
+from vstatics.core.cli.shared.options import command, provided, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import above_0, torque, value
 from vstatics.core.errors import ReadError

@@ -100,6 +100,7 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
     )
     if state.calculable:
         yield from _rules_of_losses(state)
+        yield from _rules_of_drag(state)
     if any(item.is_plain(item.ratio) and item.planet_ratio is None for item in case.mechanisms):
         yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
     if any(map(fills_a_gap, drawing.elements if drawing else ())):
@@ -118,7 +119,7 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
 
 
 def _rules_of_losses(state: GearState) -> Iterator[str]:
-    """Yield the rules for mechanisms with losses, variators, converters and drag."""
+    """Yield the rules for mechanisms with losses, variators and converters."""
     case = state.case
     if any(
         mechanism.efficiency != 1 or mechanism.back_efficiency is not None
@@ -156,6 +157,10 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
             "with losses. Both use magnitudes; values are interpolated linearly between "
             "points and held constant outside."
         )
+
+
+def _rules_of_drag(state: GearState) -> Iterator[str]:
+    case = state.case
     if case.has_drag:
         yield tr(
             "Drag brakes its link, or the links of a disengaged shift element relative to "

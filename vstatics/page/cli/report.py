@@ -12,11 +12,10 @@ from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.shared.command import OUTPUT, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import gathered, provided, refuse
+from vstatics.core.cli.shared.options import OUTPUT, command, gathered, provided, refuse, under
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import each, named, separated, value
 from vstatics.core.extras import higher

@@ -16,8 +16,8 @@ from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import documents, files, formats
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE
+from vstatics.core.cli.shared.options import command
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.extras import higher
 from vstatics.core.jobs.stopping import ENDING

@@ -14,10 +14,9 @@ from vstatics.core.annexes import picture_kinds
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import needs, refuse
+from vstatics.core.cli.shared.options import command, needs, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import wrong_value
 from vstatics.core.errors import CaseError, ReadError

@@ -10,12 +10,11 @@ import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, texts
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.one_case import one_text, tell
-from vstatics.core.cli.shared.options import needs, refuse
+from vstatics.core.cli.shared.options import command, needs, refuse
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import higher
 from vstatics.core.tables.suffixes import known

@@ -9,9 +9,8 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import formats
-from vstatics.core.cli.shared.command import RenamedOption, under
 from vstatics.core.cli.shared.formats import OutputOptions
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import RenamedOption, gathered, under
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.cli.shared.values import above_0, value

@@ -11,9 +11,16 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats
-from vstatics.core.cli.shared.command import INPUT, PROCESSING, command, under
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.options import Command, gathered, refuse
+from vstatics.core.cli.shared.options import (
+    INPUT,
+    PROCESSING,
+    Command,
+    command,
+    gathered,
+    refuse,
+    under,
+)
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.errors import CaseError, ReadError

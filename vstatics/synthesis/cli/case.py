@@ -8,8 +8,8 @@ import click
 
 from vstatics.core import readers
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.options import command
 from vstatics.core.cli.shared.values import separated, value, wrong_value
 from vstatics.core.errors import CaseError, Problem, quoted, spoken
 from vstatics.core.jobs.files import STDOUT, is_stream

@@ -8,7 +8,7 @@ import click
 
 from vstatics.core import readers
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import OUTPUT, under
+from vstatics.core.cli.shared.options import OUTPUT, under
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.jobs.files import missing_folder
 from vstatics.core.model.transmission import Transmission

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import RenamedOption, command
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.one_case import OneCase, one_case, problems_of
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import RenamedOption, command, gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated, value, wrong_value
 from vstatics.core.errors import CaseError, ReadError, listed, of_file, plural, quoted

@@ -9,10 +9,9 @@ from typing import NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, one_case, warnings_of
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.values import named, pair, value, wrong_use

@@ -10,10 +10,10 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.shared.command import INPUT, RenamedOption, under
 from vstatics.core.cli.shared.documents import is_a
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.formats import Destination
+from vstatics.core.cli.shared.options import INPUT, RenamedOption, under
 from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import Problem, ReadError, not_allowed, of_file
 from vstatics.core.jobs.input_files import TABLE_BYTES

@@ -8,7 +8,6 @@ from typing import NamedTuple, get_args
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import OUTPUT, command, under
 from vstatics.core.cli.shared.estimates import (
     CommandEstimate,
     about,
@@ -17,7 +16,7 @@ from vstatics.core.cli.shared.estimates import (
     size_text,
 )
 from vstatics.core.cli.shared.formats import WHOLE_OUTPUT
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import OUTPUT, command, gathered, under
 from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.values import each, value, wrong_value
 from vstatics.core.errors import Problem, typed_number

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import click
 
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, one_case, warnings_of
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.values import named, pair, separated, told, value, wrong_use
 from vstatics.core.errors import Problem, listed, of_file, quoted

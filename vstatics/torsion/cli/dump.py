@@ -10,10 +10,9 @@ import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case, show
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.values import value
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.answer import Schema, documents, head_schema, list_of, schema

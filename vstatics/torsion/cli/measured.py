@@ -6,10 +6,9 @@ from collections.abc import Callable, Mapping
 
 import click
 
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
-from vstatics.core.cli.shared.options import Command
+from vstatics.core.cli.shared.options import Command, command
 from vstatics.core.cli.shared.values import above_0, from_0, named, value
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.model.transmission import Transmission

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.shared.options import command
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
     WorkingGears,

@@ -8,8 +8,7 @@ import click
 import numpy as np
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import under
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import gathered, under
 from vstatics.core.cli.shared.values import above_0, from_0, numbers, value
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.jobs.input_files import TABLE_BYTES

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import Problem, quoted
 from vstatics.core.readers.reading import Reading

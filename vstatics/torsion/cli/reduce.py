@@ -7,8 +7,8 @@ from functools import partial
 import click
 
 from vstatics.core.cli.shared import cases as arguments
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.shared.options import command
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import elastic_case, gear_names, gears_answer, link_name, slope_notes
 

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.values import numbers, told, value
 from vstatics.core.errors import listed, plural
 from vstatics.core.readers.reading import Reading

@@ -10,11 +10,10 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import TABLES, OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, warnings_of
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated, value
 from vstatics.core.errors import ReadError, spoken

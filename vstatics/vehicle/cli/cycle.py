@@ -14,10 +14,9 @@ import click
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.shared.command import OUTPUT, RenamedOption, command, under
 from vstatics.core.cli.shared.formats import OutputOptions
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import OUTPUT, RenamedOption, command, gathered, under
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import CaseError, Problem, ReadError, of_file

@@ -11,16 +11,18 @@ from click.core import ParameterSource
 
 from vstatics.core import readers
 from vstatics.core.cli.shared import documents, files
-from vstatics.core.cli.shared.command import (
+from vstatics.core.cli.shared.documents import DocumentOfCase
+from vstatics.core.cli.shared.options import (
     CALCULATION,
     INPUT,
     MESSAGES,
     OUTPUT,
+    Command,
     RenamedOption,
+    completing,
+    gathered,
     under,
 )
-from vstatics.core.cli.shared.documents import DocumentOfCase
-from vstatics.core.cli.shared.options import Command, completing, gathered
 from vstatics.core.cli.shared.patterns import expanded
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import above_0, allowable, value, wrong_value

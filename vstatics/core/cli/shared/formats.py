@@ -10,8 +10,7 @@ from typing import Literal, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import OUTPUT, under
-from vstatics.core.cli.shared.options import Command, gathered, refuse
+from vstatics.core.cli.shared.options import OUTPUT, Command, gathered, refuse, under
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.extras import missing
 from vstatics.core.jobs.files import STDOUT, is_stream, missing_folder

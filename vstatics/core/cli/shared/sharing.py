@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.command import PROCESSING, under
 from vstatics.core.cli.shared.exit_status import FAILED, stopped_by
-from vstatics.core.cli.shared.options import Command, Option, gathered
+from vstatics.core.cli.shared.options import PROCESSING, Command, Option, gathered, under
 from vstatics.core.errors import CaseError
 from vstatics.core.jobs.files import is_stream, unwritable
 from vstatics.core.jobs.stopping import StoppedError

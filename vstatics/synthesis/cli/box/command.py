@@ -10,10 +10,10 @@ import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats
-from vstatics.core.cli.shared.command import PROCESSING, command, under
 from vstatics.core.cli.shared.estimates import CommandEstimate, about, duration_text
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
+from vstatics.core.cli.shared.options import PROCESSING, command, under
 from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.errors import CaseError, ReadError

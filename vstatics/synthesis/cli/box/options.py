@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared.cases import RequiredUnless
-from vstatics.core.cli.shared.command import RenamedOption, under
-from vstatics.core.cli.shared.options import Option, gathered, refuse
+from vstatics.core.cli.shared.options import Option, RenamedOption, gathered, refuse, under
 from vstatics.core.cli.shared.values import (
     each,
     named,

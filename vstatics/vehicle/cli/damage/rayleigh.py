@@ -5,9 +5,8 @@ from __future__ import annotations
 import click
 
 from vstatics.core.cli.shared import formats
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import OutputOptions
-from vstatics.core.cli.shared.options import gathered, needs, refuse
+from vstatics.core.cli.shared.options import command, gathered, needs, refuse
 from vstatics.core.cli.shared.values import above_0, from_0, value, wrong_value
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.cli.damage.numbers import number, stress, write

@@ -6,9 +6,8 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import check_order
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Reading
 from vstatics.vehicle.cli.strengths import expect_damage

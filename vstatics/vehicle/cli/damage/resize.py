@@ -7,9 +7,8 @@ from typing import NamedTuple
 import click
 
 from vstatics.core.cli.shared import formats
-from vstatics.core.cli.shared.command import command
 from vstatics.core.cli.shared.formats import OutputOptions
-from vstatics.core.cli.shared.options import Option
+from vstatics.core.cli.shared.options import Option, command
 from vstatics.core.cli.shared.values import above_0, told, value, wrong_value
 from vstatics.vehicle.cli.damage.numbers import number, write
 
