@@ -10,8 +10,7 @@ import click
 
 from vstatics.core.annexes import picture_kinds
 from vstatics.core.cli.shared import cases as arguments
-from vstatics.core.cli.shared import command
-from vstatics.core.cli.shared.options import Option, gathered
+from vstatics.core.cli.shared.options import Option, RenamedOption, gathered, under
 from vstatics.core.cli.shared.values import numbers, shown_speeds, told, value
 from vstatics.core.texts import Language
 from vstatics.pictures.drawing.lengths import page_width
@@ -82,7 +81,7 @@ _COLUMNS = "Columns of a sweep"
 options = gathered(
     "asked",
     AskedPicture,
-    command.under(
+    under(
         _PICTURE,
         click.option(
             "-k",
@@ -107,12 +106,12 @@ options = gathered(
         "SVG, PNG or PDF file by its suffix, for one case or for two cases to compare; a directory "
         "for several cases; - is standard output, with one SVG page of any height."
     ),
-    command.under(
+    under(
         _KINDS,
         click.option(
             "--teeth",
             "wheels",
-            cls=command.RenamedOption,
+            cls=RenamedOption,
             former=["--wheels"],
             is_flag=True,
             help="Label stick diagrams with names and tooth numbers of the toothed gears.",
@@ -173,7 +172,7 @@ options = gathered(
             ),
         ),
     ),
-    command.under(
+    under(
         _COLUMNS,
         *_of_kinds(
             "columns",
