@@ -24,7 +24,7 @@ from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
 from vstatics.core.statics.state import GearState
-from vstatics.core.statics.status import CONFLICT, NEUTRAL, TIED_UP
+from vstatics.core.statics.status import CONFLICT, DRAGGED, LOCKED, NEUTRAL, TIED_UP
 
 NOTHING_HOLDS = "nothing supports the input torque"
 
@@ -539,14 +539,10 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
         way = " when coasting" if case.coasts(case.gears[number]) else ""
         yield Said(
             "W421",
-            f"self-locking{way}: no direction of power flow is consistent with the losses",
+            f"{LOCKED.english}{way}: no direction of power flow is consistent with the losses",
         )
     elif results.dragged[number]:
-        yield Said(
-            "W422",
-            "back-driven: drag and losses take more power than the input supplies, so power enters "
-            "at the output",
-        )
+        yield Said("W422", f"{DRAGGED.english}: {DRAGGED.meaning}")
     elif results.undecided[number]:
         yield Said(
             "W423",
