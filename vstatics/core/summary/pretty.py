@@ -207,7 +207,7 @@ def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | N
     value, name = max(known, key=lambda pair: pair[0])
     if value < ROUNDED_NUMBER:
         return Cell("0", 0.0)
-    decimals = decimals or int(ROUNDED_NUMBER < value < NEEDS_DECIMALS)
+    decimals = decimals or int(value < NEEDS_DECIMALS)
     return Cell(f"{exact(value, decimals, digits=digits).text} {name}", value)
 
 
