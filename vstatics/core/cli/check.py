@@ -22,7 +22,7 @@ from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import Problem, ReadError, Severity, plural, quoted, spoken
 from vstatics.core.readers.kinds import document_function
-from vstatics.core.statics.diagnosis import freedom, given_conditions, undriven_gears
+from vstatics.core.statics.diagnosis import freedom, given_constraints, undriven_gears
 from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import CONFLICT, TIED_UP
@@ -109,7 +109,7 @@ def constraints(file: str, results: Results) -> Grid:
         faults += [f"{excess} in excess"] * bool(excess)
         faults += [TIED_UP.english] * bool(tied_up)
         faults += [CONFLICT.english] * bool(conflict)
-        count = given_conditions(gear) + len(holding)
+        count = given_constraints(gear) + len(holding)
         bypassed = case.bypassed(with_engaged(gear, holding))  # these impose no constraint
         needed = free + len(bypassed)
         state = f"{count} of {needed} constraints: {', '.join(faults) or 'ok'} (engaged: {engaged})"
