@@ -21,12 +21,8 @@ _FEW = 7
 """Largest number of options that are listed under the single heading "Options"."""
 _HEADING = "heading"
 """Attribute of an option with the heading of the option in the help text."""
-
-
 _PARAMETERS = "__click_params__"
 """Attribute of a function to which decorators of click append options."""
-
-
 _WIDTH = 28
 """Largest width of the column of options, in characters; longer options get a line of their own."""
 
