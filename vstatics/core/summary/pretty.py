@@ -227,9 +227,11 @@ def _state(results: Results, number: int) -> Cell:
 
 def _split(gears: Grid) -> Iterator[Grid]:
     """Yield the table of gears without the largest values, then the table of these."""
-    largest = [n for n, column in enumerate(gears.columns) if column.heading.startswith("largest")]
-    places = range(len(gears.columns))
-    yield gears.with_columns([place for place in places if place not in largest])
+    columns = [*enumerate(gears.columns)]
+    largest = [
+        n for n, column in columns if column.heading.startswith("largest") and not column.is_name
+    ]
+    yield gears.with_columns([n for n, _ in columns if n not in largest])
     yield gears.with_columns([0, *largest])
 
 
