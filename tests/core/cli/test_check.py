@@ -36,11 +36,11 @@ def test_check_counts_conditions_and_prints_no_tables() -> None:
     """Two links turn freely in a differential of three: two degrees of freedom."""
     assert vstatics("check", "neutral.yaml", "tied.yaml").out.splitlines() == [
         "neutral.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears; degrees of freedom: 2",
-        "  gear N    1 of 2 conditions: 1 missing (engaged: nothing)",
-        "  gear low  2 of 2 conditions: ok (engaged: B)",
+        "  gear N    1 of 2 constraints: 1 missing (engaged: nothing)",
+        "  gear low  2 of 2 constraints: ok (engaged: B)",
         "tied.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears; degrees of freedom: 2",
-        "  gear both  3 of 2 conditions: 1 in excess, tied up (engaged: C B)",
-        "  gear low   2 of 2 conditions: ok (engaged: B)",
+        "  gear both  3 of 2 constraints: 1 in excess, tied up (engaged: C B)",
+        "  gear low   2 of 2 constraints: ok (engaged: B)",
     ]
 
 

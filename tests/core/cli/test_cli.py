@@ -9,7 +9,7 @@ import pytest
 
 from tests.commands import CASES, MZKT, Said, json_answer, vstatics
 from tests.shipped import PRINTED
-from vstatics.core.cli import main, with_languages
+from vstatics.core.cli import WITH_LANGUAGES, installed, main
 
 COMMANDS = ["run", "check", "convert", "compare"]
 
@@ -132,10 +132,10 @@ def test_a_command_in_one_language_names_those_in_several() -> None:
         for one in commands
         if one and any("--lang" in option.opts for option in one.params)
     ]
-    assert sorted(filter(None, spoken)) == sorted(with_languages())
+    assert sorted(filter(None, spoken)) == sorted(installed(WITH_LANGUAGES))
     for line in ("cycle car.yaml trace.csv", "torsion modes box.yaml", "simulate run.yaml"):
         said = vstatics(*line.split(), "--lang", "ru")
-        words = f"and {with_languages()[-1]} have it."
+        words = f"and {installed(WITH_LANGUAGES)[-1]} have it."
         assert said.is_wrong_use(words)
 
 

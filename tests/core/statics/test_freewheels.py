@@ -357,7 +357,8 @@ def test_the_command_line_fails_for_a_conflict() -> None:
     assert checked.status == 1
     assert "freewheels in conflict" in checked.out
     assert (
-        "3 of 3 conditions: ok (engaged: A D)" in vstatics("check", "-", stdin=SIMPSON.encode()).out
+        "3 of 3 constraints: ok (engaged: A D)"
+        in vstatics("check", "-", stdin=SIMPSON.encode()).out
     )
 
 

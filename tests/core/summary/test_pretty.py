@@ -87,6 +87,17 @@ def test_a_terminal_without_dots_gets_letters() -> None:
         assert sign in captured.get()
 
 
+def test_a_shift_element_called_largest_stays_with_the_shift_elements() -> None:
+    """In a narrow window the largest values get a table of their own."""
+    text = FREEWHEEL.replace("lock-up clutch", "largest")
+    console = Console(width=60)
+    with console.capture() as captured:
+        console.print(view(library.solve(library.loads(text)), DOTS, width=60))
+    first, second = (line for line in gear_lines(captured.get()) if " high" in line)
+    assert first.split()[:4] == ["high", "●", "·", "1.000"]
+    assert "●" not in second
+
+
 def test_gears_without_numbers_say_why() -> None:
     lock = "links: 2\nshift_elements: {B: [1, 0]}\nmechanisms: {P: {first: 1, second: 2, ratio: 2}}"
     said = vstatics(

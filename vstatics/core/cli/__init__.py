@@ -103,19 +103,15 @@ def _safe_usage_errors() -> Iterator[None]:
         message = printable(error.format_message(), lines=True)
         unknown = error.option_name if isinstance(error, click.NoSuchOption) else ""
         if unknown in _ELSEWHERE and f"{unknown}s" not in message:
-            others = spoken(_installed(_ELSEWHERE[unknown]))
+            others = spoken(installed(_ELSEWHERE[unknown]))
             message = f"No such option '{unknown}': {others} have it."
         raise click.UsageError(_with_hint(message), error.ctx) from None
 
 
-def with_languages() -> list[str]:
-    """Return the installed commands that have words in other languages."""
-    return _installed(WITH_LANGUAGES)
-
-
-def _installed(names: Sequence[str]) -> list[str]:
-    installed = main.listed()
-    return [name for name in names if name in installed]
+def installed(names: Sequence[str]) -> list[str]:
+    """Return the commands that are installed, out of some names."""
+    listed = main.listed()
+    return [name for name in names if name in listed]
 
 
 def _with_hint(message: str) -> str:

@@ -1,4 +1,4 @@
-"""`vstatics check`: problems of cases and scenarios, degrees of freedom, conditions per gear."""
+"""`vstatics check`: problems of cases and scenarios, degrees of freedom, constraints per gear."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import Problem, ReadError, Severity, plural, quoted, spoken
 from vstatics.core.readers.kinds import document_function
-from vstatics.core.statics.diagnosis import freedom, given_conditions, undriven_gears
+from vstatics.core.statics.diagnosis import freedom, given_constraints, undriven_gears
 from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import CONFLICT, TIED_UP
@@ -71,7 +71,7 @@ def _count(number: int, noun: str) -> str:
     return f"{number} {plural(noun, number)}"
 
 
-def conditions(file: str, results: Results) -> Grid:
+def constraints(file: str, results: Results) -> Grid:
     """Return a table of the parts of a case and the constraints on speeds in each gear."""
     case = results.case
     free = freedom(case)
@@ -84,7 +84,7 @@ def conditions(file: str, results: Results) -> Grid:
     if drawing := drawing_of(case):
         planets = case.links - drawing.links
         counts[0] = _count(drawing.links, "link")
-        counts[2] = f"{_count(len(drawing.elements), 'element')} as {counts[2]}"
+        counts[2] = f"{_count(len(drawing.elements), 'gear set')} as {counts[2]}"
         counts[2] += f" and {_count(planets, 'planet')}" * bool(planets)
     if case.springs:
         counts.insert(3, _count(len(case.springs), "spring"))
@@ -108,10 +108,10 @@ def conditions(file: str, results: Results) -> Grid:
         faults += [f"{excess} in excess"] * bool(excess)
         faults += [TIED_UP.english] * bool(tied_up)
         faults += [CONFLICT.english] * bool(conflict)
-        count = given_conditions(gear) + len(holding)
+        count = given_constraints(gear) + len(holding)
         bypassed = case.bypassed(with_engaged(gear, holding))  # these impose no constraint
         needed = free + len(bypassed)
-        state = f"{count} of {needed} conditions: {', '.join(faults) or 'ok'} (engaged: {engaged})"
+        state = f"{count} of {needed} constraints: {', '.join(faults) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
     return grid_of(title, ["", ""], rows)
@@ -236,7 +236,7 @@ def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedF
         if outcome.results is not None and outcome.locate is not None:
             undriven = [*map(outcome.locate, undriven_gears(outcome.results))]
             problems, failed = [*undriven, *problems], failed or bool(undriven)
-            grid = conditions(outcome.file, outcome.results)
+            grid = constraints(outcome.file, outcome.results)
         yield outcome.file, problems, failed, grid
 
 
@@ -278,7 +278,7 @@ def _as_text(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
         failed |= fails
         files.show(once.first(_printed(file, problems, options.telling)))
         if grid is not None and (fails or not options.telling.quiet):
-            text += [f"{conditions_line}\n" for conditions_line in lines(grid, indent="  ")]
+            text += [f"{constraints_line}\n" for constraints_line in lines(grid, indent="  ")]
     return "".join(text), failed
 
 

@@ -64,8 +64,7 @@ def convert_command(
     if wanted is None:
         raise click.UsageError(
             f"cannot determine the format of {target}: expected a suffix such as .dat, "
-            ".yaml, .json, "
-            ".xlsx, or --to"
+            ".yaml, .json, .xlsx, or --to"
         )
     reading = arguments.read_data(*files.read_input(source), input_format, telling)
     if left_out := [problem for problem in reading.warnings if problem.id == "W807"]:

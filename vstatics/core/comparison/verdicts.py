@@ -170,7 +170,7 @@ def verdict(cases: Sequence[CaseVerdict]) -> Verdict:
 
 OTHER_ROWS = (
     "a listing of Visual-Statics has rows for mechanisms, and the other result has rows for "
-    "gear sets: expected a listing in another format, JSON or CSV"
+    "gear sets: expected the output of `vstatics run` in the format listing, JSON or CSV"
 )
 
 

@@ -283,9 +283,8 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
     if element.stiffness is not None:
         yield Problem(
             "E314",
-            "a gear set with a stiffness cannot have planet masses: list the planet as "
-            "a link with its "
-            "inertia, and each mesh as a mechanism",
+            "a gear set with a stiffness cannot have planet masses: list the planet as a link "
+            "with its inertia, and each mesh as a mechanism",
             place,
         )
     named = element.kind == GROUP or len(element.planet_names) > 1

@@ -282,10 +282,9 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             name = mechanisms[number - 1].name or number
             yield Problem(
                 "E455",
-                f"read {ratio:g}, but the engaged shift elements lock the links of "
-                f"converter {name} together, so "
-                "its speed ratio is 1: release its lock-up clutch, or remove the "
-                "speed ratio",
+                f"read {ratio:g}, but the engaged shift elements lock the links of converter "
+                f"{name} together, so its speed ratio is 1: release its lock-up clutch, or remove "
+                "the speed ratio",
                 inner,
             )
 
@@ -380,17 +379,15 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
     if ratio == 1:
         yield Problem(
             "N203",
-            "with ratio 1 the first and second link always turn at the same speed, and "
-            "the third receives "
-            "torque only through losses",
+            "with ratio 1 the first and second link always turn at the same speed, and the third "
+            "receives torque only through losses",
             (*path, "ratio"),
         )
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
             "N204" if ratio == -1 else "W201",  # as bevel differentials have it
-            f"ratio {ratio:g} is not the basic ratio of a simple planetary gear set, so "
-            "there is no "
-            "planet speed without `planet_ratio`",
+            f"ratio {ratio:g} is not the basic ratio of a simple planetary gear set, so there is "
+            "no planet speed without `planet_ratio`",
             path,
         )
 
@@ -460,8 +457,7 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
         yield Problem(
             "E237",
             f"read `{turns}`, but with the operating point of this gear the input turns "
-            f"{by_load}; expected "
-            "an operating point with other signs, or no `input_turns`",
+            f"{by_load}; expected an operating point with other signs, or no `input_turns`",
             path,
         )
 

@@ -1,7 +1,7 @@
 """Messages about irregular gears: why a value does not exist, and what to do.
 
-`freedom` and `given_conditions` count the conditions for the speeds; `messages` reads the
-`Results`. All functions apply to one case, not to arrays of variants.
+`freedom` and `given_constraints` count the constraints on the speeds; `messages` reads
+the `Results`. All functions apply to one case, not to arrays of variants.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
 from vstatics.core.statics.state import GearState
-from vstatics.core.statics.status import CONFLICT, NEUTRAL, TIED_UP
+from vstatics.core.statics.status import CONFLICT, DRAGGED, LOCKED, NEUTRAL, TIED_UP
 
 NOTHING_HOLDS = "nothing supports the input torque"
 
@@ -47,7 +47,7 @@ def freedom(case: Transmission) -> int:
     return elimination.solve(rows, case.links).missing
 
 
-def given_conditions(gear: Gear) -> int:
+def given_constraints(gear: Gear) -> int:
     """Return the number of engaged shift elements and given speeds, the input's included."""
     return len(gear.engaged) + 1 + len(gear.speeds)
 
@@ -252,7 +252,7 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     names = [case.link_name(link) for link in idle]
     first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
     expected = f"a speed or a torque, such as `speeds: {{{first}: {same}}}`"
-    # a further given speed would be a condition in excess
+    # a further given speed would be a constraint in excess
     if not np.isnan(results.speeds[number, idle[0] - 1]):
         side, torque = _taking(case, gear, float(results.speeds[number, idle[0] - 1]))
         example = f"`torques: {{{first}: {torque}}}`"
@@ -277,7 +277,7 @@ def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Report missing, redundant and contradictory conditions, and an output at rest."""
+    """Report missing, redundant and contradictory constraints, and an output at rest."""
     case = results.case
     if results.conflict[number]:
         return  # reported as an error already
@@ -379,7 +379,7 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
 
 
 def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Report conditions for the speeds that repeat or contradict each other."""
+    """Report constraints on the speeds that repeat or contradict each other."""
     case, repeated, same = results.case, list[str](), list[str]()
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
@@ -474,7 +474,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
             "torque times output speed is not 1, so only a few digits are certain; give exact "
             "ratios, for example by teeth",
         )
-    elif not results.excess[number] and (  # an excess of conditions is reported with the speeds
+    elif not results.excess[number] and (  # an excess of constraints is reported with the speeds
         np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()
     ):
         unknown = _unknown_torques(results, number)
@@ -539,14 +539,10 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
         way = " when coasting" if case.coasts(case.gears[number]) else ""
         yield Said(
             "W421",
-            f"self-locking{way}: no direction of power flow is consistent with the losses",
+            f"{LOCKED.english}{way}: no direction of power flow is consistent with the losses",
         )
     elif results.dragged[number]:
-        yield Said(
-            "W422",
-            "back-driven: drag and losses take more power than the input supplies, so power enters "
-            "at the output",
-        )
+        yield Said("W422", f"{DRAGGED.english}: {DRAGGED.meaning}")
     elif results.undecided[number]:
         yield Said(
             "W423",

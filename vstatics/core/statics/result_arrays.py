@@ -144,11 +144,11 @@ class ResultFields(_NamedFields):
     """Number of sets of signs that agree with the power flow they cause, ``(..., gears)``."""
 
     tied_up: Booleans
-    """Gears whose conditions for the speeds contradict each other, ``(..., gears)``."""
+    """Gears whose constraints on the speeds contradict each other, ``(..., gears)``."""
     missing: Integers
-    """Number of conditions that the speeds lack, ``(..., gears)``."""
+    """Number of constraints that the speeds lack, ``(..., gears)``."""
     excess: Integers
-    """Number of conditions that others imply or contradict, ``(..., gears)``."""
+    """Number of constraints that others imply or contradict, ``(..., gears)``."""
     balanced: Booleans
     """Gears for which torques without losses exist, ``(..., gears)``."""
 

@@ -136,7 +136,7 @@ class GearState(NamedTuple):
 
     @property
     def tied_up(self) -> bool:
-        """True if the conditions for the speeds contradict each other."""
+        """True if the constraints on the speeds contradict each other."""
         return not self.ideal.speeds.consistent
 
     @property

@@ -207,7 +207,7 @@ def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | N
     value, name = max(known, key=lambda pair: pair[0])
     if value < ROUNDED_NUMBER:
         return Cell("0", 0.0)
-    decimals = decimals or int(ROUNDED_NUMBER < value < NEEDS_DECIMALS)
+    decimals = decimals or int(value < NEEDS_DECIMALS)
     return Cell(f"{exact(value, decimals, digits=digits).text} {name}", value)
 
 
@@ -227,9 +227,11 @@ def _state(results: Results, number: int) -> Cell:
 
 def _split(gears: Grid) -> Iterator[Grid]:
     """Yield the table of gears without the largest values, then the table of these."""
-    largest = [n for n, column in enumerate(gears.columns) if column.heading.startswith("largest")]
-    places = range(len(gears.columns))
-    yield gears.with_columns([place for place in places if place not in largest])
+    columns = [*enumerate(gears.columns)]
+    largest = [
+        n for n, column in columns if column.heading.startswith("largest") and not column.is_name
+    ]
+    yield gears.with_columns([n for n, _ in columns if n not in largest])
     yield gears.with_columns([0, *largest])
 
 

@@ -327,12 +327,12 @@ _ASKED = (
     Quantity("undecided", "UNDECIDED", "Search for directions of power was cut short"),
     Quantity("turned", "TURNED", "Losses turn the flow round"),
     Quantity("choices", "CHOICES", "Sets of signs that agree with their flow"),
-    Quantity("tied_up", "TIEDUP", "Conditions for the speeds contradict each other"),
+    Quantity("tied_up", "TIEDUP", "Constraints on the speeds contradict each other"),
     Quantity("conflict", "CONFLICT", "A freewheel can neither hold nor overrun"),
     Quantity("exact", "EXACT", "Calculated in fractions, as rounding leaves few digits"),
     Quantity("balanced", "BALANCED", "Torques without losses exist"),
-    Quantity("missing", "MISSING", "Conditions that the speeds lack"),
-    Quantity("excess", "EXCESS", "Conditions that others imply or contradict"),
+    Quantity("missing", "MISSING", "Constraints that the speeds lack"),
+    Quantity("excess", "EXCESS", "Constraints that others imply or contradict"),
 )
 
 _PORTS = (

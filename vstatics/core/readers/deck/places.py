@@ -38,8 +38,8 @@ class Places:
         self.given: dict[tuple[str, int, int], int] = {}
         """Position of each given speed in the deck's list NWZ, and of each given torque in NMZ.
 
-    The keys are ``("speeds", gear, link)`` and ``("torques", gear, link)``.
-    """
+        The keys are ``("speeds", gear, link)`` and ``("torques", gear, link)``.
+        """
         self._spots: dict[str, Spot] = {}
 
     @property

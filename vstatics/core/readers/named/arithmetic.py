@@ -101,12 +101,15 @@ def expected(text: str) -> str:
 
     >>> expected("1,5")
     'expected a number or a calculation such as -96/39 (with a decimal point)'
+    >>> expected("97 percent")
+    'expected a number or a calculation such as -96/39 (write `%`, or 0.97 for 97 %)'
     """
-    return f"expected a number or a calculation such as -96/39{slip(text)}"
+    hint = slip(text) or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
+    return f"expected a number or a calculation such as -96/39{hint}"
 
 
 def slip(text: str) -> str:
-    """Return a hint for a number in typographic or verbal notation, or an empty text.
+    """Return a hint for a number in typographic notation, or an empty text.
 
     >>> slip("1,5"), slip("\u22122.6"), slip("x")
     (' (with a decimal point)', ' (with `-` instead of `\u2212`)', '')
@@ -115,8 +118,6 @@ def slip(text: str) -> str:
         return " (with a decimal point)"
     if grouped := _GROUPED.search(with_plain_blanks(text)):
         return f" (digits without blanks: {grouped[0].replace(' ', '')})"
-    if _PERCENT.search(text):
-        return " (write `%`, or 0.97 for 97 %)"
     return dash_hint(text)
 
 

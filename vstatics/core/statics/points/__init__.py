@@ -152,9 +152,6 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
     return efficiencies
 
 
-TWO = ("two torques", "satisfy")
-
-
 def _messages(case: Transmission, points: Any) -> Iterator[Message]:
     for gear, settled, state in zip(case.gears, points.gears, points.open.tolist(), strict=True):
         if state in (NONE, SEVERAL):
@@ -164,7 +161,7 @@ def _messages(case: Transmission, points: Any) -> Iterator[Message]:
             yield Message("W426", text, gear.name)
         if state in (NO_BALANCE, TWO_BALANCES):
             link = sought_link(gear, settled)
-            how_many, satisfy = ("no torque", "satisfies") if state == NO_BALANCE else TWO
-            on = f"{how_many} on {case.link_name(link)} {satisfy} the battery balance"
-            text = f"balance: {on}, so the torques are unknown"
+            none, two = "no torque on {} satisfies", "two torques on {} satisfy"
+            words = (none if state == NO_BALANCE else two).format(case.link_name(link))
+            text = f"balance: {words} the battery balance, so the torques are unknown"
             yield Message("W427", text, gear.name)
