@@ -268,8 +268,8 @@ TABLE = ByForm(
             KeyShape(
                 "file",
                 TEXT,
-                "CSV file beside this one, with a head such as `speed [rpm],0.2,0.5,1`: what the "
-                "first column is, then the second variable of each other column.",
+                "CSV file, relative to the scenario, with a head such as `speed [rpm],0.2,0.5,1`: "
+                "the name of the first variable, then the second variable of each other column.",
                 examples=("engine.csv",),
             ),
             KeyShape(
@@ -374,7 +374,7 @@ _SHIFT_KEYS = (
     KeyShape(
         "converters",
         ByName("converter", CONVERTER),
-        "Torque converters by their names, in place of those of the case.",
+        "Torque converters by their names, which replace the converters of the case.",
     ),
     KeyShape(
         "shifts",

@@ -30,9 +30,9 @@ def _fault(**values: Any) -> str:
         return f"read {read}, expected one of `white`, `correlation` and `points`"
     extra = [key for key in ("variance", "speed") if values.get(key) is not None]
     if given != ["correlation"] and extra:
-        return f"read `{extra[0]}` beside `{given[0]}`, expected it beside `correlation` alone"
+        return f"read `{extra[0]}` with `{given[0]}`, expected it with `correlation` only"
     if given == ["correlation"] and values.get("variance") is None:
-        return "`variance` is missing beside `correlation`"
+        return "`variance` is missing, but `correlation` needs it"
     return ""
 
 
