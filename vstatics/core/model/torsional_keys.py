@@ -104,36 +104,47 @@ STRUT = ByKey(
         KeyShape(
             "pressure",
             Leaf("pressure"),
-            "At rest, in Pa.",
+            "Pressure of the gas at rest, in Pa.",
             required=True,
             limits=ABOVE_0,
             examples=("38 at",),
         ),
-        KeyShape("area", Leaf("area"), "Of the piston, in m^2.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "area", Leaf("area"), "Area of the piston, in m^2.", required=True, limits=ABOVE_0
+        ),
         KeyShape(
             "length",
             Leaf("length"),
-            "Volume of the gas at rest by that area, in m.",
+            "Volume of the gas at rest divided by `area`, in m.",
             required=True,
             limits=ABOVE_0,
             examples=("11 cm",),
         ),
-        KeyShape("exponent", NUMBER, "Polytropic.", required=True, limits=ABOVE_0),
+        KeyShape("exponent", NUMBER, "Polytropic exponent.", required=True, limits=ABOVE_0),
         KeyShape(
             "counter_pressure",
             Leaf("pressure"),
-            "In the counter chamber at rest, in Pa.",
+            "Pressure in the counter chamber at rest, in Pa.",
             default=0,
             limits={"minimum": 0},
         ),
         KeyShape(
-            "counter_area", Leaf("area"), "Towards it, in m^2.", default=0, limits={"minimum": 0}
+            "counter_area",
+            Leaf("area"),
+            "Area of the piston towards the counter chamber, in m^2.",
+            default=0,
+            limits={"minimum": 0},
         ),
-        KeyShape("counter_length", Leaf("length"), "Of it, in m.", limits=ABOVE_0),
+        KeyShape(
+            "counter_length",
+            Leaf("length"),
+            "Volume of the counter chamber at rest divided by `counter_area`, in m.",
+            limits=ABOVE_0,
+        ),
         KeyShape(
             "at",
             Leaf("length"),
-            "How much longer than at rest the strut is where its slope is the stiffness of modes.",
+            "Extension from rest at which the slope of the strut is the stiffness of modes, in m.",
             default=0,
         ),
     ),
@@ -147,8 +158,8 @@ SPRING = ByKey(
         KeyShape(
             "links",
             Ends(least=1),
-            "Of a shaft: its twist is the angle of the first link less that of the second; one "
-            "link alone is joined to the housing.",
+            "Links of a shaft, whose twist is the angle of the first link less the angle of the "
+            "second; a single link is joined to the housing.",
             examples=(["engine", "disc"],),
         ),
         KeyShape(
@@ -160,7 +171,7 @@ SPRING = ByKey(
         KeyShape(
             "stiffness",
             Leaf("stiffness", straight=True),
-            "In N*m/rad; of a spring whose twist names a link of `masses` in N/m.",
+            "Stiffness in N*m/rad, or in N/m if the twist names a link of `masses`.",
             limits=ABOVE_0,
         ),
         KeyShape(
@@ -179,7 +190,7 @@ SPRING = ByKey(
         KeyShape(
             "limit",
             LIMIT,
-            "In a scenario its torque stays within it, in N*m; the rest is slip, as of a tyre.",
+            "Largest torque in a scenario, in N*m; beyond it the spring slips, like a tyre.",
             examples=("3000 N*m", {"base": 2400, "of": "suspension", "times": 0.24}),
         ),
         KeyShape(

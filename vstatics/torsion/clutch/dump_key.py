@@ -24,7 +24,7 @@ _PARTS = {
 
 DUMP = ByKey(
     "Clutch dump",
-    "What makes up the masses of a clutch that is dumped, for `vstatics torsion dump`.",
+    "Masses, torques and speed of a clutch dump, for `vstatics torsion dump`.",
     (
         *(
             KeyShape(

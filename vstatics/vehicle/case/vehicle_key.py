@@ -15,8 +15,12 @@ VEHICLE = ByKey(
     "Vehicle",
     "The vehicle of the gearbox, for `vstatics summary` and `vstatics cycle`.",
     (
-        KeyShape("mass", Leaf("mass"), "Of the vehicle, in kg.", required=True, limits=ABOVE_0),
-        KeyShape("radius", Leaf("length"), "Of the wheels, in m.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "mass", Leaf("mass"), "Mass of the vehicle, in kg.", required=True, limits=ABOVE_0
+        ),
+        KeyShape(
+            "radius", Leaf("length"), "Radius of the wheels, in m.", required=True, limits=ABOVE_0
+        ),
         KeyShape(
             "rolling",
             NUMBER,
@@ -76,7 +80,7 @@ VEHICLE = ByKey(
     Vehicle,
 )
 KEY = CaseKey(
-    KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),
+    KeyShape("vehicle", VEHICLE, "The vehicle of the gearbox."),
     Vehicle | None,
     vehicle_record,
     of_vehicle,
