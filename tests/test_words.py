@@ -15,7 +15,7 @@ from tests.installed import ANNEXES, missing
 from tests.words import explanations, helps, messages, prose, stumbles
 from vstatics.core.cli import main
 
-ROOMS = ("core", "page", "vehicle")
+ROOMS = ("core", *ANNEXES)
 """The core and annexes whose messages are checked in the code."""
 EXPLAINED = ("core", *ANNEXES)
 """Files of explanations that are checked."""

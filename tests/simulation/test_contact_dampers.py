@@ -350,11 +350,11 @@ def test_springs_in_a_loop_have_the_twist_that_one_of_them_is_given(given: str) 
 @pytest.mark.parametrize(
     ("start", "fault"),
     [
-        ("twists: {left: 0.1, right: 0.2}", "follows 0.1 rad"),
-        ("angles: {a: 0.3, c: 0.1}, twists: {left: 0.2}", "follows 0.1 rad"),
-        ("angles: {b: 0.3, c: 0.1}", "follows 0.15 rad"),
-        ("twists: {lift: 0.1}", "elastic device; did you mean `left`"),
-        ("twists: {left: 0.1 m}", "expected one in rad"),
+        ("twists: {left: 0.1, right: 0.2}", "give 0.1 rad"),
+        ("angles: {a: 0.3, c: 0.1}, twists: {left: 0.2}", "give 0.1 rad"),
+        ("angles: {b: 0.3, c: 0.1}", "give 0.15 rad"),
+        ("twists: {lift: 0.1}", "elastic component; did you mean `left`"),
+        ("twists: {left: 0.1 m}", "expected a number in rad"),
         ("twists: {left: 0.1}, settled: true", "`twists` and `settled`"),
         ("angles: {d: 0.1}", "expected the name of a link"),
     ],

@@ -188,7 +188,9 @@ def test_rows_that_pandas_numbers_and_a_note(tmp_path: Path) -> None:
         assert read_back.block(0, 2).tolist() == [[-2.5], [-3.0]], suffix
     frame["note"] = ["first", "second"]
     frame.to_parquet(tmp_path / "own.parquet")
-    with pytest.raises(ReadError, match=r"read `note`.*leave out what is no number of the case"):
+    with pytest.raises(
+        ReadError, match=r"read `note`.*leave out columns that are not numbers of the case"
+    ):
         load_table(str(tmp_path / "own.parquet"), CASE)
 
 

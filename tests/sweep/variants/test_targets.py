@@ -60,11 +60,11 @@ def test_a_number_is_named_as_the_case_names_it(
     [
         ("P.stiffness=1", 1, "`P` has no `stiffness` in the case: give it one, so that it can"),
         ("#2.damping=1", 1, "`#2` has no `stiffness`"),
-        ("#7.stiffness=1", 1, "read `#7`, expected the number of a device, #1 to #6"),
+        ("#7.stiffness=1", 1, "read `#7`, expected the number of a component, #1 to #6"),
         (
             "tire.stiffness=1",
             1,
-            f"no elastic device `tire`, expected one of {ELASTIC}; did you mean",
+            f"no elastic component `tire`, expected one of {ELASTIC}; did you mean",
         ),
         ("engin.inertia=1", 1, "there is no link `engin`, expected one of engine, sun, ring, P.x;"),
         ("#9.inertia=1", 1, "expected the number of a link, #1 to #4"),
@@ -72,7 +72,11 @@ def test_a_number_is_named_as_the_case_names_it(
         ("sun.inerta=1", 5, "read `inerta`, expected `inertia`; did you mean `inertia`?"),
         ("P.stifness=1", 3, "read `stifness`, expected `ratio` or `efficiency`"),
         ("tyre.damping=1", 1, "`tyre` is damped by a ratio or loss factor: give N*m*s/rad to vary"),
-        ("tyre=1", 1, "or an elastic device, then `.stiffness`, `.compliance` or `.damping`; or a"),
+        (
+            "tyre=1",
+            1,
+            "or an elastic component, then `.stiffness`, `.compliance` or `.damping`; or a",
+        ),
         ("tyre=1", 1, "link, then `.inertia`; did you mean `tyre"),
         ("tyre.stiffness=0:x:3", 18, "read `x`, expected a number"),
     ],

@@ -98,7 +98,7 @@ def test_wrong_use(options: list[str]) -> None:
 
 def test_a_mistyped_device_gets_the_nearest_one() -> None:
     answer = said("damping", "--gear", "4", "--decrements", "tyer=.1")
-    assert "no elastic device `tyer`; did you mean `tyre`?" in answer.err
+    assert "no elastic component `tyer`; did you mean `tyre`?" in answer.err
 
 
 def test_a_gear_that_is_tied_up_is_told_with_its_place() -> None:

@@ -35,7 +35,7 @@ def test_numbers_may_have_units() -> None:
     [
         ("{}", "1:1", "read none of them, expected one of"),
         ("{white: 1, points: [[0, 1], [1, 2]]}", "1:1", "read `white` and `points`"),
-        ("{white: 1, speed: 3}", "1:1", "read `speed` beside `white`"),
+        ("{white: 1, speed: 3}", "1:1", "read `speed` with `white`"),
         ("{correlation: [[1, 2, 3]]}", "1:1", "`variance` is missing"),
         ("{white: -1}", "1:9", "read -1, expected a spectrum of 0 or more"),
         ("{white: x}", "1:9", "expected a number"),

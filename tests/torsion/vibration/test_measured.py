@@ -154,8 +154,8 @@ def test_dampings_of_the_case_are_told() -> None:
 @pytest.mark.parametrize(
     ("decrements", "message"),
     [
-        ({}, "there is no decrement"),
-        ({"tyer": 0.1}, "no elastic device `tyer`; did you mean `tyre`?"),
+        ({}, "read no decrement"),
+        ({"tyer": 0.1}, "no elastic component `tyer`; did you mean `tyre`?"),
         ({"pair": 0.1}, "`pair` is not elastic in gear 4; elastic are `final drive`, `damper`"),
         ({"I": 0.1}, "`I` is not elastic in gear 4"),
         ({"tyre": -0.1}, "decrement of tyre: read -0.1, expected a number of 0 or more"),

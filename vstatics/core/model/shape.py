@@ -135,7 +135,7 @@ class Ends(NamedTuple):
 class Numbers(NamedTuple):
     """Mapping of links, shift elements or other parts to numbers or values of a shape."""
 
-    by: Literal["link", "shift element", "mechanism", "spring", "elastic device"]
+    by: Literal["link", "shift element", "mechanism", "spring", "elastic component"]
     item: Shape
     limits: Limits = NO_LIMITS
 

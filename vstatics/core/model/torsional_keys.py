@@ -55,14 +55,14 @@ DAMPING = Either(
 )
 """Shape of a damping, viscous or relative to the elastic torque."""
 ABOVE_0: Limits = {"exclusiveMinimum": 0}
-_DAMPING = KeyShape("damping", DAMPING, "Damping beside its stiffness, in N*m*s/rad.")
+_DAMPING = KeyShape("damping", DAMPING, "Damping in parallel with the stiffness, in N*m*s/rad.")
 
 ELASTIC = (
     KeyShape(
         "stiffness",
         Leaf("stiffness"),
-        "For vibration: torque on its first link by the twist of its own row, in N*m/rad; rigid "
-        "when not given.",
+        "For vibration: torque on its first link divided by the twist of its own row, in N*m/rad; "
+        "rigid when not given.",
         limits=ABOVE_0,
         examples=(9e4,),
     ),
@@ -80,12 +80,16 @@ LIMIT = Either(
             KeyShape(
                 "base",
                 Leaf("si_torque", straight=True),
-                "Where the other spring has none, in N*m.",
+                "Limit while the other spring has no torque, in N*m.",
                 required=True,
                 limits={"minimum": 0},
             ),
             KeyShape("of", TEXT, "The other spring."),
-            KeyShape("times", NUMBER, "What its torque adds to the base by its size."),
+            KeyShape(
+                "times",
+                NUMBER,
+                "Factor of the magnitude of its torque, which is added to the base.",
+            ),
         ),
         limit_of,
         limit_fault,
@@ -100,36 +104,47 @@ STRUT = ByKey(
         KeyShape(
             "pressure",
             Leaf("pressure"),
-            "At rest, in Pa.",
+            "Pressure of the gas at rest, in Pa.",
             required=True,
             limits=ABOVE_0,
             examples=("38 at",),
         ),
-        KeyShape("area", Leaf("area"), "Of the piston, in m^2.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "area", Leaf("area"), "Area of the piston, in m^2.", required=True, limits=ABOVE_0
+        ),
         KeyShape(
             "length",
             Leaf("length"),
-            "Volume of the gas at rest by that area, in m.",
+            "Volume of the gas at rest divided by `area`, in m.",
             required=True,
             limits=ABOVE_0,
             examples=("11 cm",),
         ),
-        KeyShape("exponent", NUMBER, "Polytropic.", required=True, limits=ABOVE_0),
+        KeyShape("exponent", NUMBER, "Polytropic exponent.", required=True, limits=ABOVE_0),
         KeyShape(
             "counter_pressure",
             Leaf("pressure"),
-            "In the counter chamber at rest, in Pa.",
+            "Pressure in the counter chamber at rest, in Pa.",
             default=0,
             limits={"minimum": 0},
         ),
         KeyShape(
-            "counter_area", Leaf("area"), "Towards it, in m^2.", default=0, limits={"minimum": 0}
+            "counter_area",
+            Leaf("area"),
+            "Area of the piston towards the counter chamber, in m^2.",
+            default=0,
+            limits={"minimum": 0},
         ),
-        KeyShape("counter_length", Leaf("length"), "Of it, in m.", limits=ABOVE_0),
+        KeyShape(
+            "counter_length",
+            Leaf("length"),
+            "Volume of the counter chamber at rest divided by `counter_area`, in m.",
+            limits=ABOVE_0,
+        ),
         KeyShape(
             "at",
             Leaf("length"),
-            "How much longer than at rest the strut is where its slope is the stiffness of modes.",
+            "Extension from rest at which the slope of the strut is the stiffness of modes, in m.",
             default=0,
         ),
     ),
@@ -138,44 +153,44 @@ STRUT = ByKey(
 
 SPRING = ByKey(
     "Spring",
-    "An elastic device: torque by twist.",
+    "An elastic component: torque against twist.",
     (
         KeyShape(
             "links",
             Ends(least=1),
-            "Of a shaft: its twist is the angle of the first link less that of the second; one "
-            "link alone is joined to the housing.",
+            "Links of a shaft, whose twist is the angle of the first link less the angle of the "
+            "second; a single link is joined to the housing.",
             examples=(["engine", "disc"],),
         ),
         KeyShape(
             "twist",
             Numbers("link", NUMBER),
-            "In place of links: any sum of angles, by coefficients.",
+            "Coefficients of any sum of angles, instead of `links`.",
             examples=({"pinion": 1, "wheel": -1, "casing": -1},),
         ),
         KeyShape(
             "stiffness",
             Leaf("stiffness", straight=True),
-            "In N*m/rad; of a spring whose twist names a link of `masses` in N/m.",
+            "Stiffness in N*m/rad, or in N/m if the twist names a link of `masses`.",
             limits=ABOVE_0,
         ),
         KeyShape(
             "compliance",
             Leaf("compliance", straight=True),
-            "In place of the stiffness, in rad/(N*m).",
+            "Compliance in rad/(N*m), instead of `stiffness`.",
             limits=ABOVE_0,
             examples=(84e-5,),
         ),
         KeyShape(
             "damping",
             DAMPING,
-            "Damping beside its stiffness, in N*m*s/rad; of a spring whose points have a play it "
+            "Damping in parallel with the stiffness, in N*m*s/rad; if the points have a play, it "
             "acts in contact only, and spring and damper together never pull.",
         ),
         KeyShape(
             "limit",
             LIMIT,
-            "In a scenario its torque stays within it, in N*m; the rest is slip, as of a tyre.",
+            "Largest torque in a scenario, in N*m; beyond it the spring slips, like a tyre.",
             examples=("3000 N*m", {"base": 2400, "of": "suspension", "times": 0.24}),
         ),
         KeyShape(
@@ -187,20 +202,20 @@ SPRING = ByKey(
                 ),
                 "points",
             ),
-            "In place of a stiffness: twists in rad, which rise, and torques in N*m, which do not "
-            "fall, from [0, 0] on in both directions; with a twist below 0 as they are written. "
-            "Beyond them the last slope holds.",
+            "Twists in rad, which rise, and torques in N*m, which do not fall, instead of a "
+            "stiffness. Points from [0, 0] on hold in both directions, and with a twist below 0 "
+            "as they are written. Beyond them the last slope holds.",
             examples=([[0, 0], [0.02, 0], [0.1, 160]],),
         ),
         KeyShape(
             "friction",
             Leaf("si_torque", straight=True),
-            "In a scenario dry friction beside it, in N*m.",
+            "Dry friction in parallel, in N*m, in a scenario.",
             default=0,
             limits={"minimum": 0},
             examples=("14 N*m",),
         ),
-        KeyShape("strut", STRUT, "In place of a stiffness, of a spring that is straight."),
+        KeyShape("strut", STRUT, "Strut of a straight spring, instead of a stiffness."),
     ),
     spring_of,
     spring_fault,

@@ -121,7 +121,7 @@ async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[s
     """
     lengths = request.all_of("content-length")
     if request.all_of("transfer-encoding"):
-        raise RefusedError(501, "expected a body of a length that is told")
+        raise RefusedError(501, "expected a body with a declared length")
     if not lengths:
         raise RefusedError(411, "expected a body and its length")
     if len(lengths) > 1 or not re.fullmatch(r"[0-9]{1,18}", lengths[0]):

@@ -165,8 +165,8 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
         path, _, angle = given[place]
         raise CaseError(
             "E649",
-            f"read {angle:g} rad, but from the other angles and twists, and the mechanisms "
-            f"between them, follows {expected:g} rad",
+            f"read {angle:g} rad, but the other angles and twists, and the mechanisms between "
+            f"them, give {expected:g} rad",
             ("start", *path),
         )
     open_still, angles = null(matrix), solved(matrix, values)
@@ -297,7 +297,7 @@ def _contradicting_speed(
     link, speed = [*given.items()][place]
     return Problem(
         "E614",
-        f"read a speed of {speed:g} rad/s of {system.case.link_name(link)}, but from the other "
-        f"speeds and the engaged shift elements follows {expected:g} rad/s",
+        f"read a speed of {speed:g} rad/s of {system.case.link_name(link)}, but the other "
+        f"speeds and the engaged shift elements give {expected:g} rad/s",
         ("start", "speeds", link),
     )

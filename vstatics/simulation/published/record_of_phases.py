@@ -84,7 +84,9 @@ class TarasikRecord:
             if sizes.any():
                 row = int(sizes.argmax())
                 peaks[name] = Peak(float(torques[row, column]), self.times[row])
-        text = f"the energy balance of the published equations leaves a rest of {balance:.6g} J"
+        text = (
+            f"the energy balance of the published equations leaves a remainder of {balance:.6g} J"
+        )
         largest = max(abs(self.work), math.fsum(self.heat), abs(kinetic))
         closes = abs(balance) <= CLOSED_ENERGY * largest
         return Motion(

@@ -136,7 +136,7 @@ class ScenarioDocument(NamedTuple):
         walk.references.set_numbers("shift element", elements)
         walk.references.set_numbers("mechanism", (part.name for part in case.mechanisms))
         walk.references.set_numbers("spring", (spring.name for spring in case.springs))
-        walk.references.set_numbers("elastic device", elastic_names(case))
+        walk.references.set_numbers("elastic component", elastic_names(case))
         values = walk.read(Spot((), "", self.root), scenario_shape(self._words(case)))
         builder = ScenarioValues(case, spots)
         scenario, samples = builder.scenario(values), builder.samples(values)

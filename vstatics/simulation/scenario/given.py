@@ -51,7 +51,7 @@ def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., s
             return f"{read}, expected one of {spoken(map(quoted, names), 'or')}"
         others = [name for name in with_points if values.get(name) is not None]
         if others and given != ["points"]:
-            return f"read {quoted(others[0])} beside {quoted(given[0])}, expected it with `points`"
+            return f"read {quoted(others[0])} with {quoted(given[0])}, expected it with `points`"
         return ""
 
     return fault

@@ -70,23 +70,27 @@ def _control(curve: Parsed) -> ByForm:
         _CAPACITY_POINTS,
         ByKey(
             "Control",
-            "What a shift element can carry over time; or a dog clutch, which joins at once or "
-            "opens.",
+            "Torque capacity of a shift element over time, or times at which a dog clutch closes "
+            "and opens.",
             (
                 KeyShape(
                     "points",
                     _CAPACITY_POINTS,
-                    "Points [time in s, value] in their order: straight between, constant outside; "
-                    "where a time repeats the later value holds from there.",
+                    "Points [time in s, value] in the order of time, interpolated linearly and "
+                    "held constant outside; if a time repeats, the later value holds from there.",
                 ),
                 KeyShape("formula", curve, "A number or a formula of t."),
                 KeyShape(
-                    "scale", NUMBER, "By which it is multiplied.", default=1, limits=_NOT_BELOW_0
+                    "scale",
+                    NUMBER,
+                    "Factor of the points or the formula.",
+                    default=1,
+                    limits=_NOT_BELOW_0,
                 ),
                 KeyShape(
                     "dog",
                     _points(_TIME, _DOG_STATE, "time, state", "times"),
-                    "Times from which it is closed or open; open before.",
+                    "Times from which the dog clutch is closed or open; open before.",
                     examples=([[1.5, "closed"]],),
                 ),
             ),
@@ -101,13 +105,13 @@ _ROLLING = Either(
     "points",
     ByKey(
         "Rolling resistance over speed",
-        "Points, straight between, constant outside.",
+        "Points, interpolated linearly and held constant outside.",
         (
-            KeyShape("over", Leaf("choice", ("speed",)), "Of the vehicle.", required=True),
+            KeyShape("over", Leaf("choice", ("speed",)), "Speed of the vehicle.", required=True),
             KeyShape(
                 "points",
                 ListOf(RowOf((Leaf("velocity"), NUMBER), "speed, coefficient"), unique=False),
-                "Speed in m/s, from 0 on, coefficient.",
+                "Points [speed in m/s, from 0 on, coefficient].",
                 required=True,
                 examples=([[0, 0.01], [30, 0.016]],),
             ),
@@ -120,23 +124,36 @@ _RADIUS = Either(
     "free",
     ByKey(
         "Rolling radius",
-        "It falls by the torque that the road takes at a steady speed.",
+        "The radius falls with the torque that the road takes at a steady speed.",
         (
             KeyShape(
-                "free", Leaf("length"), "Without torque, in m.", required=True, limits=_ABOVE_0
+                "free",
+                Leaf("length"),
+                "Radius without torque, in m.",
+                required=True,
+                limits=_ABOVE_0,
             ),
-            KeyShape("by_torque", NUMBER, "What it loses by a torque, in m/(N*m).", default=0),
+            KeyShape(
+                "by_torque", NUMBER, "Decrease of the radius per torque, in m/(N*m).", default=0
+            ),
         ),
         WheelRadius,
     ),
 )
 ROAD = ByKey(
     "Road",
-    "What a road does to a vehicle, on a link that turns as its wheels; g is 9.81 m/s^2, the "
-    "density of air 1.2 kg/m^3.",
+    "Resistance of a road to a vehicle, on a link that rotates like its wheels; g is 9.81 m/s^2, "
+    "the density of air 1.2 kg/m^3.",
     (
-        KeyShape("mass", Leaf("mass"), "Of the vehicle, in kg.", required=True, limits=_ABOVE_0),
-        KeyShape("radius", _RADIUS, "Of the wheels, in m; or how it falls.", required=True),
+        KeyShape(
+            "mass", Leaf("mass"), "Mass of the vehicle, in kg.", required=True, limits=_ABOVE_0
+        ),
+        KeyShape(
+            "radius",
+            _RADIUS,
+            "Radius of the wheels, in m, or a mapping with a radius that falls with torque.",
+            required=True,
+        ),
         KeyShape(
             "rolling",
             _ROLLING,
@@ -144,7 +161,7 @@ ROAD = ByKey(
             default=0,
         ),
         KeyShape(
-            "drag_area", Leaf("area"), "Frontal area by coefficient of air drag, in m^2.", default=0
+            "drag_area", Leaf("area"), "Drag coefficient times frontal area, in m^2.", default=0
         ),
         KeyShape("slope", NUMBER, "Sine of the angle of ascent.", default=0),
     ),
@@ -164,21 +181,21 @@ def _law(curve: Parsed) -> ByForm:
                 KeyShape(
                     "over",
                     Leaf("choice", ("time", "speed", "angle")),
-                    "What stands first in points: the time in s, the speed in rad/s or the angle "
+                    "First number of the points: the time in s, the speed in rad/s or the angle "
                     "in rad of the link itself.",
                 ),
                 KeyShape(
                     "points",
                     _points(ABSCISSA, _TORQUE, "abscissa, torque"),
-                    "Points in their order, straight between, constant outside.",
+                    "Points in ascending order, interpolated linearly and held constant outside.",
                     examples=([[80, 900], [200, 1100], [260, 0]],),
                 ),
                 KeyShape("formula", curve, "A number or a formula of t, speed and angle."),
                 KeyShape(
                     "resistance",
                     _TORQUE,
-                    "Dry friction: against the speed, and at rest it holds up to this torque, in "
-                    "N*m.",
+                    "Dry friction, in N*m: it acts against the speed, and at rest it holds up to "
+                    "this torque.",
                     limits=_NOT_BELOW_0,
                 ),
                 KeyShape("road", ROAD, "Rolling resistance, air drag and slope."),
@@ -191,15 +208,15 @@ def _law(curve: Parsed) -> ByForm:
 
 START = ByKey(
     "Start",
-    "The speeds at t = 0: by a gear and the speed of its input, or by speeds and engaged elements "
-    "that determine all others.",
+    "The speeds at t = 0: by a gear and the speed of its input, or by speeds and engaged "
+    "shift elements that determine all others.",
     (
         KeyShape("gear", TEXT, "Name of a gear.", examples=("1",)),
-        KeyShape("speed", SPEED, "Of the input in that gear, in rad/s; 0 when not given."),
+        KeyShape("speed", SPEED, "Speed of the input in that gear, in rad/s; 0 when not given."),
         KeyShape(
             "speeds",
             Numbers("link", SPEED),
-            "Of links, in rad/s.",
+            "Speeds of links, in rad/s.",
             examples=({"in": 60, "out": 0},),
         ),
         KeyShape(
@@ -208,16 +225,16 @@ START = ByKey(
         KeyShape("settled", FLAG, "Springs are loaded as they are at rest.", default=False),
         KeyShape(
             "twists",
-            Numbers("elastic device", TWIST),
-            "Of springs, in rad, or in m if they are straight; 0 when not given, unless others "
-            "determine it.",
+            Numbers("elastic component", TWIST),
+            "Twists of springs, in rad, or in m if they are straight; 0 when not given, unless "
+            "others determine it.",
             examples=({"shaft": 0.02},),
         ),
         KeyShape(
             "angles",
             Numbers("link", TWIST),
-            "Of links, in rad, or in m if they move straight; springs between links with given "
-            "angles are twisted.",
+            "Angles of links, in rad, or in m if they move straight; springs between links with "
+            "given angles are twisted.",
             examples=({"crank": "90 deg"},),
         ),
     ),
@@ -227,15 +244,17 @@ SHIFT = ByKey(
     "Shift",
     "A shift to another gear.",
     (
-        KeyShape("at", _TIME, "When it begins, in s.", required=True, limits=_NOT_BELOW_0),
+        KeyShape(
+            "at", _TIME, "Time at which the shift begins, in s.", required=True, limits=_NOT_BELOW_0
+        ),
         KeyShape("to", TEXT, "Name of the gear.", required=True),
-        KeyShape("overlap", _TIME, "Time that it takes, in s.", default=0, limits=_NOT_BELOW_0),
+        KeyShape("overlap", _TIME, "Duration of the shift, in s.", default=0, limits=_NOT_BELOW_0),
     ),
 )
 
 SAMPLES = ByKey(
     "Distribution",
-    "From which a number is drawn.",
+    "Distribution from which a number is drawn.",
     (
         KeyShape(
             "normal",
@@ -250,8 +269,8 @@ SAMPLES = ByKey(
         KeyShape(
             "uniform", RowOf((ANYTHING, ANYTHING), "least, largest"), "Uniform between two numbers."
         ),
-        KeyShape("min", ANYTHING, "Numbers below are this one."),
-        KeyShape("max", ANYTHING, "Numbers above are this one."),
+        KeyShape("min", ANYTHING, "Least number; smaller numbers are replaced by it."),
+        KeyShape("max", ANYTHING, "Largest number; larger numbers are replaced by it."),
     ),
     Distribution,
     exactly_one("normal", "lognormal", "uniform"),
@@ -263,13 +282,14 @@ TABLE = ByForm(
     _points(ANYTHING, ANYTHING, "x, value"),
     ByKey(
         "Table",
-        "Values that formulas call by the name of the table: straight between, constant outside.",
+        "Values that formulas call by the name of the table, interpolated linearly and held "
+        "constant outside.",
         (
             KeyShape(
                 "file",
                 TEXT,
-                "CSV file beside this one, with a head such as `speed [rpm],0.2,0.5,1`: what the "
-                "first column is, then the second variable of each other column.",
+                "CSV file, relative to the scenario, with a head such as `speed [rpm],0.2,0.5,1`: "
+                "the name of the first variable, then the second variable of each other column.",
                 examples=("engine.csv",),
             ),
             KeyShape(
@@ -307,11 +327,15 @@ def named_numbers() -> tuple[KeyShape, ...]:
 def _sequence(when: Parsed, value: Parsed) -> ByForm:
     step = ByKey(
         "Step",
-        "What is done once a condition was true.",
+        "Actions that follow when a condition becomes true.",
         (
             KeyShape("when", when, "The condition; at once when not given."),
-            KeyShape("within", _TIME, "How long it may take to be true, in s.", limits=_ABOVE_0),
-            KeyShape("wait", _TIME, "Time from then on, in s.", default=0, limits=_NOT_BELOW_0),
+            KeyShape(
+                "within", _TIME, "Time within which it must become true, in s.", limits=_ABOVE_0
+            ),
+            KeyShape(
+                "wait", _TIME, "Delay after it becomes true, in s.", default=0, limits=_NOT_BELOW_0
+            ),
             KeyShape("set", ByName("number", value), "Numbers and states that are set."),
             KeyShape(
                 "shift",
@@ -344,7 +368,7 @@ def _sequence(when: Parsed, value: Parsed) -> ByForm:
             "Steps that are done one after the other.",
             (
                 KeyShape("steps", steps, "The steps.", required=True),
-                KeyShape("repeat", FLAG, "It begins again behind the last.", default=False),
+                KeyShape("repeat", FLAG, "Begin again after the last step.", default=False),
             ),
             GivenSteps,
         ),
@@ -360,10 +384,17 @@ def _no_steps(_: str) -> NoReturn:
 
 _GENERAL_KEYS = (
     KeyShape("name", TEXT, "Name of the scenario, on one line."),
-    KeyShape("description", TEXT, "What happens, as long as you like."),
-    KeyShape("source", TEXT, "Where its data come from."),
+    KeyShape("description", TEXT, "Description of the scenario, of any length."),
+    KeyShape("source", TEXT, "Source of the data."),
     KeyShape("case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)),
-    KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
+    KeyShape(
+        "duration",
+        _TIME,
+        "Duration of the simulation, in s.",
+        required=True,
+        limits=_ABOVE_0,
+        examples=(6,),
+    ),
     KeyShape(
         "start", START, "The speeds at t = 0; not needed where `speeds` determine all of them."
     ),
@@ -374,7 +405,7 @@ _SHIFT_KEYS = (
     KeyShape(
         "converters",
         ByName("converter", CONVERTER),
-        "Torque converters by their names, in place of those of the case.",
+        "Torque converters by their names, which replace the converters of the case.",
     ),
     KeyShape(
         "shifts",
@@ -434,7 +465,7 @@ def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
             "controls",
             Numbers("shift element", _control(capacity)),
             "Kinetic capacity of shift elements over time in N*m, or pressure in Pa where they "
-            "have `friction`; what has none, and no shift moves, stays as the start has it.",
+            "have `friction`; a shift element without a control or shift stays as at the start.",
         ),
         KeyShape(
             "torques",
@@ -450,8 +481,8 @@ def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
                     "a torque, a formula, or points [[time, torque], ...]", limit, _TORQUE_POINTS
                 ),
             ),
-            "Torques within which springs stay, over time or by what is seen, in N*m; else "
-            "the `limit` of the case.",
+            "Torque limits of springs, over time or by a formula, in N*m; by default the `limit` "
+            "of the case.",
             examples=({"tyre": [[0, 3000], [2, 1800]]},),
         ),
     )
@@ -473,8 +504,8 @@ def _motion_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
                     _points(_TIME, SPEED, "time, speed"),
                 ),
             ),
-            "Speeds of links that are given over time, in rad/s; what torque this takes is "
-            "their column of torques.",
+            "Speeds of links that are given over time, in rad/s; their "
+            "torques are in the column of torques.",
             examples=({"dyno": [[0, "500 rpm"], [10, "400 rpm"]]},),
         ),
         KeyShape(
@@ -500,10 +531,10 @@ def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
         "State",
         "A number that changes by itself.",
         (
-            KeyShape("rate", value, "Its change with time, by a formula.", required=True),
-            KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
-            KeyShape("min", ANYTHING, "It does not fall below."),
-            KeyShape("max", ANYTHING, "It does not rise above."),
+            KeyShape("rate", value, "Rate of change, by a formula.", required=True),
+            KeyShape("start", ANYTHING, "Value at t = 0.", default=0),
+            KeyShape("min", ANYTHING, "Least value."),
+            KeyShape("max", ANYTHING, "Largest value."),
         ),
     )
     return (
@@ -517,13 +548,13 @@ def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
         KeyShape(
             "set",
             ByName("number", ANYTHING),
-            "Numbers that sequences change, as they are at first.",
+            "Initial values of numbers that sequences change.",
             examples=({"command": 0},),
         ),
         KeyShape(
             "sequences",
             ByName("sequence", _sequence(condition(words), value)),
-            "What is done one after the other, each once a condition is true.",
+            "Steps that are done one after the other, each when its condition becomes true.",
         ),
     )
 

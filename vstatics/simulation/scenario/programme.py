@@ -198,7 +198,7 @@ def cut_note(time: float, name: str, largest: float) -> str:
     """Return the note on a control that is cut from a time on [s]."""
     return (
         f"at {time:.6g} s the control of {name} is above the capacity in the case, {largest:g}: "
-        "it is cut there, then and later"
+        "it is limited to this capacity from then on"
     )
 
 

@@ -115,7 +115,7 @@ class ScenarioValues:
         """Return a table from rows, each an x and a value per column; if unreadable, zeros."""
         unreadable = {*self.spots.unreadable}
         if not rows and path[:2] not in unreadable:
-            self.spots.tell(path, "read no rows, expected one at least")
+            self.spots.tell(path, "read no rows, expected at least one")
         for number, row in enumerate(rows, 1):
             if len(row) != len(columns) + 1 and (*path, number) not in unreadable:
                 self.spots.tell(
@@ -280,7 +280,7 @@ class ScenarioValues:
         """Return a number, and report a unit that does not belong."""
         if isinstance(value, InUnit) and value.measure not in (None, measure):
             read, unit = UNIT_OF[value.measure], UNIT_OF[measure]
-            self.spots.tell(path, f"read a number in {read}, expected one in {unit}{why}")
+            self.spots.tell(path, f"read a number in {read}, expected a number in {unit}{why}")
         return 0.0 if value is None else float(value)
 
     def _torques(self, given: Mapping[int, Iterable[Any]]) -> Iterator[tuple[int, TorqueLaw]]:

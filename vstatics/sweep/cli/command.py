@@ -245,11 +245,11 @@ def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Shar
         (message and not as_text, f"{spelled('format')} {message}"),
         (
             to_stream and (form or "csv") not in TEXTS,
-            f"{form} can't go to a stream, expected a file: -o FILE",
+            f"{form} cannot be written to a stream, expected a file: -o FILE",
         ),
         (
             form is None and not to_stream,
-            f"can't tell the format of {options.output}: expected a suffix of "
+            f"{options.output} has no known format: expected a suffix of "
             f"{' '.join(known(FORMATS))}, or --format",
         ),
     )

@@ -37,8 +37,8 @@ from vstatics.sweep.variants.variation import read_value
 _OF_PANDAS = "__index_level_0__"
 """Name of the column in Parquet in which pandas numbers rows."""
 _NO_OTHERS = (
-    "; leave out what is no number of the case: only `variant`, a first column without "
-    "a name, and what a sweep wrote from `status` on are passed over"
+    "; leave out columns that are not numbers of the case: only `variant`, a first column "
+    "without a name, and the columns of a sweep from `status` on are skipped"
 )
 
 LONGEST_HEADING = 500

@@ -74,7 +74,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     ----------
     text : str
         The name of a mechanism, or `#` and its number, then `.ratio` or `.efficiency`, in a
-        deck `.IAB` or `.ETAI`; an elastic device, then `.stiffness`, `.compliance` or
+        deck `.IAB` or `.ETAI`; an elastic component, then `.stiffness`, `.compliance` or
         `.damping`; a link, then `.inertia`. The name can be in quotes; a bare number is tried as
         a name first. A gear set stands for its only mechanism.
     case : Transmission
@@ -176,7 +176,7 @@ def _no_number(text: str, known: Mapping[Quantity, Owner], case: Transmission) -
 
 _WORDS_OF_OWNERS: Mapping[Owner, str] = {
     "mechanisms": "a mechanism",
-    "devices": "an elastic device",
+    "devices": "an elastic component",
     "links": "a link",
 }
 
@@ -198,7 +198,9 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
         return several(name, called, names, owner)
     if owner == "devices":
         hint = nearest(name, usable)
-        return f"there is no elastic device {quoted(name)}, expected one of {listed(usable)}{hint}"
+        return (
+            f"there is no elastic component {quoted(name)}, expected one of {listed(usable)}{hint}"
+        )
     return no_row(name, owner, names)
 
 

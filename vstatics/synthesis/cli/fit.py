@@ -88,7 +88,7 @@ class FitOptions(NamedTuple):
 def fit_command(request: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> int:
     """Fit the ratios of the mechanisms of CASE to wanted ratios of gears.
 
-    The sum of squares of ln(i/wanted) is minimized within bounds, from many starting
+    The sum of squares of ln(i/wanted) is minimised within bounds, from many starting
     points; all different solutions are listed. The ratios of CASE matter only for their
     signs, and where the wanted ratios leave a choice. Tooth numbers are ignored: a gear set
     has the ratio of its toothed gears, a set with shared planets several ratios between its

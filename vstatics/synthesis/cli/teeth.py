@@ -138,7 +138,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
     type=click.Choice(["ln", "absolute"]),
     default="ln",
     show_default=True,
-    help="Error whose largest value is minimized: |ln(i/target)|, or |i - target|.",
+    help="Error whose largest value is minimised: |ln(i/target)|, or |i - target|.",
 )
 @click.option(
     "--dry-run", is_flag=True, help="Print only the toothed gears with unknown tooth numbers."

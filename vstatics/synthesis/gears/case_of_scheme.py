@@ -98,7 +98,7 @@ def scheme_case(
         output=output_link + 1,
         link_names=[link_name(link) for link in range(scheme.links)],
         name=f"scheme {scheme.code}",
-        description=f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2.",
+        description=f"The inertias stand for engine and load: {INERTIA:g} kg*m^2 each.",
         inertias={input_link + 1: INERTIA, output_link + 1: INERTIA},
     )
     gears = _gears(case, engaged)

@@ -170,7 +170,7 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
     names = ["all", *wheels, *special]
     for name, (low, high) in limits.ranges.items():
         if name not in names:
-            hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
+            hint = f"{nearest(name, names)}; toothed gears are {listed(wheels, 12)}"
             yield Problem("E847", f"no toothed gear {quoted(name)}{hint}", ("range", name))
         elif not 1 <= low <= high < LARGEST_WHEEL:
             yield Problem(

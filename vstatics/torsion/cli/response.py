@@ -55,7 +55,7 @@ def _rpm(text: str) -> Floats:
 
     bare, unit = common_unit(text)
     if unit and text.count(unit) != len(bare.split(":")[:2] if ":" in bare else bare.split(",")):
-        raise ValueError(f"read bare speeds beside those in {unit}, expected a unit behind each")
+        raise ValueError(f"read speeds with and without {unit}, expected a unit for each speed")
     return speeds_of(bare) * (
         told(lambda text: quantity(f"1 {text}", "speed"))(unit) if unit else 1
     )

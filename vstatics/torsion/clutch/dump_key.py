@@ -24,7 +24,7 @@ _PARTS = {
 
 DUMP = ByKey(
     "Clutch dump",
-    "What makes up the masses of a clutch that is dumped, for `vstatics torsion dump`.",
+    "Masses, torques and speed of a clutch dump, for `vstatics torsion dump`.",
     (
         *(
             KeyShape(
@@ -46,29 +46,29 @@ DUMP = ByKey(
         KeyShape(
             "M_phi",
             Leaf("si_torque", infinite=True),
-            "Torque at which the tyres lose their grip, that of all wheels on the first link of "
-            "J4, in N*m; when not given they don't.",
+            "Torque of all wheels on the first link of J4 at which the tyres lose their grip, in "
+            "N*m; when not given, they keep it.",
             limits=ABOVE_0,
         ),
         KeyShape(
             "omega1",
             Leaf("si_speed"),
-            "Speed before of the first link of J1, in rad/s.",
+            "Speed of the first link of J1 before the dump, in rad/s.",
             required=True,
             limits=ABOVE_0,
         ),
         KeyShape(
             "E",
             Leaf("compliance"),
-            "Compliance from J2 to J5 on the link `to`, in rad/(N*m); that of the elastic devices "
-            "when not given.",
+            "Compliance from J2 to J5, reduced to the link `to`, in rad/(N*m); calculated from the "
+            "elastic components when not given.",
             limits=ABOVE_0,
         ),
         KeyShape(
             "to",
             LINK,
-            "Link to which all is reduced and on which the torques are told; the first of J2 when "
-            "not given.",
+            "Link to which inertias, compliances and torques are reduced; the first of J2 when not "
+            "given.",
         ),
     ),
     partial(ClutchDump, J3=(), J4=()),

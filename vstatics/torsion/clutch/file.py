@@ -28,10 +28,8 @@ DUMP = ByKey(
         _key("J5", "inertia", "Inertia of the vehicle; `.inf` where it is held."),
         _key("E", "compliance", "Compliance between J3 and J4."),
         _key("M_C0", "si_torque", "Torque at which the clutch breaks away."),
-        _key(
-            "M_phi", "si_torque", "Torque at which the tyres lose their grip; `.inf`: they don't."
-        ),
-        _key("omega1", "si_speed", "Speed of the engine before."),
+        _key("M_phi", "si_torque", "Torque at which the tyres lose their grip; `.inf`: never."),
+        _key("omega1", "si_speed", "Speed of the engine before the dump."),
     ),
     make=Dump,
 )

@@ -30,24 +30,24 @@ def _fault(**values: Any) -> str:
         return f"read {read}, expected one of `white`, `correlation` and `points`"
     extra = [key for key in ("variance", "speed") if values.get(key) is not None]
     if given != ["correlation"] and extra:
-        return f"read `{extra[0]}` beside `{given[0]}`, expected it beside `correlation` alone"
+        return f"read `{extra[0]}` with `{given[0]}`, expected it with `correlation` only"
     if given == ["correlation"] and values.get("variance") is None:
-        return "`variance` is missing beside `correlation`"
+        return "`variance` is missing, but `correlation` needs it"
     return ""
 
 
 SPECTRUM = ByKey(
     "Spectrum",
-    "What excites at random, two-sided over omega: the variance is 2 int_0^inf S d omega.",
+    "Spectrum of a random excitation, two-sided over omega: its variance is 2 int_0^inf S d omega.",
     (
         KeyShape("white", NUMBER, "The spectrum at all frequencies, in unit^2*s/rad."),
-        KeyShape("variance", NUMBER, "Of what is correlated, in (N*m)^2 or rad^2."),
+        KeyShape("variance", NUMBER, "Variance of the excitation, in (N*m)^2 or rad^2."),
         KeyShape(
             "correlation",
             ListOf(RowOf((NUMBER, NUMBER, NUMBER), "share, alpha, beta"), "parts", unique=False),
             "Parts share*exp(-alpha*|t|)*cos(beta*t), in 1/s, or in 1/m with a `speed`.",
         ),
-        KeyShape("speed", Leaf("velocity"), "At which a road is driven over, in m/s."),
+        KeyShape("speed", Leaf("velocity"), "Speed at which a road is driven over, in m/s."),
         KeyShape(
             "points",
             ListOf(RowOf((Leaf("si_speed"), NUMBER), "omega, spectrum"), "points", unique=False),

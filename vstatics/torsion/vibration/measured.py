@@ -169,7 +169,7 @@ def damping(  # noqa: PLR0913
     ({'damper': 0.6366, 'shaft': 0.0424}, 0.08)
     """
     if not decrements:
-        raise ValueError("there is no decrement, expected one at least")
+        raise ValueError("read no decrement, expected at least one")
     if omega is not None:
         _check_number("omega", omega, above_0=True)
     elastic, mode_of_gear = _devices_and_mode(case, gear, mode, coast=coast)
@@ -222,7 +222,7 @@ def _message_of_missing_device(
     known = f"; elastic are {listed([*map(quoted, elastic)], 12)}"
     if asked in case.devices:
         return f"{quoted(asked)} is not elastic in gear {gear}{known}"
-    return f"no elastic device {quoted(asked)}{nearest(asked, elastic) or known}"
+    return f"no elastic component {quoted(asked)}{nearest(asked, elastic) or known}"
 
 
 def _notes_on_other_devices(

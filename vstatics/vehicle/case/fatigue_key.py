@@ -12,26 +12,26 @@ from vstatics.vehicle.case.fatigue_checks import doubts_of_fatigue, of_fatigue
 
 FATIGUE = ByKey(
     "Fatigue",
-    "The fatigue strength of a device under torque, for `vstatics damage`.",
+    "The fatigue strength of a component under torque, for `vstatics damage`.",
     (
         KeyShape(
             "diameter",
             Leaf("length"),
-            "Of a round shaft, in m; its section modulus is pi d^3/16.",
+            "Diameter of a round shaft, in m; its section modulus is pi d^3/16.",
             limits=ABOVE_0,
             examples=("42 mm",),
         ),
         KeyShape(
             "section_modulus",
             Leaf("section_modulus"),
-            "In place of the diameter: torque by the largest stress, in m^3.",
+            "Torque divided by the largest stress, in m^3, instead of the diameter.",
             limits=ABOVE_0,
             examples=("4 cm^3",),
         ),
         KeyShape(
             "endurance",
             Leaf("stress"),
-            "Amplitude of stress that it bears for `cycles`, in Pa.",
+            "Endurance limit, the stress amplitude at `cycles`, in Pa.",
             required=True,
             limits=ABOVE_0,
             examples=("100 MPa",),
@@ -39,7 +39,7 @@ FATIGUE = ByKey(
         KeyShape(
             "exponent",
             NUMBER,
-            "Stress to this power by the cycles that are borne is constant.",
+            "Exponent m of the S-N curve: stress^m * cycles is constant.",
             required=True,
             limits=ABOVE_0,
             examples=(3,),
@@ -47,7 +47,7 @@ FATIGUE = ByKey(
         KeyShape(
             "cycles",
             NUMBER,
-            "That it bears at its endurance.",
+            "Number of cycles to failure at the endurance limit.",
             required=True,
             limits=ABOVE_0,
             examples=(4e6,),
@@ -55,7 +55,7 @@ FATIGUE = ByKey(
         KeyShape(
             "asymmetry",
             NUMBER,
-            "This part of the mean stress, whatever its sign, is added to the amplitude.",
+            "Share of the magnitude of the mean stress that is added to the amplitude.",
             default=0,
             limits={"minimum": 0},
             examples=(0.1,),
@@ -63,11 +63,13 @@ FATIGUE = ByKey(
         KeyShape(
             "threshold",
             NUMBER,
-            "Stresses below this part of the endurance do no damage.",
+            "Stress, relative to the endurance limit, below which a cycle does no damage.",
             default=0.6,
             limits={"minimum": 0},
         ),
-        KeyShape("sum", NUMBER, "Of damages at which it fails.", default=1, limits=ABOVE_0),
+        KeyShape(
+            "sum", NUMBER, "Sum of damages at which the component fails.", default=1, limits=ABOVE_0
+        ),
     ),
     Fatigue,
 )
@@ -75,7 +77,7 @@ KEY = CaseKey(
     KeyShape(
         "fatigue",
         ByName("device", FATIGUE),
-        "Fatigue strengths, each under the name of a spring or another device.",
+        "Fatigue strengths, each under the name of a spring or another component.",
     ),
     Mapping[str, Fatigue],
     Fatigue.of,

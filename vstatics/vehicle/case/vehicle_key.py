@@ -13,10 +13,14 @@ _POINTS = ListOf(
 )
 VEHICLE = ByKey(
     "Vehicle",
-    "The vehicle that the box is in, for `vstatics summary` and `vstatics cycle`.",
+    "The vehicle of the gearbox, for `vstatics summary` and `vstatics cycle`.",
     (
-        KeyShape("mass", Leaf("mass"), "Of the vehicle, in kg.", required=True, limits=ABOVE_0),
-        KeyShape("radius", Leaf("length"), "Of the wheels, in m.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "mass", Leaf("mass"), "Mass of the vehicle, in kg.", required=True, limits=ABOVE_0
+        ),
+        KeyShape(
+            "radius", Leaf("length"), "Radius of the wheels, in m.", required=True, limits=ABOVE_0
+        ),
         KeyShape(
             "rolling",
             NUMBER,
@@ -28,7 +32,7 @@ VEHICLE = ByKey(
         KeyShape(
             "drag_area",
             Leaf("area"),
-            "Coefficient of air drag by frontal area, in m^2; the density of air is 1.2 kg/m^3.",
+            "Drag coefficient times frontal area, in m^2; the density of air is 1.2 kg/m^3.",
             default=0,
             limits={"minimum": 0},
             examples=(0.68,),
@@ -36,7 +40,7 @@ VEHICLE = ByKey(
         KeyShape(
             "final_drive",
             NUMBER,
-            "Speed of the output by that of the wheels.",
+            "Speed of the output divided by the speed of the wheels.",
             default=1,
             limits=ABOVE_0,
             examples=(3.1,),
@@ -58,13 +62,13 @@ VEHICLE = ByKey(
             "fuel",
             ByKey(
                 "Fuel map",
-                "What the engine takes, for `vstatics cycle`.",
+                "Fuel consumption of the engine, for `vstatics cycle`.",
                 (
                     KeyShape(
                         "file",
                         TEXT,
-                        "A CSV file beside the case: `speed [rpm],torque [N*m],fuel [g/h]`, a "
-                        "row for each point of a grid.",
+                        "CSV file, relative to the case: `speed [rpm],torque [N*m],fuel [g/h]`, "
+                        "with a row for each point of a grid.",
                         required=True,
                     ),
                 ),
@@ -76,7 +80,7 @@ VEHICLE = ByKey(
     Vehicle,
 )
 KEY = CaseKey(
-    KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),
+    KeyShape("vehicle", VEHICLE, "The vehicle of the gearbox."),
     Vehicle | None,
     vehicle_record,
     of_vehicle,

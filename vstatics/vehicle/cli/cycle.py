@@ -71,8 +71,8 @@ def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearC
         "--least-speed",
         callback=value(_speed),
         metavar="SPEED",
-        help="Choose the highest gear with at least this engine speed, such as '1200 rpm', or the "
-        "first gear within the full-load curve.",
+        help="Choose the highest gear with at least this engine speed, such as '1200 rpm', else "
+        "the lowest gear within the full-load curve.",
     ),
     click.option(
         "--shift",

@@ -47,7 +47,7 @@ class References:
             "shift element": {},
             "mechanism": {},
             "spring": {},
-            "elastic device": {},
+            "elastic component": {},
         }
 
     def set_links(self, links: int) -> None:
@@ -79,7 +79,7 @@ class References:
         numbers = self._numbers[kind]
         if text in numbers:
             return numbers[text]
-        article = "an" if kind == "elastic device" else "a"
+        article = "an" if kind == "elastic component" else "a"
         raise UnknownNameError(f"expected the name of {article} {kind}{self._known(text, numbers)}")
 
     def link(self, text: str) -> int:

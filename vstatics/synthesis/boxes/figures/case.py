@@ -51,7 +51,7 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
     if box.held is not None:
         number[box.held] = HOUSING
     names = names_of_gears(targets)
-    inertia = f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2."
+    inertia = f"The inertias stand for engine and load: {INERTIA:g} kg*m^2 each."
     assumed = f"Every set has the efficiency {efficiency:g} with its carrier held"
     return Transmission(
         links=len(links),

@@ -67,7 +67,7 @@ def carry_out(run: BoxRun) -> int:
         prepare(run.asked.search)  # once, not in every process
         count = cut(run.asked.search)
     for why in CACHE_TROUBLE[:1]:
-        files.say(f"machine code that is kept can't be used, so it is compiled again: {why}")
+        files.say(f"saved machine code cannot be used, so it is compiled again: {why}")
     result = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
     if isinstance(result, int):
         return result
