@@ -370,7 +370,7 @@ def test_results_and_runs_have_their_pictures(stopped: Motion) -> None:
     own = vstatics.solve(stopped.case)  # type: ignore[arg-type]
     run = vstatics.plot(own, "shift", motion=stopped, dark=True)._repr_svg_()
     assert stopped.plot(dark=True)._repr_svg_() == run
-    with pytest.raises(ValueError, match="'lever' is no picture of a run"):
+    with pytest.raises(ValueError, match="'lever' is not a picture of a run"):
         stopped.plot("lever")
 
 

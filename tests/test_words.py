@@ -1,8 +1,4 @@
-"""Messages, explanations, help texts and documents avoid words that readers stumble over.
-
-Explanations, help and documents are checked as a whole. The messages of an annex are checked if
-its name is in `ROOMS`; to check all of them write ``ROOMS = ("core", *ANNEXES)``.
-"""
+"""Messages, explanations, help texts and documents avoid words that readers stumble over."""
 
 from __future__ import annotations
 
@@ -15,10 +11,8 @@ from tests.installed import ANNEXES, missing
 from tests.words import explanations, helps, messages, prose, stumbles
 from vstatics.core.cli import main
 
-ROOMS = ("core", "page", "pictures", "vehicle")
-"""The core and annexes whose messages are checked in the code."""
-EXPLAINED = ("core", *ANNEXES)
-"""Files of explanations that are checked."""
+ROOMS = ("core", *ANNEXES)
+"""The core and the annexes, whose messages and explanations are checked."""
 EXCEPTED = ROOT / "docs/glossary.md"
 """Document that lists words of the sources."""
 DOCUMENTS = {ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("website/*.md")}
@@ -30,7 +24,7 @@ def test_messages_are_plain(room: str) -> None:
     assert found == []
 
 
-@pytest.mark.parametrize("file", EXPLAINED)
+@pytest.mark.parametrize("file", ROOMS)
 def test_explanations_are_plain(file: str) -> None:
     found = [
         f"{identity}: {why}" for identity, text in explanations(file) for why in stumbles(text)
@@ -38,7 +32,7 @@ def test_explanations_are_plain(file: str) -> None:
     assert found == []
 
 
-@pytest.mark.parametrize("file", EXPLAINED)
+@pytest.mark.parametrize("file", ROOMS)
 def test_explanations_are_sentences(file: str) -> None:
     for identity, text in explanations(file):
         for line in text.split("\n"):

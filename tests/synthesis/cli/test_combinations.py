@@ -300,13 +300,13 @@ def test_an_estimate_as_json(tmp_path: Path) -> None:
 
 WRONG = {
     ("--engaged", "7"): "read 7 engaged shift elements, expected 0 to 6",
-    ("--engaged", "two"): "read `two`, expected a whole number of elements",
+    ("--engaged", "two"): "read `two`, expected a whole number of shift elements",
     ("--engaged", ""): "read ``, expected a whole number",
     ("--engaged", "-1"): "read `-1`",
     ("--shift-elements", "T11"): "no shift element `T11`",
     ("--shift-elements", "auto,F1"): "expected `auto` alone",
     ("--shift-elements", "Auto"): "did you mean `auto`",
-    ("--write", "gears.txt"): "can't tell the format of gears.txt",
+    ("--write", "gears.txt"): "cannot determine the format of gears.txt",
     ("--write", str(BELAZ)): "would be overwritten",
     ("--write", "a.json", "-o", "a.json"): "expected another file",
 }

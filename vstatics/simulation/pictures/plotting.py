@@ -25,11 +25,11 @@ def plot_motion(motion: Motion, kind: str = "shift", **how: Any) -> Picture:
     >>> case = Transmission(1, [ShiftElement(1)], [], [], inertias={1: 2.0})
     >>> plot_motion(simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}))), "stick")
     Traceback (most recent call last):
-    ValueError: 'stick' is no picture of a run; expected one of shift, plan
+    ValueError: 'stick' is not a picture of a run; expected one of shift, plan
     """
     if kind not in (kinds := kinds_of_runs()):
         expected = f"expected one of {', '.join(kinds)}"
-        raise ValueError(f"{kind!r} is no picture of a run; {expected}")
+        raise ValueError(f"{kind!r} is not a picture of a run; {expected}")
     if motion.case is None:
         raise ValueError("the motion has no case; expected one of `simulate`")
     return plot(solve(motion.case), kind, motion=motion, **how)

@@ -329,9 +329,9 @@ def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
     assert seen is not None  # noqa: S101 - it has a row
     if seen.of not in rows:
         hint = nearest(seen.of, rows) or f"; there are {listed(list(rows), 8)}" * bool(rows)
-        what = {"temperature": "an element with a `heat_capacity`", "twist": "a spring"}
+        what = {"temperature": "a shift element with a `heat_capacity`", "twist": "a spring"}
         what |= dict.fromkeys(("speed", "angle", "acceleration"), "a link")
-        what |= {"power": "a link, an element or a spring", "torque": "a device"}
+        what |= {"power": "a link, a shift element or a spring", "torque": "a component"}
         expected = what.get(part.name, "a shift element")
         raise source.error(f"read {quoted(seen.of)}, expected {expected}{hint}", row.at)
 

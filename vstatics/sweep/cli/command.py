@@ -242,7 +242,7 @@ def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Shar
         ),
         (
             form is None and not to_stream,
-            f"can't tell the format of {options.output}: expected a suffix of "
+            f"cannot determine the format of {options.output}: expected a suffix of "
             f"{' '.join(known(FORMATS))}, or --format",
         ),
     )

@@ -27,7 +27,7 @@ def _sizes(texts: Sequence[str]) -> list[int]:
     asked = separated(texts)
     for text in asked:
         if not (text.isascii() and text.isdigit() and len(text) <= 9):
-            expected = "expected a whole number of elements, or several: 2,3"
+            expected = "expected a whole number of shift elements, or several: 2,3"
             raise ValueError(f"read {quoted(text)}, {expected}")
     return list(dict.fromkeys(map(int, asked)))
 

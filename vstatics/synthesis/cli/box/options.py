@@ -139,7 +139,7 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         noun = plural("brake", brakes[-1])
         there = f"{spoken(map(str, brakes), 'or')} {noun}"
         message = f"read {spoken(map(str, clutches), 'or')}, but with {there} these are not"
-        raise ValueError(f"{message} {elements} elements together")
+        raise ValueError(f"{message} {elements} shift elements together")
 
 
 def _count_option(name: str, metavar: str, text: str, *former: str) -> Option:
