@@ -87,7 +87,10 @@ def test_json_has_every_gear_of_one_text() -> None:
     text = NEUTRAL.replace("N: {}", "N: {}, P: {}").encode()
     said = vstatics("check", "-", "-f", "json", "--strict", stdin=text)
     assert said.status == 1
-    assert [one["message"][:8] for one in said.json][2:] == ["gear N: ", "gear P: "]
+    assert [one["message"][:8] for one in said.json] == [
+        *("gears.N:", "gears.P:"),
+        *("gear N: ", "gear P: "),
+    ]
     allowed = text + b"allow: [W414]\n"
     again = NEUTRAL.replace("B: [2, housing]", "B: [2, housing], A: [2, housing]").replace(
         "N: {}", "N: {engaged: [A, B]}"

@@ -162,7 +162,8 @@ def test_what_is_no_result_is_told_by_what_it_is() -> None:
         Path("x.json").write_text(text, "utf-8")
         said = vstatics("compare", "x.json", "x.json")
         taken = "expected a result of `vstatics run` (listing, JSON"
-        assert said.fails(words, *[taken] * ("is a case" not in words))
+        made = "is a case, not a result; create a result with `vstatics run CASE -f json -o"
+        assert said.fails(words, made if "is a case" in words else taken)
 
 
 def test_a_case_that_is_there_again_is_named() -> None:

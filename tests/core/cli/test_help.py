@@ -82,26 +82,30 @@ def test_a_help_text_has_examples_of_its_command(name: str) -> None:
     lines = [
         line for line in examples(COMMANDS[name]) if f"vstatics {name.split(maxsplit=1)[0]}" in line
     ]
-    assert lines or name.startswith("damage"), name
+    assert lines, name
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize(
+    "name", [name for name, command in COMMANDS.items() if not isinstance(command, click.Group)]
+)
 def test_options_are_under_headings(name: str) -> None:
     command = COMMANDS[name]
     options = [option for option in command.params if isinstance(option, click.Option)]
     shown = vstatics(*name.split(), "--help").out
-    if isinstance(command, click.Group):
-        return
     assert isinstance(command, HeadedCommand)
     headings = re.findall(r"(?m)^(\w[\w ]*):$", shown)
-    assert headings == (["Options"] if len(options) <= 6 else sorted(headings, key=headings.index))
-    assert len(options) <= 6 or headings[-1] == "Help"
+    if len(options) <= 6:
+        assert headings == ["Options"]
+    else:
+        assert len(headings) == len({*headings}) > 1
+        assert headings[-1] == "Help"
 
 
 def test_exit_statuses_of_all_commands_are_stated_once() -> None:
     assert "Exit status of all commands:" in (main.help or "")
-    for name, command in COMMANDS.items():
-        assert not name or not re.search("2 wrong use|0 done", command.help or ""), name
+    statuses = r"\b0 +success|\b2 +wrong use"
+    stated = [name for name, one in COMMANDS.items() if re.search(statuses, one.help or "")]
+    assert stated == [""]
 
 
 FORMER = [

@@ -93,9 +93,12 @@ def test_json_lines_are_told_by_line_and_key(tmp_path: Path, text: str, said: st
 def test_results_and_boxes_nested_too_deeply_are_reported_so(tmp_path: Path) -> None:
     file = tmp_path / "deep.json"
     file.write_text('{"searched": 1, "boxes": ' + "[" * 100_000, encoding="utf-8")
-    for words in (("compare", file, file), ("plot", "-k", "boxes", file, "-o", tmp_path / "a.svg")):
-        told = vstatics(*words)
-        assert told.fails("deep.json: error: ", "be read: nested too deeply")
+    compared = vstatics("compare", file, file)
+    assert compared.fails(
+        "deep.json: error: the file is not JSON that can be read: nested too deeply"
+    )
+    drawn = vstatics("plot", "-k", "boxes", file, "-o", tmp_path / "a.svg")
+    assert drawn.fails("deep.json: error: the JSON cannot be read: nested too deeply")
 
 
 @pytest.mark.parametrize(

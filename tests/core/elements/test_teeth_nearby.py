@@ -60,7 +60,7 @@ def test_what_is_suggested_passes_every_check(data: st.DataObject, planets: int)
             assert teeth.keys() <= one.teeth.keys()
             assert not warnings(other)
             assert not told(other, "needs shifted profiles")
-            assert not told(other, "side by side") or told(one, "side by side")
+            assert not told(other, "in one plane") or told(one, "in one plane")
             assert goes_in(other, planets)
             if "without a common divisor" in problem.message:
                 assert not told(other, "common divisor")

@@ -163,7 +163,7 @@ def test_a_gear_pair_shares_no_planets() -> None:
     ideal, _ = sides(only(case))
     assert ideal.circulating == pytest.approx(1)
     assert ideal.doubtful == 0
-    assert "metal" not in text(only(case))
+    assert "artefact" not in text(only(case))
 
 
 def around(*names: str) -> Loop:

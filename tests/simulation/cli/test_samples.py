@@ -121,7 +121,11 @@ def test_a_sweep_takes_a_scenario() -> None:
         (["--vary", "duratio=1,2"], 1, "has a key `duratio`; did you mean `duration`?"),
         (["--vary", "duration=1,2", "--out", "gears"], 1, "a run has no table `gears`"),
         (["--vary", "duration=1,2", "--coast"], 2, "--coast is for a case"),
-        (["--vary", "duration=1,2", "-o", "set.yaml"], 2, "set.yaml has no known format"),
+        (
+            ["--vary", "duration=1,2", "-o", "set.yaml"],
+            2,
+            "cannot determine the format of set.yaml",
+        ),
     ],
 )
 def test_mistakes_in_a_sweep_of_a_scenario(options: list[str], status: int, said: str) -> None:

@@ -306,7 +306,7 @@ WRONG = {
     ("--shift-elements", "T11"): "no shift element `T11`",
     ("--shift-elements", "auto,F1"): "expected `auto` alone",
     ("--shift-elements", "Auto"): "did you mean `auto`",
-    ("--write", "gears.txt"): "gears.txt has no known format",
+    ("--write", "gears.txt"): "cannot determine the format of gears.txt",
     ("--write", str(BELAZ)): "would be overwritten",
     ("--write", "a.json", "-o", "a.json"): "expected another file",
 }

@@ -150,7 +150,7 @@ def test_a_ratio_of_any_size_is_shown() -> None:
         (("--ratios", "2=4", "--weights", "1=2"), "gear 1: read a weight without a ratio"),
         (("--ratios", "2=4", "--tolerance", "0"), "--tolerance: read 0, expected a number above 0"),
         (("--ratios", "2=4", "--tolerance", "nan"), "read nan, expected a number above 0"),
-        (("--ratios", "2=4", "--write", "x.txt"), "x.txt has no known format"),
+        (("--ratios", "2=4", "--write", "x.txt"), "cannot determine the format of x.txt"),
         (("--ratios", "2=4", "--write", "x.yaml", "-o", "x.yaml"), "x.yaml"),
         (("--ratios", "2=4", "--write", str(BELAZ)), "would be overwritten"),
         (("--ratios", "2=4", "-o", "x/"), "one case gives one text"),

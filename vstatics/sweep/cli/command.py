@@ -249,7 +249,7 @@ def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Shar
         ),
         (
             form is None and not to_stream,
-            f"{options.output} has no known format: expected a suffix of "
+            f"cannot determine the format of {options.output}: expected a suffix of "
             f"{' '.join(known(FORMATS))}, or --format",
         ),
     )

@@ -44,7 +44,9 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
         raise click.UsageError(message)
     form = readers.format_of_name(target)
     if form is None:
-        message = f"{target} has no known format: expected a suffix such as .yaml, .json, .dat"
+        message = (
+            f"cannot determine the format of {target}: expected a suffix such as .yaml, .json, .dat"
+        )
         raise click.BadParameter(message, param_hint="--write")
     if problem := missing_folder(target):
         raise ReadError([problem])

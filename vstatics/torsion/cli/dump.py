@@ -22,7 +22,7 @@ from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpAnswer, DumpTorque
 
 def _rate(given: float) -> float:
     if not 0 < given < math.inf:
-        raise ValueError(f"read {given:g}, expected a rate above 0")
+        raise ValueError(f"{given:g} is not a rate, expected a rate above 0")
     return given
 
 

@@ -71,7 +71,10 @@ def test_another_suffix_is_refused_before_anything_is_read(command: str) -> None
         (("report", MZKT, ZF, MZKT, "-o", "new.html"), "a page is of one case or two: expected a"),
         (("plot", MZKT, ZF, MZKT, "--kind", "plan", "-o", "new.pdf"), "for several (new/)"),
         (("plot", MZKT, "--kind", "plan", "-o", "new.gif"), "expected .svg .png .pdf"),
-        (("sweep", MZKT, "--vary", "D1.ratio=-2", "-o", "new.txt"), "has no known format"),
+        (
+            ("sweep", MZKT, "--vary", "D1.ratio=-2", "-o", "new.txt"),
+            "cannot determine the format of new.txt",
+        ),
         (("convert", MZKT, "new.txt"), "cannot determine the format of new.txt"),
         (("run", MZKT, "-f", "json", "-o", "new.csv"), "-f json is not the format of new.csv"),
         (("flow", MZKT, "-f", "json", "-o", "new.txt"), "expected .json"),

@@ -474,7 +474,8 @@ def test_without_the_extra_for_pictures_a_directory_has_all_but_the_pictures(
     assert said.status == 0
     assert said.err.count("warning") == 1
     assert (
-        'no box has a diagram: a diagram needs the package matplotlib: pip install ".[' in said.err
+        'no box has a diagram: a diagram needs the package matplotlib: pip install ".[plot]"'
+        in said.err
     )
     drawn, plain = (
         {file.name: file for file in Path(name).iterdir()} for name in ("drawn", "plain")

@@ -23,6 +23,7 @@ def test_the_gearbox_itself_is_found() -> None:
         ((*KEEP, "--sets", 2), 2, "--sets follows from the case of --keep"),
         ((*KEEP, "--free", "sets=1"), 2, "read `sets`, expected shift-elements=N"),
         ((*KEEP, "--free", "elements=x"), 2, "expected a number from 0 to 12"),
+        ((*KEEP, "--free", "shift-elements=x"), 2, "expected a number from 0 to 12"),
         (
             ("--free", "elements=1", *COUNTS, *KEEP[2:]),
             2,
