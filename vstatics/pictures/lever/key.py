@@ -105,7 +105,7 @@ def key_of(
         "clutch": text("clutch"),
         "slack": text("engaged, without torque"),
         "spring": text("spring as shaft"),
-        "pair": text("pair of wheels, its ratio"),
+        "pair": text("gear pair, its ratio"),
         "varied": text("variator or converter, its speed ratio x"),
         "torque": text("{unit} × input torque, without losses", unit=unit),
         "speed": text("speed; dotted: that of the input"),

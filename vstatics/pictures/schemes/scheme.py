@@ -163,7 +163,7 @@ def scheme_of(case: Transmission) -> Scheme:
         *(_spring(number, spring, case) for number, spring in enumerate(case.springs)),
     ]
     if len(devices) > MOST_DEVICES:
-        message = f"a stick diagram shows up to {MOST_DEVICES} components"
+        message = f"this picture shows up to {MOST_DEVICES} components"
         raise CaseError("E409", f"{message}; this case has {len(devices)}")
     ports = dict.fromkeys(
         port

@@ -114,9 +114,9 @@ def cycle_command(
 
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
     brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
-    which the engine would exceed its full load or its largest speed. In a gear that is also
-    driven by other machines, with a balance or with given speeds or torques, the result is
-    an error. Fuel needs a map in the vehicle: `fuel: {file: fuel.csv}`.
+    which the engine would exceed its full load or its largest speed. A gear with
+    other machines, from a balance or from given speeds or torques, is an error. Fuel needs a
+    map in the vehicle: `fuel: {file: fuel.csv}`.
 
     \b
     Examples:
