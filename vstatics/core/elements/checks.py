@@ -18,7 +18,7 @@ from vstatics.core.elements.group_checks import LARGEST_WHEEL
 from vstatics.core.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.core.elements.lower import at_meshes, part_of
 from vstatics.core.elements.mesh_losses import LEAST_RING, mesh_losses
-from vstatics.core.errors import Path, Problem, quoted, spoken
+from vstatics.core.errors import Path, Problem, plural, quoted, spoken
 from vstatics.core.model.part_checks import of_back_efficiency, of_efficiency, sets_side_by_side
 from vstatics.core.model.torsional_checks import not_negative, of_elastic
 from vstatics.core.suggestions import nearest
@@ -169,9 +169,8 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
     wheels = [member for member in kind.wheels if member in element.members]
     if not missing and len(wheels) < 2:
         names = ", ".join(kind.wheels)
-        yield Problem(
-            "E304", f"there are {len(wheels)} central gears, expected two or more of {names}", path
-        )
+        number = f"{len(wheels)} central {plural('gear', len(wheels))}"
+        yield Problem("E304", f"read {number}, expected two or more of {names}", path)
     used = {kind.wheels[wheel].rim for wheel in wheels}
     several = {
         rim for rims in kind.planets.values() if len(used.intersection(rims)) > 1 for rim in rims

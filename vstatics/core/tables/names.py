@@ -103,7 +103,7 @@ def row_named(name: str, kind: Rows, case: Transmission) -> int:
     (0, 1)
     >>> row_named("qq", "torques", case)
     Traceback (most recent call last):
-    vstatics.core.errors.ReadError: there is no device `qq`, expected one of D1, Mx [E114]
+    vstatics.core.errors.ReadError: there is no component `qq`, expected one of D1, Mx [E114]
     """
     indices = rows_called(name, kind, case)
     if len(indices) == 1:
@@ -186,7 +186,7 @@ ROWS: Mapping[Rows, RowWords] = {
     "elements": RowWords("shift element", "shift elements", "KL"),
     "devices": RowWords("mechanism", "mechanisms", "KG"),
     "mechanisms": RowWords("mechanism", "mechanisms", "KG"),
-    "torques": RowWords("device", "shift elements, then mechanisms, then the output", "KLG1"),
+    "torques": RowWords("component", "shift elements, then mechanisms, then the output", "KLG1"),
     "meshes": RowWords("mesh", "meshes", "KM"),
     "one": RowWords("gear", "gears", "NP"),
 }
