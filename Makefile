@@ -16,9 +16,17 @@ help: ## list the targets
 run: .venv/compiled.stamp ## show the gears of the ZF 8HP70 in one table (another case: make run CASE=file)
 	@$(BIN)/vstatics run "$(CASE)" --pretty
 
-test: .venv/dev.stamp ## the fast tests (ROOM=torsion: of a room; ABOVE=1: and of what stands on it)
+FAST = $(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow"
+test: .venv/dev.stamp ## the fast tests, one case of each (ALL=1: all cases; ROOM=torsion: of a room; ABOVE=1: and of what stands on it)
 	@tests="$(if $(ROOM),$$($(BIN)/python -m tests.rooms $(ROOM) $(ABOVE)))" && set -x && \
-	$(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow" $$tests
+	$(FAST) --cases=$(if $(ALL),all,first) $$tests
+
+test-changed: .venv/dev.stamp ## the other cases of all that a change can break (SINCE=commit: all changes after it)
+	@tests="$$($(BIN)/python -m tests.changed $(SINCE))" && set -x && \
+	$(FAST) --cases=other $$tests
+
+browser: ## install Chromium, in which the tests of pages run (Debian)
+	$(if $(filter 0,$(shell id -u)),,sudo) apt-get install -y chromium
 
 # The annexes in their order, without those that are not installed here.
 ANNEXES = $(shell $(BIN)/python -c "from vstatics.core.annexes import annexes; print(*(a.name for a in annexes()))")
@@ -55,8 +63,8 @@ NUMPY_EXTENSIONS = $(shell $(BIN)/python -c "from numpy._core._multiarray_umath 
 # VSTATICS_TEST_SEED=N make test-slow.
 FRESH_SEED := $(shell date +%s)
 nightly: .venv/dev.stamp ## the fast tests on other processors, with the oldest versions and without each annex, more and fresh random examples
-	$(foreach kind,$(PROCESSORS),OPENBLAS_CORETYPE=$(kind) $(MAKE) test &&) true
-	NPY_DISABLE_CPU_FEATURES="$(NUMPY_EXTENSIONS)" OPENBLAS_CORETYPE=Nehalem $(MAKE) test
+	$(foreach kind,$(PROCESSORS),OPENBLAS_CORETYPE=$(kind) $(MAKE) test ALL=1 &&) true
+	NPY_DISABLE_CPU_FEATURES="$(NUMPY_EXTENSIONS)" OPENBLAS_CORETYPE=Nehalem $(MAKE) test ALL=1
 	$(MAKE) test-oldest ALL=1
 	$(foreach annex,$(ANNEXES),$(MAKE) test-without ANNEX=$(annex) &&) true
 	$(MAKE) test-random FRESH_SEED=$(FRESH_SEED)
@@ -130,4 +138,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden examples site schema known bench boxes dist clean
+.PHONY: help run test test-changed browser test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden examples site schema known bench boxes dist clean

@@ -14,6 +14,7 @@ from hypothesis import HealthCheck, settings
 
 from tests.chance import FRESH, count
 from tests.installed import HERE, TESTS, is_tested, missing, needs, used_in
+from tests.selection import selected
 
 # The same examples every time, so that a run that fails fails again; others and more by `make nightly`.
 settings.register_profile(
@@ -33,6 +34,7 @@ def pytest_configure(config: pytest.Config) -> None:
     Fast tests take compiled functions as they are written: to compile them would take longer
     than all the rest. The slow ones compile them.
     """
+    config.pluginmanager.register(Selection())
     if FRESH:
         config.option.hypothesis_seed = int(FRESH)
     if config.option.markexpr == "not slow":
@@ -49,6 +51,28 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             text = "".join(example.source for example in item.dtest.examples)
             if missing(used_in(text)):
                 item.add_marker(needs(*used_in(text)))
+
+
+class Selection:
+    """Choice of the cases of each test, made after marks have left out other tests."""
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_collection_modifyitems(
+        self, config: pytest.Config, items: list[pytest.Item]
+    ) -> None:
+        """Leave out the cases that `--cases` does not ask for."""
+        taken, left = selected(items, config.getoption("--cases"))
+        if left:
+            config.hook.pytest_deselected(items=left)
+            items[:] = taken
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """State that tests in a browser were skipped, if none is installed."""
+    if CHROMIUM is None:
+        terminalreporter.write_line(
+            "Chromium is not installed, so the tests in a browser were skipped (make browser)"
+        )
 
 
 def pytest_collection_finish() -> None:
@@ -76,6 +100,13 @@ def pytest_collect_file(
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--cases",
+        choices=("first", "other", "all"),
+        default="all",
+        help="first: the first case of each test, and all published and oracle tests; "
+        "other: all other cases",
+    )
     parser.addoption(
         "--regenerate",
         action="store_true",

@@ -1,0 +1,67 @@
+"""Tests of which tests run: the cases of each test, and the tests that a change can break."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.changed import ALL, places
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.mark.parametrize(
+    "number",
+    [
+        pytest.param(1, marks=pytest.mark.skipif("True", reason="an example of a case left out")),
+        2,
+        3,
+    ],
+)
+def test_of_three_cases(number: int) -> None:
+    """Serve as an example for the test below."""
+    assert number in (2, 3)
+
+
+@pytest.mark.parametrize(
+    ("cases", "taken"), [("first", ["1", "2"]), ("other", ["3"]), ("all", ["1", "2", "3"])]
+)
+def test_the_first_case_that_is_not_skipped_stands_for_all(cases: str, taken: list[str]) -> None:
+    words = ["-m", "pytest", "--collect-only", "-q", f"--cases={cases}", f"{__file__}"]
+    done = subprocess.run(
+        [sys.executable, *words, "-k", "test_of_three_cases", "-p", "no:cacheprovider"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert re.findall(r"test_of_three_cases\[(\d)\]", done.stdout) == taken
+
+
+def test_a_change_of_an_annex_concerns_it_and_the_annexes_that_need_it() -> None:
+    found = places(["vstatics/sweep/variants/table.py"])
+    assert found[:2] == ["tests/sweep", "vstatics/sweep"]
+    assert "tests/simulation" in found  # simulation needs sweep
+    assert "tests/pictures" not in found
+    assert "tests/core/statics" not in found
+    assert "tests/test_golden.py" in found
+
+
+def test_a_change_of_the_core_concerns_the_rooms_above_it_and_all_annexes() -> None:
+    found = places(["vstatics/core/flow/paths.py", "README.md"])
+    assert "tests/core/flow" in found
+    assert "tests/core/cli" in found  # above
+    assert "tests/torsion" in found
+    assert "tests/core/statics" not in found  # below
+
+
+def test_a_change_of_a_document_concerns_tests_of_the_whole_program_only() -> None:
+    assert {Path(name).parent.name for name in places(["docs/method.md"])} == {"tests"}
+
+
+def test_without_a_known_change_everything_is_tested() -> None:
+    assert places([]) == places(["pyproject.toml"]) == [*ALL]
