@@ -14,6 +14,6 @@ The modules follow docs/method.md: `matrix`, `speeds`, `drag`, `torques`, `ideal
 without losses), `efficiency`, `losses`, `signs` (first without losses, then by a search),
 `freewheels`, `state` (a gear as one object and as numbers, with `power`, `bodies` and `status`),
 `variants` (arrays of states), `result_arrays`, `results`, `solution`. The room `points` lets any
-number vary, in SI units. `diagnosis`, `idling` and `digits` find what a message should report.
-`solve` contains the public functions, which check the types of their arguments.
+number vary, in SI units. `diagnosis`, `idle_by_coincidence` and `digits` find what a message should
+report. `solve` contains the public functions, which check the types of their arguments.
 """

@@ -20,7 +20,7 @@ from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, is_nan, plain
 from vstatics.core.statics import carried, digits, freewheels, ideal, matrix, torques
 from vstatics.core.statics.drag import unknown_drag, without_load
-from vstatics.core.statics.idling import coincidences
+from vstatics.core.statics.idle_by_coincidence import coincidences
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
