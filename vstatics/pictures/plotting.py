@@ -13,7 +13,7 @@ from vstatics.core.extras import require
 from vstatics.core.jobs.page_files import replace_pages
 from vstatics.core.statics.results import Results, expect_one_case
 from vstatics.core.suggestions import nearest
-from vstatics.core.tables.suffixes import format_of, known
+from vstatics.core.tables.file_suffixes import format_of, known
 from vstatics.core.texts import Language
 from vstatics.pictures import drawn_kinds, misplaced, pages, picture, render
 from vstatics.pictures.drawing.files import FORMATS, Format

@@ -13,7 +13,6 @@ from vstatics.core.model.parts import ShiftElement
 from vstatics.core.model.springs import Spring
 from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.bounds import Guard
-from vstatics.simulation.events.commands import StepCommands, value_of, with_states
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
 from vstatics.simulation.events.location import Finder, MarginEnd
@@ -27,6 +26,7 @@ from vstatics.simulation.events.selection import (
     Selected,
     turned,
 )
+from vstatics.simulation.events.sequence_commands import StepCommands, value_of, with_states
 from vstatics.simulation.events.sequences import SequenceProgress, SequenceRun
 from vstatics.simulation.events.sides import Judge
 from vstatics.simulation.events.stretches import Closed, NoFit

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from vstatics.core.comparison.compared_files import verdicts_of_files
 from vstatics.core.comparison.layout import text
-from vstatics.core.comparison.pairs import verdicts_of_files
 from vstatics.core.comparison.tolerances import Tolerances
 from vstatics.core.tables.written_results import WrittenSweep
 

@@ -9,7 +9,8 @@ from tests.core.statics.differential import SET, status, texts, train
 from vstatics import Gear, solve
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics import matrix
-from vstatics.core.statics.torques import NO_DRAG, solve_sums, solve_torques
+from vstatics.core.statics.drag import NO_DRAG
+from vstatics.core.statics.torques import solve_sums, solve_torques
 
 
 def test_a_direct_clutch_with_a_free_set_is_direct_all_the_same() -> None:

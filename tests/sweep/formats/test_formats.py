@@ -20,7 +20,7 @@ from tests.sweep.sweeps import plan
 from vstatics.core.jobs.alone import Alone
 from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.jobs.piece_file import Account, Segment
-from vstatics.core.tables.suffixes import format_of
+from vstatics.core.tables.file_suffixes import format_of
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import FORMATS, npz, text
 from vstatics.sweep.formats.npz import combined_crc

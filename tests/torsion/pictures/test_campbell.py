@@ -20,7 +20,7 @@ from vstatics.core.model.parts import Damping
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Excitation, Style
 from vstatics.torsion.pictures.orders import campbell
-from vstatics.torsion.pictures.orders.excited import ORDERS, running_speeds
+from vstatics.torsion.pictures.orders.orders_and_speeds import ORDERS, running_speeds
 
 FASTEST = {
     "driveline-8hp70.yaml": 5000.0,  # a quarter above 4000 rpm

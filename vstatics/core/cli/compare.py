@@ -13,7 +13,7 @@ from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import Command, command, completing, gathered, refuse
 from vstatics.core.cli.shared.values import value
 from vstatics.core.comparison import layout
-from vstatics.core.comparison.pairs import (
+from vstatics.core.comparison.compared_files import (
     content,
     file_stem,
     sweep_alone,

@@ -2,8 +2,8 @@
 
 `numbers` compares the tables of two results, after `namesakes` has matched renamed rows. `steps`
 compares step ratios, and `case_changes` compares the input data of the cases. `verdicts` combines
-all differences into a verdict on one case or on many, `layout` formats the verdicts, and `pairs`
-finds the results to be compared. `sweeps` compares sweeps.
+all differences into a verdict on one case or on many, `layout` formats the verdicts, and
+`compared_files` finds the results to be compared. `sweeps` compares sweeps.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> from vstatics.core.comparison.case_changes import case_changes

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 
 from vstatics.core.arguments import refusing
-from vstatics.core.comparison.pairs import (
+from vstatics.core.comparison.compared_files import (
     Content,
     content,
     verdicts_of_directories,

@@ -19,7 +19,8 @@ from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, is_nan, plain
 from vstatics.core.statics import carried, digits, freewheels, ideal, matrix, torques
-from vstatics.core.statics.idling import coincidences
+from vstatics.core.statics.drag import unknown_drag, without_load
+from vstatics.core.statics.idle_by_coincidence import coincidences
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
@@ -61,7 +62,7 @@ def _messages(results: Results) -> Iterator[Message]:
     case = results.case
     for problem in doubts(case):
         yield Message(problem.id, _named(case, path_text(problem.path), problem.message))
-    if case.heavy and (without_unit := torques.without_load(case)):
+    if case.heavy and (without_unit := without_load(case)):
         text = (
             f"the drag of {spoken(without_unit)} has a unit, but the case has no operating point, "
             "so this drag is ignored; give a `load` with a torque"
@@ -170,7 +171,7 @@ def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     A single drag on otherwise unloaded links brings them to rest, so no power is lost.
     """
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
-    unknown = torques.unknown_drag(results.case, gear, speeds, slips)
+    unknown = unknown_drag(results.case, gear, speeds, slips)
     is_at_rest = len(unknown) == 1 and results.gear_at(number).unloaded
     if unknown and results.calculable[number] and not is_at_rest:
         yield Said(

@@ -9,7 +9,7 @@ from vstatics.core.errors import printable
 from vstatics.core.jobs.files import replace
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.solve import solve
-from vstatics.core.tables.suffixes import suffix_of
+from vstatics.core.tables.file_suffixes import suffix_of
 
 SUFFIXES = {
     ".dat": "deck",

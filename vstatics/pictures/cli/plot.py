@@ -25,7 +25,7 @@ from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
-from vstatics.core.tables.suffixes import known, suffix_of
+from vstatics.core.tables.file_suffixes import known, suffix_of
 from vstatics.core.texts import Language
 from vstatics.pictures import misplaced, pages
 from vstatics.pictures.cli.options import AskedPicture, options

@@ -20,7 +20,7 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.labels import Span, width
 from vstatics.pictures.drawing.style import SIZE, Style
 from vstatics.pictures.drawing.words import word
-from vstatics.pictures.schemes.glyphs import MESH, lines_of
+from vstatics.pictures.schemes.gear_glyphs import MESH, lines_of
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.schemes.sets import HalfSection, WheelColumn, section_of
 

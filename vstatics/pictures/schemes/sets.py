@@ -15,7 +15,7 @@ from vstatics.core.elements.element import CentralWheel
 from vstatics.core.elements.group import PlanetGroup
 from vstatics.pictures.drawing.labels import Point, Segment, Span, width
 from vstatics.pictures.drawing.style import SMALL
-from vstatics.pictures.schemes.glyphs import (
+from vstatics.pictures.schemes.gear_glyphs import (
     ABOVE,
     BELOW,
     FACE,

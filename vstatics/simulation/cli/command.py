@@ -17,7 +17,7 @@ from vstatics.core.cli.shared.one_case import one_text, tell
 from vstatics.core.cli.shared.options import command, needs, refuse
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import higher
-from vstatics.core.tables.suffixes import known
+from vstatics.core.tables.file_suffixes import known
 from vstatics.simulation.cli.options import SimulateOptions, options
 from vstatics.simulation.cli.scenario_run import expect_damage, run_columns, run_problems
 from vstatics.simulation.cli.watched import watched

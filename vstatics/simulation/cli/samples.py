@@ -18,7 +18,7 @@ from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.jobs.stopping import StoppedError
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.tables.suffixes import format_of, known
+from vstatics.core.tables.file_suffixes import format_of, known
 from vstatics.simulation.cli.documents import read_swept_document
 from vstatics.simulation.cli.options import SimulateOptions
 from vstatics.simulation.cli.scenario_run import expect_damage

@@ -4,5 +4,7 @@
 `selection` selects the sticking and slipping states among `choices`, in the order of `search`.
 `split` divides redundant torques, and `impacts` calculates speeds after links join at once. Then
 `stretches` integrates in closed form, or `time_steps` by an explicit method, until one of the
-`margins` ends, whose time `location` finds. `unbounded` explains runs that cannot go on.
+`margins` ends, whose time `location` finds. `meetings` and `sides` watch comparisons of formulas.
+`sequences` says which step of a sequence is due, `sequence_commands` carries it out. `unbounded`
+explains runs that cannot go on.
 """

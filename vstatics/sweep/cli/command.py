@@ -25,7 +25,7 @@ from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.jobs.files import is_stream
-from vstatics.core.tables.suffixes import format_of, known, mismatch
+from vstatics.core.tables.file_suffixes import format_of, known, mismatch
 from vstatics.sweep import build
 from vstatics.sweep.cli.estimate import estimate, most_rows
 from vstatics.sweep.cli.run import SweepRun, carry_out

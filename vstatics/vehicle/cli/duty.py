@@ -10,7 +10,7 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import gathered, refuse
 from vstatics.core.cli.shared.values import above_0, value
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
-from vstatics.core.tables.suffixes import suffix_of
+from vstatics.core.tables.file_suffixes import suffix_of
 
 if TYPE_CHECKING:
     from vstatics.vehicle.duty_file import DutyFile, DutyTable

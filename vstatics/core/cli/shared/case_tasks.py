@@ -10,7 +10,7 @@ from typing import NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.tables.suffixes import known
+from vstatics.core.tables.file_suffixes import known
 
 STDIN_STEM = "stdin"
 MOST_TOLD = 5

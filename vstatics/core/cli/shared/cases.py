@@ -33,7 +33,7 @@ from vstatics.core.model.checks import hints
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.readers.kinds import document_function
 from vstatics.core.readers.reading import Reading
-from vstatics.core.tables.suffixes import suffix_of
+from vstatics.core.tables.file_suffixes import suffix_of
 from vstatics.core.texts import Language
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from vstatics.core.cli.shared.options import OUTPUT, Command, gathered, refuse, 
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.extras import missing
 from vstatics.core.jobs.files import STDOUT, is_stream, missing_folder
-from vstatics.core.tables.suffixes import SUFFIXES, format_of, known, mismatch, suffix_of
+from vstatics.core.tables.file_suffixes import SUFFIXES, format_of, known, mismatch, suffix_of
 from vstatics.core.texts import Language
 
 TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")

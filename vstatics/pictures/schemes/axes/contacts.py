@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station, taps_of
-from vstatics.pictures.schemes.glyphs import ABOVE, Glyph, Tap
+from vstatics.pictures.schemes.gear_glyphs import ABOVE, Glyph, Tap
 
 STUB = 12.0
 """Distance from the last station of a row to the port of a link. [pt]"""

@@ -22,7 +22,7 @@ from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
 from vstatics.pictures.schemes.coaxial.picture import crossings_told, order_told
 from vstatics.pictures.schemes.planetary import sections_of
 from vstatics.pictures.schemes.scheme import Scheme
-from vstatics.pictures.schemes.signs import meanings
+from vstatics.pictures.schemes.shift_element_symbols import meanings
 
 
 def figures(

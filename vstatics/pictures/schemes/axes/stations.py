@@ -15,7 +15,7 @@ from vstatics.pictures.drawing.words import word
 from vstatics.pictures.schemes.axes.recognition import AxisJoint, ParallelAxes, is_bare_differential
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
-from vstatics.pictures.schemes.glyphs import ABOVE, BELOW, Glyph, Tap, lines_of
+from vstatics.pictures.schemes.gear_glyphs import ABOVE, BELOW, Glyph, Tap, lines_of
 from vstatics.pictures.schemes.planetary import bare_group
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.schemes.sets import set_glyphs

@@ -11,7 +11,7 @@ from vstatics.pictures.schemes.coaxial.places import Needs, SectionPlaces, heigh
 from vstatics.pictures.schemes.coaxial.rooms import extent, met_by, rooms_of
 from vstatics.pictures.schemes.coaxial.search.sweep import BRIEF, FULL, SweepEffort, swept
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
-from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS
+from vstatics.pictures.schemes.gear_glyphs import DEVICE_NAME_LETTERS
 
 LEAST_HALF = 24.0
 """Smallest half height of the row of planets. [pt]"""

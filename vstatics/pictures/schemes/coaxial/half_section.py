@@ -9,9 +9,9 @@ from vstatics.pictures.drawing.labels import Point, height, width
 from vstatics.pictures.schemes.coaxial.layout import Upright
 from vstatics.pictures.schemes.coaxial.places import SIGN_PITCH, SectionPlaces
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
-from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
+from vstatics.pictures.schemes.gear_glyphs import DEVICE_NAME_LETTERS, lines_of
 from vstatics.pictures.schemes.sets import HalfSection
-from vstatics.pictures.schemes.signs import half_of
+from vstatics.pictures.schemes.shift_element_symbols import half_of
 
 BOX_ROD = 7.0
 """Length of the line between a box and a bar. [pt of letters]"""

@@ -30,7 +30,7 @@ from vstatics.pictures.schemes.coaxial.section import NO_TEXTS, coaxial_scheme
 from vstatics.pictures.schemes.ink import ARROW, AXIS_DASHES, FURTHER, SchemeInk
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState
 from vstatics.pictures.schemes.sets import HalfSection
-from vstatics.pictures.schemes.signs import meanings
+from vstatics.pictures.schemes.shift_element_symbols import meanings
 from vstatics.pictures.schemes.titles import Titles
 
 

@@ -11,7 +11,7 @@ from vstatics.pictures.schemes.boxes import BoxSection
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
 from vstatics.pictures.schemes.coaxial.places import SignRoom
-from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
+from vstatics.pictures.schemes.gear_glyphs import DEVICE_NAME_LETTERS, lines_of
 from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Device, ratio_text
 from vstatics.pictures.schemes.sets import HalfSection

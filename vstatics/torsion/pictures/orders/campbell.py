@@ -26,8 +26,8 @@ from vstatics.torsion.pictures.orders.campbell_sheet import (
     order_look,
 )
 from vstatics.torsion.pictures.orders.dots import dot_look, dot_signs
-from vstatics.torsion.pictures.orders.excited import Order
 from vstatics.torsion.pictures.orders.gear_strip import GearStrip
+from vstatics.torsion.pictures.orders.orders_and_speeds import Order
 from vstatics.torsion.pictures.orders.resonance_table import TableParts, resonance_tables
 from vstatics.torsion.pictures.orders.resonances import Meeting
 from vstatics.torsion.pictures.orders.running import draw_running, running_sign

@@ -11,7 +11,7 @@ from vstatics.pictures.drawing.ends import LineEnd
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.style import Style, number
 from vstatics.pictures.drawing.words import gear_title
-from vstatics.torsion.pictures.orders.excited import Order, excited_speeds
+from vstatics.torsion.pictures.orders.orders_and_speeds import Order, excited_speeds
 from vstatics.torsion.pictures.orders.resonances import (
     GearMode,
     Meeting,

@@ -12,7 +12,7 @@ from vstatics.pictures.drawing.labels import height, width, wrapped
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, MARGIN, SIZE, Style, number
-from vstatics.torsion.pictures.orders.excited import Order
+from vstatics.torsion.pictures.orders.orders_and_speeds import Order
 from vstatics.torsion.pictures.orders.resonances import GearMode, is_between
 
 GEARS_WIDTH = 96.0

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.tables.numbers import certain
 from vstatics.pictures.drawing.tolerances import SAME_FREQUENCY
-from vstatics.torsion.pictures.orders.excited import Order
+from vstatics.torsion.pictures.orders.orders_and_speeds import Order
 from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 
 if TYPE_CHECKING:

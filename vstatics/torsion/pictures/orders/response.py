@@ -23,7 +23,7 @@ from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import MARGIN, Style, number
 from vstatics.pictures.drawing.words import gear_title, title
-from vstatics.torsion.pictures.orders.excited import Order
+from vstatics.torsion.pictures.orders.orders_and_speeds import Order
 from vstatics.torsion.pictures.orders.resonances import GearMode
 from vstatics.torsion.pictures.orders.response_lines import (
     ResponseLine,

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.style import Style
-from vstatics.torsion.pictures.orders.excited import ExcitedSpeeds, Order, excited_speeds
+from vstatics.torsion.pictures.orders.orders_and_speeds import ExcitedSpeeds, Order, excited_speeds
 from vstatics.torsion.pictures.orders.resonances import GearMode, gear_modes, meetings
 from vstatics.torsion.pictures.shown_modes import modes_of
 

@@ -17,9 +17,9 @@ from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
 from vstatics.pictures.schemes.axes.wires import sign_height
 from vstatics.pictures.schemes.coaxial.picture import draw_parts
 from vstatics.pictures.schemes.coaxial.rooms import ends_of
-from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, TOOTH, ground, hatching
+from vstatics.pictures.schemes.gear_glyphs import HATCH_WIDTH, TOOTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk
-from vstatics.pictures.schemes.signs import Coupled, draw_coupled
+from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled
 
 
 def draw_station(sheet: AxesSheet, number: int) -> None:

@@ -11,7 +11,7 @@ from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
 from vstatics.pictures.schemes.axes.letters.obstacles import CONE, CONE_RIM
 from vstatics.pictures.schemes.axes.recognition import FAR
 from vstatics.pictures.schemes.axes.stations import WHEEL
-from vstatics.pictures.schemes.glyphs import MESH, TOOTH
+from vstatics.pictures.schemes.gear_glyphs import MESH, TOOTH
 
 
 def draw_pair(sheet: AxesSheet, number: int) -> None:

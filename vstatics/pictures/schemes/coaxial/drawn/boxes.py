@@ -10,7 +10,7 @@ from vstatics.pictures.drawing.pen import corners
 from vstatics.pictures.schemes.boxes import GROUND, LINE, PAD, BoxSection, BoxText
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
-from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, ground, hatching
+from vstatics.pictures.schemes.gear_glyphs import HATCH_WIDTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import wheel_taps
 

@@ -14,10 +14,10 @@ from vstatics.pictures.schemes.coaxial.drawn.boxes import draw_chain_box
 from vstatics.pictures.schemes.coaxial.drawn.ports import draw_end
 from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, pair_name
 from vstatics.pictures.schemes.coaxial.section import NO_TEXTS
-from vstatics.pictures.schemes.glyphs import lines_of
+from vstatics.pictures.schemes.gear_glyphs import lines_of
 from vstatics.pictures.schemes.ink import ARROW, SchemeInk, centred
 from vstatics.pictures.schemes.scheme import Scheme
-from vstatics.pictures.schemes.signs import Coupled, draw_coupled, half_of
+from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled, half_of
 
 Texts = Mapping[int, BoxText]
 """Texts of boxes by the index of the component in the scheme."""

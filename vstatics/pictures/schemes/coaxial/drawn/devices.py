@@ -21,10 +21,10 @@ from vstatics.pictures.schemes.coaxial.rooms import (
     pair_name,
     top_name,
 )
-from vstatics.pictures.schemes.glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
+from vstatics.pictures.schemes.gear_glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_texts
-from vstatics.pictures.schemes.signs import Coupled, draw_coupled
+from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled
 
 SIGN_NAME = 12.0
 """Distance from the middle of a coupling to the name. [pt]"""

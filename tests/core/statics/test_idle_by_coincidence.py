@@ -7,7 +7,7 @@ from dataclasses import replace
 from tests.core.statics.differential import texts, train
 from tests.oracle.cases import NASTY
 from vstatics import Gear, Mechanism, Transmission, solve
-from vstatics.core.statics.idling import coincidences
+from vstatics.core.statics.idle_by_coincidence import coincidences
 
 
 def test_a_mechanism_idle_by_coincidence_is_told() -> None:

@@ -17,7 +17,7 @@ from vstatics.core.jobs.input_files import unreadable as unreadable_file
 from vstatics.core.readers import sweep_tables
 from vstatics.core.readers.result_rows import is_parquet, no_result
 from vstatics.core.readers.results import TAKEN, read_results
-from vstatics.core.tables.suffixes import known, suffix_of
+from vstatics.core.tables.file_suffixes import known, suffix_of
 from vstatics.core.tables.written_results import WrittenResult, WrittenSweep
 
 Content = list[WrittenResult] | WrittenSweep

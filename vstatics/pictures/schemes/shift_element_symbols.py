@@ -11,7 +11,7 @@ from vstatics.pictures.drawing.labels import Point
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import LINE_WIDTH, Pen, zigzag
 from vstatics.pictures.drawing.style import Style
-from vstatics.pictures.schemes.glyphs import ground
+from vstatics.pictures.schemes.gear_glyphs import ground
 from vstatics.pictures.schemes.scheme import SchemeState
 
 HALF_SIGN = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0, "play": 9.0}
