@@ -45,7 +45,7 @@ NAMES = ("FH", "FB", "F1", "F2", "F3", "FR")
 SMOOTHINGS = (1e-7, 3e-8)
 TOLERANCES = (1e-7, 1e-8, 1e-9, 1e-10, 1e-11)
 """Of the stiff runs of which the fastest counts that has the lock times."""
-STIFF = "BDF, tanh of {:g} rad/s, lock times to 1e-9 s"
+STIFF = "BDF, tanh of {:g} rad/s"
 
 
 def box() -> Transmission:

@@ -16,7 +16,7 @@ def rows(page: str, heading: str, number: int = 0) -> list[Row]:
     text = (SOURCES / f"{page}.md").read_text(encoding="utf-8")
     below = text.split(f"\n## {heading}\n", 1)[1].split("\n## ", 1)[0]
     lines = re.findall(r"(?:^\|.*\n)+", below, re.MULTILINE)[number].splitlines()
-    head, _, *cells = [line.strip("| ").split(" | ") for line in lines]
+    head, _, *cells = [[cell.strip() for cell in line[1:-1].split("|")] for line in lines]
     return [dict(zip(head, one, strict=True)) for one in cells]
 
 
