@@ -102,9 +102,9 @@ def _drag_of_open_elements(case: Transmission, gear: Gear) -> dict[int, float]:
 def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
-    """Return the names of links and open shift elements whose drag has no speed.
+    """Return the names of links and open shift elements with drag but an indeterminate speed.
 
-    A law that is 0 at rest is an `OfLoad` of 0, so such a number counts as drag.
+    A law of drag that is 0 at rest is replaced by an `OfLoad` of 0, which therefore counts as drag.
     """
 
     def unknown(drags: Mapping[int, float], values: Sequence[Number]) -> list[int]:
@@ -125,7 +125,9 @@ def _direction(speed: Number) -> Number:
 
 
 def without_load(case: Transmission) -> list[str]:
-    """Return the names of links and shift elements whose drag is unknown without a load.
+    """Return the names of links and shift elements with drag in N*m but without an input torque.
+
+    Torques are calculated relative to the input torque, so this drag needs an operating point.
 
     Examples
     --------
@@ -154,7 +156,7 @@ def times(first: Number, second: Number) -> Number:
 
 
 Shares = Mapping[int, Number]
-"""Share of each device in a sum, by index."""
+"""Coefficient of each device's torque in a sum, by index of the device."""
 
 
 class Torques(NamedTuple):
@@ -170,7 +172,7 @@ class Torques(NamedTuple):
     consistent: bool
     """True if there is an equilibrium."""
     certain: bool = True
-    """True if rounding leaves digits of the pivots."""
+    """True if the pivots of the equations keep correct digits after rounding."""
     of_columns: list[Number] | None = None
     """Factors of the columns, see `factors`, if they differ from `on_first_link`."""
 
