@@ -27,7 +27,7 @@ class SeenInstant(NamedTuple):
     """Values of all quantities that formulas see at an instant."""
 
     time: float
-    """[s]"""
+    """The instant. [s]"""
     values: Sequence[float]
 
 
