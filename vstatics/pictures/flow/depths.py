@@ -22,7 +22,7 @@ class Depths(NamedTuple):
     """Depths from the top of the picture [pt]."""
 
     middles: Mapping[Key, float]
-    """Depths of the middles of cells."""
+    """Depth of the middle of each cell, by layer and number."""
     starts: Mapping[int, float]
     """Depth at which each band leaves its source; bands within a run are left out."""
     ends: Mapping[int, float]
