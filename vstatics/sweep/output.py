@@ -152,7 +152,7 @@ class Output:
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
-            self.store.discard(piece_file.ASSEMBLED)  # it can fill the disk
+            self.store.discard(piece_file.ASSEMBLED)  # a large incomplete file is of no use
             raise
         self.store.finish()
         return SweepReport(sum(account.rows for account in accounts), *counts_and_notes)

@@ -26,7 +26,7 @@ EXPECTED = "`energy` or `time` with a share for each gear"
 
 
 class DutyFile(NamedTuple):
-    """Duty cycle by gear, with positions in the file."""
+    """Duty cycle as shares of the gears, with positions in the file."""
 
     duty: Duty
     spots: Spots
@@ -58,7 +58,7 @@ _COLUMNS = (
 
 
 class DutyTable(NamedTuple):
-    """Duty cycle by points, with positions in the file."""
+    """Duty cycle as operating points, with positions in the file."""
 
     table: UnitTable
     exponent: float
@@ -89,7 +89,7 @@ def _row(problem: Problem) -> int:
 
 
 def read_duty_table(data: bytes, file: str, exponent: float | None = None) -> DutyTable:
-    """Read a duty cycle by points, with columns time or share, gear, speed, torque.
+    """Read a duty cycle as operating points: time or share, gear, speed and torque in columns.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ def read_duty_table(data: bytes, file: str, exponent: float | None = None) -> Du
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:
-    """Read a duty cycle by gear.
+    """Read a duty cycle as shares of energy or of time for each gear.
 
     Parameters
     ----------

@@ -197,14 +197,14 @@ def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.Ca
 
 
 def _as_published(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
-    """Return the published listing of a case as output.
+    """Return the output of a case in the format `source`, the listing that Visual-Statics prints.
 
     Efficiencies that the fields of the listing cannot hold are rounded, with a message.
 
     Raises
     ------
     ReadError
-        If the listing has no field for a part of the case.
+        If the case has a part for which the listing has no field.
     """
     from vstatics.core.writers import source_listing
     from vstatics.core.writers.listing import LISTING_DECIMALS

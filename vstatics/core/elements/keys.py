@@ -1,6 +1,6 @@
 """Keys of gear sets in YAML and JSON, derived from the declaration of their kinds.
 
-Keys differ from the attributes of an element; `record_of` and `element_of` convert.
+The keys differ from the attributes of `Element`; `record_of` and `element_of` convert between them.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ def _record(name: str, kind: Kind) -> ByKey:
 
 
 def _planet(names: Sequence[str] = ()) -> KeyShape:
-    """Return the key for masses of planets, by name if there are several."""
+    """Return the key for the masses of planets, by name if a gear set has several kinds."""
     shape: Shape = ByName("planet", _PLANET_MASS)
     if len(names) == 1:
         shape = _PLANET_MASS
@@ -206,9 +206,9 @@ DRAWN = (
 
 
 def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
-    """Return the shape of a case with gear sets, which replace links and mechanisms.
+    """Return the shape of a case, extended by the keys of gear sets.
 
-    The gear sets are optional or, if `required`, mandatory.
+    `links` and `mechanisms` become optional. `elements` is required only if `required` is true.
     """
     needed = {key.name for key in case.keys if key.required} - {"links", "mechanisms"}
     needed |= {"elements"} if required else set()
@@ -218,7 +218,7 @@ def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
 
 
 def record_of(element: Element) -> dict[str, Any]:
-    """Return a gear set as a record of keys; links are numbers."""
+    """Return a gear set as a mapping with the keys of a document; links are given by number."""
     record: dict[str, Any] = {
         "kind": element.kind,
         **element.members,
@@ -275,7 +275,7 @@ def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) 
 
 
 def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterator[CentralWheel]:
-    """Yield suns, then rings, named after links, with additions where names coincide."""
+    """Yield suns, then rings, named after their links, with a suffix where names coincide."""
     gears = [(wheel, internal) for key, internal in _WHEELS for wheel in record.get(key, ())]
     links = Counter(wheel["link"] for wheel, _ in gears)
     taken = {"carrier", *record.get("rims", ())}

@@ -96,7 +96,7 @@ def drawn_numbers(case: Transmission, seed: int) -> Transmission:
 
 
 def unchanged(case: Transmission, changed: Transmission) -> list[str]:
-    """Return the names of gear sets and mechanisms with unchanged ratios, as no other fits.
+    """Return the names of gear sets and mechanisms whose ratios stay, because no other ratio fits.
 
     Ratios of 1 and -1 do not count.
     """
@@ -123,7 +123,10 @@ def _gears(case: Transmission, random: Random) -> list[Gear]:
 
 
 def _speed_ratio(kind: str, ratio: float, random: Random) -> float:
-    """Return a speed ratio nearby; lower for a converter, whose torque vanishes at the highest."""
+    """Return a speed ratio near a given ratio.
+
+    For a converter it is never above that, because the torque vanishes at the highest speed ratio.
+    """
     return _near(ratio, random, -FARTHEST, 0 if kind == "converter" else FARTHEST)
 
 

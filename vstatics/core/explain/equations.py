@@ -70,8 +70,8 @@ def torque_system(  # noqa: PLR0913 - all parameters are parts of the equations
 ) -> System:
     """Return the equilibrium of each link of a gear (figure 4).
 
-    Parameters are those of `speed_system`. Matrix and torques are both without or both with losses;
-    `drag` contains the external torques of drag by link [-].
+    The parameters are described in `speed_system`. Matrix and torques must both contain the losses,
+    or both omit them; `drag` contains the external torques of drag by link [-].
     """
     rows: list[list[Term]] = [[] for _ in range(case.links + 1)]
     values = {}

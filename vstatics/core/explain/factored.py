@@ -21,7 +21,7 @@ class Notation(NamedTuple):
     times: str = " "
     power: str = "^"
     joined: str = ""
-    """Text between two factors in brackets, as a sign of multiplication."""
+    """Sign of multiplication between two factors in brackets; empty for no sign."""
 
 
 def python(count: int) -> Notation:
@@ -72,7 +72,7 @@ def fraction(value: Fraction, notation: Notation) -> str:
 
 
 def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Notation) -> str:
-    """Return a sum of unknowns with fractions of polynomials as coefficients, over one divisor.
+    """Return a sum of unknowns times fractions of polynomials, written over a common divisor.
 
     Examples
     --------
@@ -103,7 +103,7 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Nota
 
 
 def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
-    """Return the sign of a polynomial that no factor can absorb, and the remaining product."""
+    """Return a polynomial as a sign and a product; the sign is `+` if a factor absorbs a minus."""
     product = factored(polynomial)
     if product.number < 0:
         product, _ = _turned(product, Factored(1, []))
@@ -112,7 +112,10 @@ def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
 
 
 def _in_factors(value: Fraction, notation: Notation) -> _Written:
-    """Return numerator and denominator in factors; ``(u - 1)/u`` within becomes ``1 - 1/u``."""
+    """Return a fraction with factored numerator and denominator.
+
+    A factor ``u - 1`` above a divisor u is written as the factor ``1 - 1/u``.
+    """
     above, below = factored(value.numer), factored(value.denom)
     above, below, inverse = _inverse(above, below)
     if above.number * below.number < 0:
@@ -134,7 +137,11 @@ def _quotient(
 
 
 def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
-    """Return the fraction without factors ``1 - 1/u``, and the symbols and powers of these."""
+    """Split the factors ``1 - 1/u`` off a fraction.
+
+    Returns the numerator and denominator that remain, and each symbol u with the power of its
+    factor.
+    """
     inverse = []
     top, bottom, number = [], below.factors, above.number
     for factor, power in above.factors:
@@ -156,7 +163,10 @@ def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powe
 
 
 def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
-    """Return the fraction with a minus absorbed by a factor, if equally readable."""
+    """Return a fraction whose sign is absorbed by a factor that reads as well with either sign.
+
+    Without such a factor the fraction is unchanged.
+    """
     for part in (below, above):
         for place, (factor, power) in enumerate(part.factors):
             if power % 2 and balance(factor) == 0 and len(factor) > 1:
@@ -168,7 +178,7 @@ def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
 
 
 def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
-    """Return each term of the numerator over a denominator of a single term."""
+    """Return a fraction as a sum of terms, or None unless its denominator is a single term."""
     if len(value.denom) > 1 or len(value.numer) < 2:
         return None
     field = value.parent()
@@ -181,7 +191,7 @@ def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
 
 
 def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
-    """Return 1 plus or minus the remainder, in factors."""
+    """Return a fraction as 1 plus or minus a factored remainder; None if that is not simpler."""
     remainder = value - 1
     if not remainder or len(remainder.numer) == len(value.numer) == 1:
         return None
@@ -255,7 +265,7 @@ Polynomial = Any
 """Polynomial with integer coefficients, `sympy.polys.rings.PolyElement`."""
 
 Powers = list[tuple[Polynomial, int]]
-"""Factors with powers."""
+"""Factors of a polynomial, each with its power."""
 
 
 class Factored(NamedTuple):
@@ -308,5 +318,9 @@ def balance(polynomial: Polynomial) -> int:
 
 
 def _looks(polynomial: Polynomial) -> tuple[int, bool, bool]:
-    """Return a rank of readability: positive terms, then a positive constant or first term."""
+    """Return a sort key that is larger for the more readable of ``p`` and ``-p``.
+
+    It compares the excess of positive over negative terms, then whether the constant term is
+    positive, then whether the leading term is positive.
+    """
     return balance(polynomial), polynomial.coeff(1) > 0, polynomial.LC > 0

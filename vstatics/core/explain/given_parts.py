@@ -86,7 +86,7 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
 
 
 def fills_a_gap(element: Element) -> bool:
-    """Return whether teeth of some planets, of several kinds, follow from the sun and ring."""
+    """Return whether the teeth of some planets follow from sun and ring in a set with several."""
     if not isinstance(element.shape, Planetary) or element.rims:
         return False
     planets = group_of(element).planets

@@ -93,7 +93,7 @@ def _signs(explanation: Explanation) -> Grid:
 
 
 def _tried(explanation: Explanation) -> Grid:
-    """Return the table of the sets of signs that a self-locking gear contradicts."""
+    """Return the table of sets of signs of a self-locking gear, each with its contradiction."""
     rows: list[Values] = [
         (name, whole(sign), tried.lossy_ratios[name], tried.output_torque, speaks_against(tried))
         for tried in explanation.tried or ()

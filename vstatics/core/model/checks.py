@@ -261,7 +261,7 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _drawn(case: TransmissionFields) -> Iterator[Problem]:
-    """Check that the mechanisms are as many as the drawing yields."""
+    """Check that the case has as many mechanisms as follow from the drawing."""
     if case.drawing is None:
         return
     count = sum(len(device.mechanisms) for device in case.drawing.devices)
@@ -311,7 +311,7 @@ def _is_name(name: str) -> bool:
 
 def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from of_link(case.input, ("input",), case.own_links, lowest=1)
-    if case.output or not case.outputs:  # else it is the first of those
+    if case.output or not case.outputs:  # else the first of the outputs
         yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
     yield from _outputs(case)
     if case.input == case.main_output and not (_moves(case) and case.links == 1):

@@ -1,4 +1,4 @@
-"""Conversion of converters with a given speed ratio into open ones, which slip freely."""
+"""Conversion of converters with a given speed ratio into open converters, which slip freely."""
 
 from __future__ import annotations
 

@@ -385,7 +385,7 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
         )
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
-            "N204" if ratio == -1 else "W201",  # as bevel differentials have it
+            "N204" if ratio == -1 else "W201",  # bevel differentials have -1
             f"ratio {ratio:g} is not the basic ratio of a simple planetary gear set, so there is "
             "no planet speed without `planet_ratio`",
             path,

@@ -418,7 +418,7 @@ class Load(NamedTuple):
 
     @property
     def torque_size(self) -> float:
-        """Reference torque of drag: ``|torque|``, or 1 N*m if that is 0; 0 if no torque is given.
+        """Reference torque of drag: ``|torque|``, 1 N*m for a torque of 0, or 0 without a torque.
 
         >>> Load(torque=-300).torque_size, Load(torque=0).torque_size, Load().torque_size
         (300, 1.0, 0.0)
@@ -540,8 +540,8 @@ class Law(float):
     """Drag torque [N*m] over speed [rad/s], or efficiency [-] over speed or torque [N*m].
 
     The argument is the magnitude of a speed or torque, so that a law needs an operating point. As
-    a number it is the value at 0, for calculations without an operating point. It is always true,
-    since a value of 0 there does not imply others of 0.
+    a number it is the value at 0, for calculations without an operating point. A law always counts
+    as true, because its other values need not be 0 if the value at 0 is.
     """
 
     over: Literal["speed", "torque"] = "speed"

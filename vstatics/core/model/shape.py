@@ -34,7 +34,7 @@ Measure = Literal[
     "straight_compliance",
     "straight_damping",
 ]
-"""Quantity in SI units, whose value can have a unit."""
+"""Quantity that is stored in SI units and can be written with any unit of its kind."""
 UNIT_OF: Mapping[Measure, str] = {
     "inertia": "kg*m^2",
     "stiffness": "N*m/rad",
@@ -59,7 +59,7 @@ UNIT_OF: Mapping[Measure, str] = {
     "straight_compliance": "m/N",
     "straight_damping": "N*s/m",
 }
-"""Units of numbers without a unit, by quantity."""
+"""Unit of a number that is written without a unit, by quantity."""
 STRAIGHT: Mapping[Measure, Measure] = {
     "stiffness": "straight_stiffness",
     "compliance": "straight_compliance",
@@ -109,13 +109,13 @@ class Leaf(NamedTuple):
 
 
 class InUnit(float):
-    """Number in SI that stores the quantity of the unit."""
+    """Number in SI units, with the quantity of the unit in which it was written."""
 
     measure: Measure | None
-    """Quantity, or None for a number without a unit."""
+    """Quantity of the unit; None for a number that was written without a unit."""
 
     def __new__(cls, value: float, measure: Measure | None) -> Self:
-        """Store the quantity with the number."""
+        """Create a number that stores the quantity of its unit."""
         number = super().__new__(cls, value)
         number.measure = measure
         return number
@@ -133,7 +133,7 @@ class Ends(NamedTuple):
 
 
 class Numbers(NamedTuple):
-    """Mapping of links, shift elements or other parts to numbers or values of a shape."""
+    """Mapping of links, shift elements or other parts to numbers or to values of another shape."""
 
     by: Literal["link", "shift element", "mechanism", "spring", "elastic component"]
     item: Shape
@@ -145,7 +145,7 @@ class Shares(NamedTuple):
 
 
 class KeyShape(NamedTuple):
-    """Key of a document, named as the attribute of the model, and the shape of the value.
+    """Key of a document, with the shape of its value; the model's attribute has the same name.
 
     `default` is set if the document, not the model, defines the default.
     """
@@ -187,13 +187,13 @@ class ByKey(NamedTuple):
 
 
 class Either(NamedTuple):
-    """Mapping, or in a short form the list or number of the most important key."""
+    """Mapping that can be shortened to the value of its most important key, a list or a number."""
 
     short: Ends | ListOf | Leaf
     key: str
     record: ByKey
     written: bool = False
-    """True if the writer uses the short form when no other key has a value."""
+    """True if the writer uses the short form wherever only the most important key has a value."""
 
 
 class ByName(NamedTuple):
@@ -230,7 +230,10 @@ class RowOf(NamedTuple):
 
 
 class ByPoints(NamedTuple):
-    """Constant number, list of points (rows of two numbers), or mapping."""
+    """Curve given by a constant number, by a list of points, or by a mapping of keys.
+
+    A point is a row of two numbers, such as slip and coefficient of friction.
+    """
 
     row: RowOf
     mapping: ByKey
@@ -246,7 +249,7 @@ class Parsed(NamedTuple):
 
     expected: str
     parse: Callable[[str], Any]
-    """Text -> value; raises ValueError with the expectation, or ReadError with the column."""
+    """Function from text to value; raises ValueError (what was expected) or ReadError (column)."""
     stand_in: Any
     unit: str = ""
     """Unit of bare numbers, if independent of other keys."""
@@ -277,7 +280,7 @@ class ByLaw(NamedTuple):
 
 
 class Balances(NamedTuple):
-    """Mapping of links to numbers, with a further key for a power."""
+    """Mapping of links to numbers, with a further key, named by `power`, whose value is a power."""
 
     links: Numbers
     power: str

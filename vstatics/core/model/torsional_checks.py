@@ -127,7 +127,7 @@ def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
 
 
 def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Check that units are of rotation or of straight motion, whichever the spring's links do."""
+    """Check that the units of a spring suit its links, which rotate or move straight."""
     straight = [link for link in spring.form if link in case.masses]
     named = f"{called(case, straight[0])}, which is in" if straight else "no link of"
     numbers: list[tuple[Path, Any]] = [

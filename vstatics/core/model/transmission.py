@@ -153,7 +153,7 @@ class Transmission(TransmissionFields):
         return replace(self, load=Load(torque=torque).or_else(self.load or NO_LOAD), gears=gears)
 
     def as_pairs(self, gear: Gear) -> Transmission | None:
-        """Return the case with variators replaced by gear pairs of equal ratios in a gear.
+        """Return the case with each variator replaced by a gear pair that has its ratio in a gear.
 
         Return None if the gear has a converter that is not bypassed, or a variator with a speed
         ratio of 0.
@@ -182,14 +182,15 @@ class Transmission(TransmissionFields):
         return replace(self, mechanisms=pairs, gears=gears)
 
     def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:
-        """Return the transmission with other ratios, efficiencies and planet ratios.
+        """Return the transmission with other ratios, efficiencies and planet ratios of mechanisms.
 
-        Only the mechanisms are checked again; nothing else about them may change.
+        Everything else about the mechanisms must be unchanged. Only the mechanisms are checked
+        again.
 
         Raises
         ------
         CaseError
-            If a number is not valid.
+            If a number of a mechanism is not valid.
         """
         others = tuple(mechanisms)
         parts = enumerate(others, 1)
@@ -241,7 +242,7 @@ class Transmission(TransmissionFields):
             raise
 
     def _follow(self, drawing: AnyDrawing) -> None:
-        """Adopt links and mechanisms of a drawing; drop planets' names of the previous drawing."""
+        """Adopt links and mechanisms of a drawing; drop names of the previous drawing's planets."""
         if errors := list(drawing.problems()):
             raise CaseError(errors)
         before, names = self._lowered, list(self.link_names)
@@ -323,7 +324,7 @@ def _spring(spring: Spring, number: int) -> Spring:
 
 
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
-    """Complete a gear, relating numbers with a unit to the operating point."""
+    """Complete a gear, and relate its numbers with a unit to the operating point."""
     load, torque = case.gear_load(gear), case.torque_unit(gear)
     return gear._replace(
         engaged=tuple(gear.engaged),

@@ -28,7 +28,10 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""Largest number of variants for which no plan is made; raised after plans made in vain."""
+"""Number of variants up to which, at first, no plan is made: they are calculated alone.
+
+`Plans.few` starts with this number and grows by it after each plan that serves no more variants.
+"""
 WORTH = 12
 """Cost of making a plan, as the number of variants that could be calculated alone meanwhile."""
 STEPS_LIKE_ONE_VARIANT = 250
@@ -38,7 +41,7 @@ LEAST_SERVED = 1 / 64
 MOST_PLANS = 256
 """Most plans of a calculation; variants without a plan are calculated alone."""
 TRIALS = 6
-"""Number of successive plans without worth after which the other variants are calculated alone."""
+"""Number of successive plans for fewer than `WORTH` variants before the others are left alone."""
 WIDENING = (1.05, 1.25, 2.0)
 """Factors by which the bounds of a plan of fixed sign exceed the given numbers.
 
@@ -67,7 +70,7 @@ class Plans:
         self.few = FEW_VARIANTS
 
     def run(self, inputs: Inputs, rows: Rows) -> None:
-        """Calculate all variants, into a row for each result."""
+        """Calculate all variants, and write each result to its row of `rows`."""
         total = inputs.values.shape[1]
         usable = [plan for plan in self.plans if not plan.signed or total > 1]
         if total == 1 and any(plan.run_one(inputs, rows) for plan in usable):
@@ -87,7 +90,7 @@ class Plans:
         """Make plans for remaining variants while worthwhile; return variants without a plan."""
         trials, total = TRIALS, inputs.values.shape[1]
         while trials and len(self.plans) < MOST_PLANS and self._worth(left.size, inputs):
-            place = (TRIALS - trials) * left.size // TRIALS  # neighbours are special together
+            place = (TRIALS - trials) * left.size // TRIALS  # special cases are often neighbours
             before, variant = left, left[place]
             with contextlib.suppress(Untraceable):
                 alike = before.size == total and not any(plan.signed for plan in self.plans)
@@ -106,10 +109,10 @@ class Plans:
         return left
 
     def _new(self, inputs: Inputs, place: int, *, alike: bool) -> Plan:
-        """Return the plan of a variant.
+        """Return a plan recorded for the variant at a place.
 
-        The plan has a fixed sign if it can serve all variants, or if there is only a single
-        variant.
+        The plan is of fixed sign for a single variant, or if `alike` and no input changes sign.
+        Otherwise it is of any sign, if such a plan can be recorded.
         """
         alike &= all(low >= 0 or high <= 0 for low, high in inputs.ranges)
         if inputs.values.shape[1] > 1 and not alike:
@@ -140,7 +143,7 @@ class Plans:
         return bool(passed.mean() > SERVED_PART)
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
-        """Run a plan on suitable variants among the chosen, and return all others."""
+        """Run a plan on the chosen variants that suit it; return the variants without a result."""
         everybody = chosen.size == inputs.values.shape[1]
         part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)
@@ -167,7 +170,7 @@ class Plans:
 
 
 SPREAD = 64.0
-"""Largest factor between the bounds of a plan of fixed sign and the first variant."""
+"""Largest factor between a bound of a plan of fixed sign and the number of its first variant."""
 SIGNED_WIDENING = (1.005, 2.0)
 """Factors by which the bounds of a plan of any sign exceed the given numbers.
 
@@ -187,7 +190,7 @@ class Range(NamedTuple):
 
 
 class Inputs(NamedTuple):
-    """Numbers that vary, (inputs, variants), with magnitudes and ranges for plans."""
+    """Numbers that vary, shape (inputs, variants), with their magnitudes and ranges."""
 
     values: Floats
     magnitudes: Floats
@@ -222,11 +225,11 @@ class Plan:
         return len(self.replay.steps)
 
     def numbers(self, inputs: Inputs) -> Floats:
-        """Return the inputs in the form that the tape uses."""
+        """Return the inputs as recorded: with signs for a plan of any sign, else as magnitudes."""
         return inputs.values if self.signed else inputs.magnitudes
 
     def suits(self, inputs: Inputs) -> Booleans:
-        """Return marks of variants within the ranges."""
+        """Return marks of the variants whose inputs are within the ranges of the plan."""
         inside = np.ones(inputs.values.shape[1], dtype=np.bool_)
         for given, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
             if given.high < low or given.low > high:
@@ -250,13 +253,13 @@ class Plan:
         for given, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
             if not low <= given.low <= high:
                 return False
-        with contextlib.suppress(ZeroDivisionError):  # after an underflow
+        with contextlib.suppress(ZeroDivisionError):  # a divisor can underflow to 0
             return self.replay.run_one(self.numbers(inputs)[:, 0].tolist(), rows)
         return False
 
 
 def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:
-    """Return the plan recorded for a variant, valid for inputs of equal signs.
+    """Return the plan recorded for a variant, valid for inputs with the signs of this variant.
 
     Raises
     ------

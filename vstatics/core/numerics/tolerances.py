@@ -9,38 +9,39 @@ from __future__ import annotations
 EPSILON = 2.0**-52
 """Unit in the last place of 1."""
 
-# arithmetic of linear systems
+# Arithmetic of linear systems: "fixed sign" and "any sign" are the kinds of recorded plans.
 ZERO = EPSILON
-"""Largest zero difference relative to the size, which bounds the rounding error.
+"""Largest difference that counts as 0, relative to the size that bounds its rounding error.
 
-A zero difference must also be below `TRACED_REAL`.
+Such a difference must also be below `TRACED_REAL`.
 """
 TRACED_REAL = 2.0**-20
-"""Largest zero difference relative to the larger term."""
+"""Largest difference that counts as 0, relative to the larger of its two terms."""
 TRACED_SAME = 32 * EPSILON
-"""Fixed sign: largest zero difference of any variant, relative to the larger term."""
+"""Fixed sign: largest difference that counts as 0 in a variant, relative to the larger term."""
 TRACED_DIFFERENCE = 1 / 64
-"""Fixed sign: smallest nonzero difference of any variant, relative to the larger term.
+"""Fixed sign: smallest difference for which a plan is valid, relative to the larger term.
 
-A sixteenth of the first variant's part is enough if smaller, but more than `TRACED_REAL`.
+If smaller, a sixteenth of the relative difference in the first variant is enough, but at least 1.5
+times `TRACED_REAL`.
 """
 SIGNED_LEAST = 2.0**-16
-"""Any sign: smallest nonzero difference of any variant, relative to the terms.
+"""Any sign: smallest difference for which a plan is valid, relative to the terms.
 
 So rounding grows at most by the inverse of this factor where terms cancel.
 """
 SIGNED_SAME = 2.0**-36
-"""Any sign: relative difference above which terms certainly differ, at any size."""
+"""Any sign: relative difference above which two terms count as different at any rounding error."""
 PIVOT = 0.1
 """Smallest pivot relative to the largest entry of the row, so that rows cannot grow."""
 SIGNED_PIVOT = 1 / 256
 """Any sign: smallest relative pivot of the first variant; other sums are guarded as well."""
 
-# a gear
+# Speeds, torques and powers of a gear.
 TIE = 1e-9
 """Relative difference below which speeds, or torques on a link, are equal."""
 UNCERTAIN = 1e-6
-"""Relative disagreement of speeds and torques from which a message reports it."""
+"""Relative disagreement of speeds or torques from which a message is given."""
 NEAR_ONE = 1e-4
 """Difference of a ratio from 1 below which a train is nearly singular."""
 CLOSED = 1e-9
@@ -59,13 +60,13 @@ SAME_SOLUTION = 1e-10
 BALANCED = 1e-9
 """Largest error of a battery's power, relative to all powers, that counts as balanced."""
 
-# results side by side
+# Numbers that are compared with each other: ratios of gears, rays of a plan, tips of teeth.
 SAME_RATIO = 1e-9
 """Relative difference below which numbers of gears, or rays of a plan, are equal."""
 TIP_CLEARANCE = 1e-9
 """Largest clearance between toothed gears, in modules, that counts as rounding."""
 
-# arrays of variants
+# Arrays of variants, and the plans that calculate them.
 LAST_BITS = 1e-12
 """Largest relative difference of results that can come from the processor alone."""
 LEAST_INPUT = 1e-20
@@ -75,7 +76,7 @@ SURE_BOUNDS = 1e-9
 SURE_MAGNITUDES = 1 + 1e-9
 """Factor by which bounds of magnitudes must differ to settle a comparison."""
 
-# printed and compared numbers
+# Numbers that are printed, or compared with expected results.
 ROUNDED_COEFFICIENT = 1e-13
 """Relative rounding error of the coefficients of a spring, which are typed or calculated."""
 SAME_POWER = 1e-9

@@ -265,7 +265,7 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
 
 
 def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
-    """Return the side of 0 on which a torque takes power at a link, and an example.
+    """Return whether a torque that takes power from a link is above or below 0, and an example.
 
     The torque is a part of the input torque, which acts against its speed when coasting. Without an
     input torque it is in N*m.
@@ -327,7 +327,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
 
 
 def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
-    """Return a clause on freewheels that overrun, and advice on exchanged links."""
+    """Return a clause about freewheels that overrun, and advice to exchange links if it helps."""
     if not numbers:
         return "", ""
     names = [case.shift_elements[number - 1].name for number in numbers]

@@ -97,9 +97,9 @@ def _drag_of_open_elements(case: Transmission, gear: Gear) -> dict[int, float]:
 def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
-    """Return the names of links and open shift elements whose drag has no speed.
+    """Return the names of links and open shift elements with drag but an indeterminate speed.
 
-    A law that is 0 at rest is an `OfLoad` of 0, so such a number counts as drag.
+    A law of drag that is 0 at rest is replaced by an `OfLoad` of 0, which therefore counts as drag.
     """
 
     def unknown(drags: Mapping[int, float], values: Sequence[Number]) -> list[int]:
@@ -120,7 +120,9 @@ def _direction(speed: Number) -> Number:
 
 
 def without_load(case: Transmission) -> list[str]:
-    """Return the names of links and shift elements whose drag is unknown without a load.
+    """Return the names of links and shift elements with drag in N*m but without an input torque.
+
+    Torques are calculated relative to the input torque, so this drag needs an operating point.
 
     Examples
     --------

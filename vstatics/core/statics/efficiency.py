@@ -85,7 +85,7 @@ def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Numb
 
 
 def passed(efficiency: Efficiency, exponent: Number) -> Number:
-    """Return ``efficiency**x``; the integer 1 keeps fractions exact."""
+    """Return ``efficiency**x``, calculated from the integer 1 so that fractions stay exact."""
     multiplying = efficiency._replace(divides=False) if efficiency.divides else efficiency
     return lossy_ratio(1, multiplying, exponent)
 

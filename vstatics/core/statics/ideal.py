@@ -34,7 +34,7 @@ class IdealGear(NamedTuple):
     """Torques without drag."""
     drag: Drag
     torques_with_drag: Torques
-    """Torques with drag, which alone loads some mechanisms; `torques` if nothing drags."""
+    """Torques with drag, the only load of some mechanisms; equal to `torques` without drag."""
     overcome: bool = False
     """True if the output may supply power to overcome drag above the input power."""
 

@@ -131,7 +131,7 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Return the efficiency that ranks sets of signs; ports are inputs or outputs by lossless flow.
+    """Return the efficiency by which sets of signs are compared.
 
     With one input and one output the efficiency is ``Mx_lossy/Mx``, or its inverse when coasting.
     Otherwise it is the output power divided by the input power. Each port counts on the side of its

@@ -191,7 +191,7 @@ def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Fl
 
 
 def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
-    """Return an array with a last axis of mechanisms.
+    """Return given numbers as an array of floats whose last axis has the length `mechanisms`.
 
     Raises
     ------

@@ -62,21 +62,25 @@ NOWHERE: Outside = MappingProxyType({})
 
 
 class OperatingPoints(NamedTuple):
-    """Loads that vary, and gears with numbers that vary, as arrays over the variants."""
+    """Operating points, and varying numbers of gears, as arrays with a value for each variant."""
 
     scales: Mapping[str, Floats]
     """Factors of `vstatics.core.statics.physical.scales` by unit, (variants, gears)."""
     loaded: Booleans
-    """False where the load has a torque of 0, (variants, gears)."""
+    """False where the input torque of the operating point is 0, (variants, gears)."""
     gears: Sequence[Gear]
-    """Gears with arrays, of shape (variants,), for torques that vary.
+    """Gears, in which a torque that varies is an array of shape (variants,).
 
     Gears of one case contain the drag that follows from their speeds.
     """
     efficiencies: Sequence[Sequence[Any]] = ()
     """Efficiencies that depend on speed or torque, by gear and mechanism. [-]"""
     open: Integers | None = None
-    """Solutions for load-dependent efficiencies: 0 unique, 1 missing, 2 several."""
+    """State of each gear, (variants, gears): 0 for a unique solution.
+
+    1 and 2 mark no solution or several solutions for efficiencies that depend on torque; 3 and 4 do
+    so for the torque that balances a battery.
+    """
     outside: Outside = NOWHERE
     """Laws evaluated outside the given points."""
 
@@ -122,7 +126,7 @@ class ResultFields(_NamedFields):
     power_sign: Floats
     """Sign of power: +1 first link drives, -1 driven, 0 idle, ``(..., gears, mechanisms)``. [-]"""
     idle: Booleans
-    """Marks of devices without torque or locked up, ``(..., gears, devices)``."""
+    """Marks of devices that have no torque or are locked up, ``(..., gears, devices)``."""
     losses: Floats
     """Power losses, negative when coasting (reversed flow), ``(..., gears, devices)``. [-]"""
     power_balance: Floats
@@ -170,7 +174,7 @@ class ResultFields(_NamedFields):
     """Messages about the gears of a case; empty for arrays of variants."""
 
     points: OperatingPoints | None = None
-    """Loads that vary, and gears with other varying numbers than ratios and efficiencies."""
+    """Operating points that vary, and gears in which more than ratios and efficiencies varies."""
 
     @property
     def output_torque(self) -> Floats:
@@ -188,8 +192,8 @@ Rows = Literal["links", "planets", "elements", "devices", "mechanisms", "torques
 
 `elements` are shift elements; `devices` are mechanisms and drawn gear sets with the names of the
 case; `mechanisms` are the mechanisms of the solver; `torques` are shift elements, mechanisms or
-members of drawn gear sets, springs, and the output; `meshes` are those of a drawn case, with
-planets as links; `one` is a value of the gear itself.
+members of drawn gear sets, springs, and the output; `meshes` are the meshes of drawn gear sets;
+`one` is a single value for the gear.
 """
 
 
@@ -219,8 +223,8 @@ GearTable: TypeAlias = Literal[
 ]
 """Tables with a single value for each gear.
 
-Type checkers learn from this list that such a table and a gear give a number; of any other table,
-two names give an array.
+From this list, type checkers know that the names of such a table and a gear select a number. For
+any other table, two names select an array.
 """
 
 

@@ -1,7 +1,7 @@
 """Signs of the power flow through mechanisms that agree with the resulting torques.
 
 Without losses, ``x = sign(M (w_f - w_h))``: equation (5) of docs/method.md. If these signs do not
-agree with the flow with losses, others are searched for.
+agree with the flow with losses, other signs are searched for.
 """
 
 from __future__ import annotations
@@ -54,10 +54,10 @@ class SignSearch(NamedTuple):
 
 
 class Admissible(NamedTuple):
-    """Admissible signs that give the largest efficiency."""
+    """Signs that agree with the power flow they cause; of several sets, the most efficient."""
 
     lossy: LossyTorques | None = None
-    """Torques under the signs; missing if self-locking or if the search was cut short."""
+    """Torques for these signs; None if the gear is self-locking or the search was cut short."""
     choices: int = 0
     """Number of admissible sets of signs."""
     cut_short: bool = False
@@ -90,8 +90,8 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     elif lossy.admissible is True:
         lossy = lossy._replace(efficiency=power_ratio(ideal, lossy))
     idle = start.idle
-    # The sign of an idle mechanism is a convention. A sign that no search has changed is still one
-    # and the same object.
+    # The sign of an idle mechanism is only a convention, so it cannot be reversed. A sign that no
+    # search has changed is the same object as before.
     turned = [
         lossy.admissible is True
         and not is_idle
@@ -164,7 +164,7 @@ def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
 
 
 def _turned(signs: Signs, directions: Signs, allowed: Sequence[bool]) -> Signs:
-    """Return the signs, replaced by the sign of the flow where allowed and not 0."""
+    """Return the signs, each replaced by the sign of its flow where that is allowed and not 0."""
     return tuple(
         direction if may and abs(direction) == 1 else x
         for x, direction, may in zip(signs, directions, allowed, strict=True)
@@ -222,7 +222,7 @@ def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) ->
 
 
 def _flow(x: Number, turns: Number) -> float:
-    """Return a number that distinguishes flows: the sign, 0 without flow, 1 if traced."""
+    """Return a number that differs between flows: the sign, 0 without flow, 1 if traced."""
     return (1.0 if is_traced(x) else plain(x)) * (1.0 if is_traced(turns) else plain(turns) ** 2)
 
 

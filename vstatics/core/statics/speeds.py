@@ -25,7 +25,7 @@ class Speeds(NamedTuple):
     missing: int
     excess: int
     certain: bool
-    """True if rounding leaves digits of the pivots."""
+    """True if the pivots of the equations keep correct digits after rounding."""
 
 
 def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) -> Speeds:

@@ -38,7 +38,7 @@ class GearState(NamedTuple):
     """Gear in which every freewheel either holds or overruns.
 
     Speeds are relative to the input speed, torques to the input torque, powers to the
-    input power; signs as in `matrix`. NaN stands for what does not exist.
+    input power; signs as in `matrix`. NaN marks a value that does not exist.
 
     Examples
     --------
@@ -157,7 +157,7 @@ class GearState(NamedTuple):
 
     @property
     def certain(self) -> bool:
-        """True if rounding leaves digits of the pivots of all systems."""
+        """True if the pivots of all systems of equations keep correct digits after rounding."""
         ideal = self.ideal
         torques = ideal.torques, ideal.torques_with_drag, self.lossy_torques
         return ideal.speeds.certain and all(solution.certain for solution in torques)
@@ -269,7 +269,10 @@ class GearState(NamedTuple):
 
 Numbers = Sequence[Number]
 Values = Mapping[str, Number | Residual | Condition | Sequence[Number | Residual | Condition]]
-"""Values of a gear by name of the array of `Results`, as floats or traced."""
+"""Values of a gear, by the name of their array in `Results`.
+
+The values are floats, or traced numbers while a plan is recorded.
+"""
 
 
 def values_of(state: GearState) -> Values:

@@ -24,7 +24,7 @@ def times(first: Number, second: Number) -> Number:
 
 
 Shares = Mapping[int, Number]
-"""Share of each device in a sum, by index."""
+"""Coefficient of each device's torque in a sum, by index of the device."""
 
 
 class Torques(NamedTuple):
@@ -40,7 +40,7 @@ class Torques(NamedTuple):
     consistent: bool
     """True if there is an equilibrium."""
     certain: bool = True
-    """True if rounding leaves digits of the pivots."""
+    """True if the pivots of the equations keep correct digits after rounding."""
     of_columns: list[Number] | None = None
     """Factors of the columns, see `factors`, if they differ from `on_first_link`."""
 

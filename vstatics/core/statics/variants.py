@@ -75,7 +75,7 @@ def solve_variants(
     variants : int
         Number of variants.
     by_gear : sequence of mapping
-        Numbers that vary in one gear only, for each gear; empty if there are none.
+        Numbers that vary in a single gear, for each gear; a mapping can be empty.
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
     counts = row_counts(case)
@@ -251,7 +251,7 @@ _OF_CASE = _kept(
     *("shift_elements", "mechanisms", "springs", "gears", "drag"),
 )
 _OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields, "drag")
-"""Fields of a shift element in the key; drag acts by the gears (`Transmission.with_all_drag`)."""
+"""Fields of a shift element in the key; drag is part of gears (`Transmission.with_all_drag`)."""
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
 """Fields of a mechanism in the key; the numbers left out are inputs of a plan."""
 _OF_SPRING = _kept(Spring, Spring._fields)

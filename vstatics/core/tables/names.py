@@ -117,16 +117,16 @@ def row_named(name: str, kind: Rows, case: Transmission) -> int:
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:
-    """Return the indices of the rows with a name, or else of the drawn gear set with the name."""
+    """Return the indices of rows with a name, or else of all rows of the gear set with the name."""
     indices = [index for index, row in enumerate(row_names(case, kind)) if row == name]
     return indices or [index for index, owner in enumerate(_owners(kind, case)) if owner == name]
 
 
 def _owners(kind: Rows, case: Transmission) -> list[str]:
-    """Return the name of the drawn gear set of each row, "" for a row of no gear set."""
+    """Return for each row the name of the drawn gear set that it belongs to, or an empty text."""
     devices = case.own_devices
     if case.drawing is None:
-        return []  # a mechanism is its own row
+        return []  # each mechanism is a row, so its name is the name of the row
     if kind == "planets":
         return [device.name for device in devices for _ in device.planets]
     if kind == "torques":
@@ -140,7 +140,7 @@ def _owners(kind: Rows, case: Transmission) -> list[str]:
 
 
 def several(name: str, indices: Sequence[int], names: Sequence[str], what: str = "rows") -> str:
-    """Return the message about an ambiguous name: of several rows, or of a device with several.
+    """Return the message about an ambiguous name, shared by several rows or a device's rows.
 
     >>> several("C1", [0, 2], ["C1", "B", "C1"])
     'there are two rows `C1`, expected #1 or #3'
@@ -275,7 +275,7 @@ def by_name(results: Results, key: Any) -> Any:
         raise TypeError(f"results of {type_and_value(name)}: {expected}")
     try:
         return _selected(results, name, selection)
-    except ReadError as error:  # nothing was read from a file
+    except ReadError as error:  # the names are arguments of a call, not text of a file
         raise ValueError(str(error)) from None
 
 

@@ -178,7 +178,7 @@ def sheet_name(name: str, taken: set[str]) -> str:
 
 
 def _without_dates(written: io.BytesIO) -> bytes:
-    """Return a workbook without dates."""
+    """Return a workbook without the time of its creation, so that equal tables give equal bytes."""
     dateless = io.BytesIO()
     with (
         zipfile.ZipFile(written) as old,

@@ -172,7 +172,7 @@ def across(
     graph : Graph
     cells : NodeColumns
     courses : mapping
-        Depth of each band at its source, in each passed layer, and at its target. [pt]
+        Depths along each band: at its source, in each layer that it passes, at its target. [pt]
     needed : mapping
         Width that each band needs on its way back, for which columns grow; the bands that turn
         closest to their columns first. [pt]

@@ -13,7 +13,7 @@ from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
 
 RUN_SWEEPS = 12
-"""Number of passes in which all runs are moved toward their neighbours."""
+"""Number of passes in which all runs and passing bands are moved toward their neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
 
@@ -22,11 +22,11 @@ class Depths(NamedTuple):
     """Depths from the top of the picture [pt]."""
 
     middles: Mapping[Key, float]
-    """Depths of the middles of cells."""
+    """Depth of the middle of each cell, by layer and number."""
     starts: Mapping[int, float]
-    """Depth of each band between runs, at the source."""
+    """Depth at which each band leaves its source; bands within a run are left out."""
     ends: Mapping[int, float]
-    """Depth of each band between runs, at the target."""
+    """Depth at which each band reaches its target; bands within a run are left out."""
     ports: Mapping[EndPort, float]
     """Depth of each port."""
 
@@ -163,7 +163,7 @@ def _series(columns: _Columns, shifts: tuple[Near, Near]) -> Iterator[list[Key]]
 
 
 def _room(column: Mapping[Key, FlowCell], key: Key, places: Mapping[Key, float]) -> Span:
-    """Return the range of depths of a cell."""
+    """Return the range of depths that the neighbours in a column leave for a cell."""
     order = list(column)
     rank, cell = order.index(key), column[key]
     above, below = order[max(rank - 1, 0) : rank], order[rank + 1 : rank + 2]

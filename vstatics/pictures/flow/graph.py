@@ -184,7 +184,7 @@ def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
 def _numbered(drawn: Graph) -> Iterator[int]:
     """Yield the bands between two branching points.
 
-    The power next to a loop is known as the power of the node less that of the loop.
+    The power next to a loop is known: the power of the node minus the power of the loop.
     """
     forth = [(n, b) for n, b in enumerate(drawn.bands) if not drawn.is_within(b)]
     sources = [drawn.ends(band)[0] for _, band in forth]

@@ -15,9 +15,9 @@ from vstatics.pictures.flow.places import Box, FlowLayout, Line, Note, Stub
 from vstatics.pictures.flow.texts import FlowTexts
 
 TRIES = 12
-"""Largest number of times that the rows of returning bands grow."""
+"""Largest number of times that columns are moved apart to give returning bands room."""
 STRAIGHT = 0.5
-"""Vertical distance of its ends below which a band is drawn horizontal. [pt]"""
+"""Difference in depth between two columns below which a band is drawn horizontal. [pt]"""
 
 
 class _Placed(NamedTuple):
@@ -29,7 +29,7 @@ class _Placed(NamedTuple):
     cells: NodeColumns
     deep: Depths
     courses: Mapping[int, Sequence[float]]
-    """Depth of each band at the source, in each passed layer, and at the target. [pt]"""
+    """Depths along each forward band: at its source, in each column passed, at its target. [pt]"""
     spaced: Across
     boxes: Sequence[Box]
     """Box of each run."""
@@ -101,7 +101,7 @@ def _deepest(line: Line) -> float:
 
 
 def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Placed:
-    """Return runs with positions; columns grow until all nodes on ways back have room."""
+    """Return runs and bands with positions; columns move apart until returning bands have room."""
     deep = depths(graph, scale, cells, [row.number for row in rows])
     courses = {
         number: [deep.starts[number], *(deep.middles[key] for key in way[1:-1]), deep.ends[number]]

@@ -115,7 +115,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
 
 
 def _acts(gear: LeverGear, drawn: Sequence[Lever]) -> Iterator[Spot]:
-    """Yield the points at which a link receives or gives torque."""
+    """Yield the points of levers at which a link receives or gives torque."""
     yield from (spot for spot, name in gear.grounds.items() if not gear.is_slack(name))
     for tie in gear.ties:
         if tie.name and (tie.is_spring or not gear.is_slack(tie.name)):

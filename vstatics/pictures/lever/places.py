@@ -35,7 +35,7 @@ BRAKE_NAME_WIDTH = 40.0
 
 
 class LeverCell(NamedTuple):
-    """Lever with texts and lines."""
+    """Lever with its texts and lines, and its horizontal extent on the page."""
 
     lever: Lever
     rows: dict[int, LeverRow]

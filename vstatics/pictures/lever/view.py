@@ -1,4 +1,4 @@
-"""Drawing of a lever in a gear, at a place in a figure."""
+"""A lever in a gear, with its position in a figure, for the functions that draw it."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ class LeverView(NamedTuple):
     place: int
     """Index of the lever, from the left."""
     bottom: float
-    """Height of the foot."""
+    """Height from which the heights of `LeverRow` are measured, above the figure's foot. [pt]"""
     same: str | None
     """Earlier gear in which the lever looks equal, so that numbers are not repeated; else None."""
 
     @property
     def cell(self) -> LeverCell:
-        """Cell of the lever."""
+        """Lever with its lines, texts and horizontal position, equal in all gears."""
         return self.sheet.page.cells[self.place]
 
     @property
@@ -34,23 +34,23 @@ class LeverView(NamedTuple):
 
     @property
     def is_loaded(self) -> bool:
-        """True for a lever with torque."""
+        """True if the lever carries torque in the gear."""
         return self.gear.is_loaded(self.place)
 
     @property
     def ink(self) -> str:
-        """Colour of texts."""
+        """Colour of texts, fainter for a lever without torque."""
         return self.style.ink if self.is_loaded else self.style.soft
 
     def torque(self, node: int) -> float:
-        """Return the torque on a point [-], 0 for a shaft."""
+        """Return the torque on a point of the lever [-]; 0 if the lever is a mere shaft."""
         return self.gear.torques[self.place][node] if self.cell.lever.devices else 0.0
 
     def speed(self, node: int) -> float:
-        """Return the speed of a point [-]."""
+        """Return the speed of a point of the lever [-]."""
         return self.gear.state.speeds[self.cell.lever.nodes[node].link]
 
     def across(self, speed: float) -> float:
-        """Return the horizontal position of a speed."""
+        """Return the horizontal position of a speed within the area of speeds [pt]."""
         (start, end), (low, high) = self.cell.speeds, self.sheet.speeds
         return start + (speed - low) / (high - low) * (end - start)

@@ -23,11 +23,11 @@ from vstatics.pictures.runs import PicturedEvent, PicturedRun, event_text, named
 COURSE_HEIGHT = 60.0
 """Height of the time axis below a plan, without the names of events. [pt]"""
 MOST_PLAN_EVENTS = 14
-"""Largest number of named events."""
+"""Largest number of events whose names are drawn."""
 MOST_COURSE_POINTS = 4000
 """Largest number of drawn instants."""
 ON_PLAN = 5e-3
-"""Tolerance for speeds of a run on a plan, relative to the largest speed. [-]"""
+"""Largest violation of a plan's constraints that counts as 0, relative to the largest speed. [-]"""
 EVENT_NAME_WIDTH = 150.0
 """Width to which names of events are wrapped. [pt]"""
 
@@ -95,13 +95,13 @@ def _rigid(case: Transmission, plan: KinematicPlan) -> Iterator[Condition]:
 
 
 def right_of(motion: PicturedRun, style: Style) -> float:
-    """Return the width of the names of events [pt]."""
+    """Return the width that the names of events need to the right of a plan [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
     return LEADER + widest(_name(event, style) for event in named) + LEADER / 2
 
 
 def high_of(motion: PicturedRun, style: Style) -> float:
-    """Return the height of the time axis below a plan [pt]."""
+    """Return the height that the time axis and the names of events need below a plan [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
     return max(COURSE_HEIGHT, sum(height(_name(event, style)) + LABEL_GAP for event in named))
 

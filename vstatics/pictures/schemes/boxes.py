@@ -184,7 +184,7 @@ def _section(device: Device, text: BoxText) -> BoxSection:
 
 
 def _wheels(device: Device, side: str) -> list[tuple[CentralWheel | None, CentralWheel | None]]:
-    """Return the members below and above: suns and rings as in a stick diagram, or by halves."""
+    """Return the members below and above: suns and rings, or halves of all members but `side`."""
     element = device.element
     if element is not None and isinstance(element.shape, Planetary) and side == "carrier":
         return [(column.sun, column.ring) for column in section_of(group_of(element)).columns]

@@ -23,13 +23,13 @@ class Instant(NamedTuple):
     """State of the whole motion at an instant, in physical quantities."""
 
     time: float
-    """[s]"""
+    """The instant. [s]"""
     speeds: Floats
     """Speeds of all links. [rad/s]"""
     twists: Floats
     angles: Floats
     values: Floats
-    """Values of states and temperatures."""
+    """Values of control states, then temperatures of shift elements."""
     accounts: Floats
     """Works and losses since the start. [J]"""
 
@@ -77,7 +77,7 @@ def motions_of(system: MotionSystem, structure: MotionStructure, at: Instant) ->
 
 
 def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
-    """Return the speed of a driver, for example of a motion sliding along a jump [rad/s]."""
+    """Return the speed at which a contact of a variator or a jump sticks, other than 0 [rad/s]."""
     now = math.nextafter(at.time, math.inf)
     for variator in system.variators:
         if variator.contact == contact:

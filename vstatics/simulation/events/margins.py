@@ -70,9 +70,9 @@ class LargeSizes(NamedTuple):
     """Scales of large speeds and torques in a run."""
 
     speed: float
-    """[rad/s]"""
+    """Speed that counts as large. [rad/s]"""
     torque: float
-    """[N*m]"""
+    """Torque that counts as large. [N*m]"""
 
 
 class SplitRoom(NamedTuple):
@@ -110,7 +110,7 @@ class SplitRoom(NamedTuple):
 
 
 class Awaited(NamedTuple):
-    """Judgement of a comparison in the condition of a step or at a corner of a formula."""
+    """Side of a comparison in the condition of a sequence step, or at a corner of a formula."""
 
     compared: Compared
     side: str
@@ -134,7 +134,7 @@ class Margins:
         self.is_torque: list[bool] = []
         self.slipping: list[tuple[int, float]] = []
         self.holding: list[tuple[Contact, int, int]] = []
-        """Contact, row of its multiplier, and side: +1 upper limit, -1 lower limit."""
+        """Limits of sticking contacts: contact, row of its multiplier, 1 upper or -1 lower."""
         for index, state in enumerate(states.contacts):
             if state in SIGNS:
                 self.slipping.append((layout.contacts + index, SIGNS[state]))
@@ -263,7 +263,7 @@ class Margins:
             for corner, side in self._ends(at, spring.curve.corners, torque=True):
                 self.corners.append((row, True, corner, side * spring.stiffness))
         self.ratios: list[tuple[int, float, float]] = []
-        """Index of the converter, speed ratio at a corner, side."""
+        """Corners of converters: index of the converter, speed ratio at the corner, side."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):

@@ -152,7 +152,7 @@ class ModeSearch:
         return States(**fields)
 
     def _others(self, watch: Watch) -> Iterator[tuple[int, str]]:
-        """Yield the numbers and other states of the choice behind a failed margin."""
+        """Yield the number of the choice that a failed margin watches, and each other state."""
         number = self.place.get((KIND_OF.get(watch.kind), watch.of))
         if number is None:
             return

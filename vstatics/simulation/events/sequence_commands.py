@@ -37,7 +37,7 @@ class StepCommands:
         ----------
         system : MotionSystem
         time : float
-            [s]
+            Time at which the step acts. [s]
         step : SequenceStep
         values : mapping of str to float
             Values of the numbers that the step sets.

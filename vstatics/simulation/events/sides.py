@@ -1,4 +1,4 @@
-"""Side of each comparison from an instant on: the sign of the difference of both numbers.
+"""Side of each comparison from an instant on: the sign of the difference of the compared numbers.
 
 Two numbers that are equal at an instant are compared a little later, where the motion is known with
 an error of fifth order, and then at growing distances: the first difference above rounding decides.
@@ -27,18 +27,18 @@ class SeenInstant(NamedTuple):
     """Values of all quantities that formulas see at an instant."""
 
     time: float
-    """[s]"""
+    """The instant. [s]"""
     values: Sequence[float]
 
 
 class Judge:
-    """Judge of comparisons from an instant on.
+    """Judge of comparisons: it decides which of two numbers is larger from an instant on.
 
     Parameters
     ----------
     equations : Equations
     time : float
-        [s]
+        The instant. [s]
     state : ndarray
     scales : LargeSizes
     values : ndarray
@@ -71,17 +71,17 @@ class Judge:
         return self._later[number]
 
     def awaited(self, comparison: Formula) -> Awaited:
-        """Return the judgement of a comparison in the condition of a step."""
+        """Return the side of a comparison that the condition of a sequence step contains."""
         if comparison not in self._known:
             self._known[comparison] = self.judged(compared(self.equations.system, comparison))
         return self._known[comparison]
 
     def judged(self, pair: Compared) -> Awaited:
-        """Return the judgement of a pair of numbers."""
-        now = math.nextafter(self.now.time, math.inf), self.now.values  # behind a jump in time
+        """Return the side of a pair of numbers, with their size and the change of difference."""
+        now = math.nextafter(self.now.time, math.inf), self.now.values  # after a jump at this time
         (first, second), (later, other) = pair.at(*now), pair.at(*self.ahead)
         apart, then = first - second, later - other
-        if math.isinf(apart):  # at a pole the values behind it count
+        if math.isinf(apart):  # at a pole, the values after it decide
             first, second, apart = later, other, then
         change = abs(then - apart)
         size = max(abs(first), abs(second), SOON * change, self._size(pair))
@@ -100,12 +100,13 @@ class Judge:
         return "0"
 
     def nearest(self, group: Sequence[Compared]) -> list[tuple[int, Awaited]]:
-        """Return the judgements of a number against the two nearest of a sorted group.
+        """Return the comparisons of a number with its nearest neighbours in a sorted group.
 
         Returns
         -------
         list of (int, Awaited)
-            Place in the group and judgement; for a group of one pair, this pair.
+            Place in the group and comparison: the last number below, and the next two numbers, as
+            far as the group has them.
         """
         judged = [*enumerate(map(self.judged, group))]
         above = next((n for n, awaited in judged if awaited.side != "+"), len(judged))

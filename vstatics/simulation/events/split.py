@@ -1,4 +1,4 @@
-"""Split of redundant torques: the split with most room, and the least change into all limits."""
+"""Split of redundant torques: with most room, and least changed to be within all limits."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
-    """Return the least change of a split into all limits, or None if impossible.
+    """Return the least change that brings a split within all limits, or None if impossible.
 
     Examples
     --------

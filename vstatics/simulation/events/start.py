@@ -59,7 +59,7 @@ def with_fixed_ratios(scenario: Scenario) -> Scenario:
     moving = dict(scenario.speed_ratios)
     for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.kind and not ratios[number]:
-            moving.setdefault(number, constant(0.0))  # a pair cannot have this ratio
+            moving.setdefault(number, constant(0.0))  # no gear pair has this ratio
     others = dict.fromkeys(moving, 1.0)  # their pairs are not used
     pairs = case.as_pairs(gear._replace(speed_ratios={**gear.speed_ratios, **others}))
     assert pairs is not None  # noqa: S101 - no ratio is 0, and converters are left out

@@ -27,9 +27,9 @@ class GearPiece(NamedTuple):
 
     gear: str
     start: float
-    """[s]"""
+    """Start of the piece. [s]"""
     end: float
-    """[s]"""
+    """End of the piece. [s]"""
 
 
 class ShiftPhase(NamedTuple):
@@ -37,9 +37,9 @@ class ShiftPhase(NamedTuple):
 
     phase: Phase
     start: float
-    """[s]"""
+    """Start of the phase. [s]"""
     end: float
-    """[s]"""
+    """End of the phase. [s]"""
     gear: str = ""
     """Gear of a phase `part`; empty for other phases."""
 

@@ -41,7 +41,7 @@ def energy_account(
     ----------
     start : Instant
     end : float
-        [s]
+        Time of the end. [s]
     equations : Equations
         Equations at the end.
     state : ndarray
@@ -91,7 +91,7 @@ def heat_and_losses(
         if spring.viscous:
             _add(losses, spring.name, state[equations.damped][index])
         curve = spring.programme.curve
-        if not isinstance(curve, Points) or {*curve.y} != {math.inf}:  # it may slip
+        if not isinstance(curve, Points) or {*curve.y} != {math.inf}:  # the spring can slip
             _add(heat, spring.name, state[equations.slipped][index])
     for index, converter in enumerate(system.converters):
         taken = works[layout.pumps + index] + works[layout.turbines + index]

@@ -22,7 +22,7 @@ def speed_ratios(converters: Sequence[Converter], speeds: Floats) -> Floats:
     Parameters
     ----------
     speeds : ndarray, shape (links, times)
-        [rad/s]
+        Speeds of all links. [rad/s]
     """
     pumps = speeds[[converter.pump - 1 for converter in converters]]
     turbines = speeds[[converter.turbine - 1 for converter in converters]]

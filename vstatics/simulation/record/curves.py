@@ -140,7 +140,7 @@ class _Turns(NamedTuple):
 
     columns: Integers
     times: Floats
-    """[s]"""
+    """Time of each candidate. [s]"""
     values: Floats
 
 

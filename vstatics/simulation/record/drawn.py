@@ -108,7 +108,7 @@ class DrawnRun:
 
     def _thin(self, most: int) -> None:
         """Remove instants evenly, down to a number, and keep all needed instants."""
-        # Ends, extremes, both sides of jumps and multiples of the step are needed.
+        # Ends, extremes, both sides of jumps and multiples of `every` are needed.
         times, columns = self.times, self.columns.T
         remaining = np.zeros(len(times), dtype=bool)
         remaining[[0, -1]] = True

@@ -24,7 +24,7 @@ class Event(NamedTuple):
     """Event at an instant, of a shift element, a load, a mechanism or a sequence."""
 
     time: float
-    """[s]"""
+    """Time of the event. [s]"""
     element: str
     event: EventKind
     energy: Annotated[float | None, SOMETIMES] = 0.0
@@ -75,7 +75,7 @@ class Peak(NamedTuple):
     torque: float
     """Torque, with sign. [N*m]"""
     time: float
-    """[s]"""
+    """Time at which the torque first occurs. [s]"""
 
 
 class Reached(NamedTuple):
@@ -83,7 +83,7 @@ class Reached(NamedTuple):
 
     link: str
     speed: float
-    """[rad/s]"""
+    """Target speed. [rad/s]"""
     time: float
     """Time; NaN if the speed is not reached. [s]"""
     angle: float

@@ -1,4 +1,4 @@
-"""Pieces of a run between events, and their columns at some instants."""
+"""Pieces of a run between events, and the recorded columns at instants of a piece."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from vstatics.simulation.system.matrices import MotionSystem, between
 
 
 class Piece:
-    """Piece of a run while no element changes between sticking and slipping."""
+    """Piece of a run in which the same contacts stick and slip, so that its equations are fixed."""
 
     def __init__(self, margins: Margins, time: float, state: Floats) -> None:
         self.margins = margins
         self.times = [time]
-        """Points of integration and multiples of a step. [s]"""
+        """Ends of integration steps, and multiples of the output interval, if any. [s]"""
         self.states = [state]
         self.steps: list[tuple[TimeStep, float]] = []
         """Steps, each with the time up to which it is valid."""
@@ -44,13 +44,13 @@ class Piece:
 
 
 class MotionColumns:
-    """Layout and values of the columns of a motion.
+    """Layout and values of the recorded columns of a motion.
 
     Parameters
     ----------
     system : MotionSystem
     asked : mapping of str to sequence of str
-        Rows of additional tables.
+        Names of the rows of additional tables, by name of the table.
     """
 
     def __init__(self, system: MotionSystem, asked: Mapping[str, Sequence[str]]) -> None:
@@ -80,7 +80,7 @@ class MotionColumns:
         return np.vstack([speeds, slips, torques, *asked, element_heat(equations, states)])
 
     def curves(self, piece: Piece, steps: Sequence[tuple[TimeStep, float]]) -> Curves:
-        """Return the columns over the parts of steps; the last part ends where the steps end."""
+        """Return the columns as curves over parts of steps; the last part is cut at the end."""
         (first, _), (last, end) = steps[0], steps[-1]
         size = len(first.nodes)
         times = np.concatenate([step.times for step, _ in steps]).reshape(-1, size)
@@ -143,7 +143,7 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
 
 
 def device_names(system: MotionSystem) -> tuple[str, ...]:
-    """Return the components with a torque, with turbines and links at given speeds."""
+    """Return the names of all torques: components, converters, turbines, links at given speeds."""
     given = (contact.name for contact in system.contacts if contact.is_given)
     converters = [converter.name for converter in system.converters]
     return (*system.case.devices, *converters, *map(turbine, converters), *given)

@@ -14,7 +14,7 @@ def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) 
     Parameters
     ----------
     time : float
-        [s]
+        Time of the event. [s]
     energy : float
         Energy lost at once. [J]
     """

@@ -89,7 +89,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """Yield warnings and notes, such as of capacities without a unit and shifts after the end."""
+    """Yield warnings and notes, such as warnings about shifts after the end of the scenario."""
     case = scenario.case
     yield from bare_capacities(case)
     yield from cut_controls(scenario)
@@ -138,7 +138,7 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
-    """Yield problems of twists at the start: of a rigid part, not finite, or with `settled`."""
+    """Yield the problems of start twists: unknown names, infinite numbers, and use of `settled`."""
     names = elastic_names(case)
     for name, twist in start.twists.items():
         path = ("start", "twists", name)
@@ -184,7 +184,7 @@ def _of_controls(
 
 
 def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
-    """Yield a problem of a formula that has no value at any time, speed or angle."""
+    """Yield a problem if a formula is infinite or NaN at all tried times, speeds and angles."""
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
@@ -238,7 +238,7 @@ def _of_torques(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_limits(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the problems of torque limits of springs: unknown spring, second limit, below 0."""
+    """Yield the problems of torque limits: unknown or unsuitable springs, and negative torques."""
     springs = scenario.case.springs
     for number, limit in scenario.limits.items():
         if not 0 < number <= len(springs):
@@ -332,7 +332,7 @@ def _name(case: Transmission, link: int) -> Any:
 
 
 def _of_road(law: Road, path: Path) -> Iterator[Problem]:
-    """Yield the problems of a road: sizes, and a wheel speed without a single velocity."""
+    """Yield the problems of a road: invalid numbers, or a wheel speed with several velocities."""
     problems = [
         *of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
         *of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
@@ -377,7 +377,7 @@ def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
 
 
 def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the problems of all formulas, each with the names allowed at the place."""
+    """Yield the problems of all formulas; the place of a formula decides on its allowed names."""
     names = scenario.value_names
     converters = [converter.name for converter in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
@@ -385,7 +385,8 @@ def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
         known = words.only(*allowed) if allowed else Vocabulary()
         problems = list(of_formula(law, variables, path, known))
         yield from problems
-        if not problems and path[0] not in ("controls", "limits"):  # these must always be numbers
+        # controls and limits must be numbers at every time, see `_of_capacity`
+        if not problems and path[0] not in ("controls", "limits"):
             yield from _never_a_number(law, scenario.duration, path)
 
 
@@ -393,7 +394,7 @@ _Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
 
 
 def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
-    """Yield all values that can be formulas, each with allowed variables, place and words."""
+    """Yield all values that can be formulas, each with allowed variables, path, allowed words."""
     case, elements = scenario.case, scenario.case.shift_elements
     seen = (*OF_MOTION, *OF_TORQUES)
     for number, control in (scenario.controls or {}).items():
@@ -427,7 +428,7 @@ def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
 def of_formula(
     law: object, names: Sequence[str], path: Path, words: Vocabulary
 ) -> Iterator[Problem]:
-    """Yield the problems of a formula: unreadable, unknown names, a constant without a value."""
+    """Yield the problems of a formula: wrong syntax, unknown names, a constant not finite."""
     if not isinstance(law, Formula):
         return
     try:
@@ -449,7 +450,7 @@ def of_formula(
 
 
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
-    """Yield the problems of points: as many values as abscissas, finite and in order."""
+    """Yield the problems of points: none or unpaired, infinite, or abscissas out of order."""
     if not points.x or len(points.x) != len(points.y):
         yield Problem("E651", "expected at least one point, each of two numbers", path)
     yield from of_finite([*points.x, *points.y], "a number", path)
@@ -457,7 +458,7 @@ def of_points(points: Points, path: Path) -> Iterator[Problem]:
 
 
 def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
-    """Yield the problems of times: at least one, finite and in order."""
+    """Yield the problems of times: none at all, infinite, or out of order."""
     if not times:
         yield Problem("E652", "read no times, expected at least one", path)
     yield from of_finite(times, "a time", path)

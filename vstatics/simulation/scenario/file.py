@@ -75,7 +75,7 @@ class ScenarioFile(NamedTuple):
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
-        """Speeds of the input at the start, and of torque laws over the speed [rpm]."""
+        """Magnitudes of input speeds: at the start, and at points of laws over speed [rpm]."""
         entry, start = self.scenario.case.input, self.scenario.start
         speeds = [start.speed, start.speeds.get(entry, 0.0)]
         for link, law in self.scenario.torques:
@@ -110,7 +110,7 @@ class ScenarioDocument(NamedTuple):
         return ReadError([Problem("E660", reason, ("case",), place)])
 
     def refuse_foreign(self, data: bytes, name: str) -> None:
-        """Refuse a file that is not a case, of which a message must not show the content.
+        """Refuse a file that is not a case, because messages must not show its content.
 
         Raises
         ------

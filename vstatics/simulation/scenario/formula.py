@@ -95,7 +95,7 @@ class Formula(NamedTuple):
 
     @property
     def whole(self) -> Tree:
-        """Tree of operations."""
+        """Tree of operations: `tree` if given, else the tree of the text."""
         return _read(*self).tree
 
     def knowing(self, numbers: Mapping[str, float]) -> Formula:

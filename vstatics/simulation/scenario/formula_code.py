@@ -30,7 +30,7 @@ Function: TypeAlias = Callable[..., float]
 
 
 class Seen(NamedTuple):
-    """Quantity in a formula other than the time and the motion of the link itself."""
+    """Quantity in a formula, except time and the motion of the link on which the law acts."""
 
     word: str
     """Word, such as `speed` or `slip`; `value` for a state or setting."""
@@ -39,7 +39,7 @@ class Seen(NamedTuple):
 
 
 def seen_in(part: TableName) -> Seen | None:
-    """Return the quantity that a name means, unless the name is a variable of the link itself."""
+    """Return the quantity that a name in a formula stands for; None for `VARIABLES` and pi."""
     if part.subscripts:
         return Seen(part.name, part.subscripts[0].written[1:-1])
     return None if part.name in (*VARIABLES, PI) else Seen("value", part.name)
@@ -126,7 +126,10 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
 
 
 def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Floats]:
-    """Return the function of a tree for many times: of an array of times, and arrays or numbers.
+    """Return the function of a tree for many times.
+
+    Its first argument is an array of times; each other argument is an array of the same shape or a
+    number.
 
     Examples
     --------
@@ -143,7 +146,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
         with np.errstate(all="ignore"):
             try:
                 values = broad(times, *known)
-            except (ArithmeticError, ValueError):  # of constants, such as 1/0
+            except (ArithmeticError, ValueError):  # raised by constants, such as 1/0
                 shaped = [np.reshape(value, (-1, 1, 1)) for value in (times, *known)]
                 values = _as_arrays(tree, shaped, seen).reshape(-1)
             return np.broadcast_to(values, times.shape).astype(float)
@@ -185,7 +188,7 @@ class _CodeWriter:
         self.names |= {argument: f"seen_{number}" for number, argument in enumerate(seen)}
 
     def number(self, tree: Any) -> ast.expr:
-        """Return the expression of the value of a part, as a float."""
+        """Return the Python expression for the value of a part of the formula, as a number."""
         if isinstance(tree, Applied):
             if _is_truth(tree):
                 return _call("number", self.condition(tree))
@@ -197,7 +200,7 @@ class _CodeWriter:
         return ast.Name(self.names[seen_in(tree) or tree.name], ast.Load())
 
     def operation(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
-        """Return the expression of an operator or a function of numbers."""
+        """Return the Python expression for an operator, or a function, applied to numbers."""
         if tree.name == "-x":
             return ast.UnaryOp(ast.USub(), operands[0])
         if tree.name == "**":
@@ -212,7 +215,7 @@ class _CodeWriter:
         return _call(str(tree.name), *operands)
 
     def condition(self, tree: Any) -> ast.expr:
-        """Return the expression of the truth of a part."""
+        """Return the Python expression for the value of a part of the formula, as true or false."""
         if not _is_truth(tree):
             return _call("truth", self.number(tree))
         if tree.name in _COMPARISONS:

@@ -291,7 +291,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
 
 
 def _at(points: list[tuple[float, float]], time: float) -> float:
-    """Return the value just before a time, of points that can be infinite."""
+    """Return the value of points just before a time; the values can be infinite."""
     before = [point for point in points if point[0] < time]
     after = [point for point in points if point[0] >= time]
     if not before:

@@ -42,7 +42,7 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
         names[link - 1]: speed for link, speed in start.speeds.items() if link <= len(names)
     }
     for key, speeds in (("speed", start.speed), ("speeds", of_links)):
-        yield from _of_numbers(speeds, ("start", key), least=0.0)  # 0 may come out as 1e-16
+        yield from _of_numbers(speeds, ("start", key), least=0.0)  # a 0 can be 1e-16 by rounding
     elements = case.shift_elements
     for number, control in (scenario.controls or {}).items():
         if 0 < number <= len(elements):

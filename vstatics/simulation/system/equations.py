@@ -107,7 +107,7 @@ class Equations:
             for index, row in structure.contact_rows.items()
             if system.contacts[index].drives
         ]
-        """Port and row of the multiplier of each contact that sticks at a speed other than 0."""
+        """Drivers (contacts that stick at a speed other than 0): port and row of multiplier."""
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
         self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS

@@ -137,7 +137,7 @@ class Elastic(NamedTuple):
         return self.viscous > 0 and isinstance(self.curve, TwistCurve) and self.curve.has_gap
 
     def side(self, piece: int) -> float:
-        """Return the sign of the torque on a piece of a spring with play; 0 in the play."""
+        """Return the sign of the torque on a piece of a curve with play; 0 within the play."""
         return self.curve.side(piece) if isinstance(self.curve, TwistCurve) else 0.0
 
     def carried(self, twist: float, rate: float) -> float:
@@ -252,7 +252,7 @@ class PortLayout:
             *(Seen("temperature", elements[index].name) for index in self.hot),
         )
         self.derived = tuple(sorted(quantity for quantity in seen if quantity.word in OF_TORQUES))
-        """Quantities seen by formulas that follow from torques."""
+        """Quantities in formulas that follow from torques."""
         self.seen_angles = self.ports + len(system.springs)
         """Place of the first angle among all seen quantities, after ports and twists."""
         self.seen_values = self.seen_angles + len(self.angles)
@@ -323,7 +323,7 @@ class MotionSystem:
 
     @cached_property
     def port_rows(self) -> Floats:
-        """Speed rows of loads, contacts, springs, pumps, turbines, seen links and variators."""
+        """Speed rows of all ports, in the order of `PortLayout`, shape (ports, links)."""
         links = len(self.names)
         rows = [unit(load.link, links) for load in self.outside]
         rows += [device.row for device in self.may_slip]

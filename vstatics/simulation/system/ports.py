@@ -90,15 +90,15 @@ class Ports:
         self.by_rate = np.zeros(layout.ports)
         """Slope by the rate of the port. [N*m*s/rad]"""
         self.by_angle: list[tuple[int, int, float]] = []
-        """Port, place of the angle, slope. [N*m/rad]"""
+        """Torques linear in an angle: port, place of the angle, slope. [N*m/rad]"""
         self.special: list[tuple[int, int, Torque, TorqueAlong]] = []
-        """Port, place of the angle or -1, torque function, and torque function of arrays."""
+        """Other torques: port, place of the angle or -1, torque function, and for arrays."""
         self.roads: list[tuple[int, Callable[[Any], Any]]] = []
-        """Port, and torque as a function of the rate, a number or an array."""
+        """Torques of roads: port, and torque as a function of the rate, a number or an array."""
         self.timed: list[tuple[int, Formula, float]] = []
-        """Port, torque as a function of time alone, and factor."""
+        """Torques given over time: port, torque as a function of time alone, and factor."""
         self.looks: list[tuple[int, Look]] = []
-        """Port, torque as a function of time and all seen quantities."""
+        """Feedback torques: port, torque as a function of time and all seen quantities."""
         self.ending: list[int] = []
         """Ports of slipping contacts with feedback torques, whose slip can end at 0."""
         self.limits: list[tuple[int, float, Programme]] = []
@@ -123,7 +123,7 @@ class Ports:
             | {layout.springs + index for index, _ in self.struts}
             | set(range(layout.pumps, layout.sensors))
         )
-        """Ports with torques that are nonlinear in rates, twists and angles."""
+        """Ports with torques that are nonlinear in rates, twists or angles."""
         self.is_affine = not self.bending
         """Whether all torques are linear in rates, twists and angles."""
 

@@ -65,7 +65,7 @@ class VariatorTorques:
         Parameters
         ----------
         time : float
-            [s]
+            The instant. [s]
         rates, torques : ndarray, shape (ports,)
             Rates and torques of ports; `torques` is changed in place.
         """

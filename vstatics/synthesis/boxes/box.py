@@ -362,7 +362,7 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
 
 
 def _with(search: BoxSearch) -> str:
-    """Describe the settings other than the number of sets that affect the engaged elements."""
+    """Describe the settings, except the number of sets, that limit the number engaged."""
     ports = (("input", search.own_input), ("output", search.own_output))
     given = [f"an {name} shaft of its own" for name, is_own in ports if is_own]
     if search.shafts:

@@ -27,7 +27,7 @@ ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
 
 
 class RankedBox(NamedTuple):
-    """Found gearbox with family, core and Pareto rank."""
+    """Found gearbox with the numbers of its family and core, and a mark of the Pareto list."""
 
     found: MeasuredBox
     family: int
@@ -119,7 +119,7 @@ def family_count(boxes: Iterable[RankedBox]) -> int:
 
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
-    """Return a key that sorts several fits of a gearbox, whichever was found first."""
+    """Return a sort key of several fits of a gearbox, independent of the order of the search."""
     error, loss = (round(figure, FIGURE_DECIMALS) for figure in box.figures[:2])
     return error, loss, box.box.ratios
 
@@ -251,7 +251,7 @@ def find_boxes(
     (36, [['T-L2', 'F-L0-L1'], ['T-L2', 'F-L0-L2'], ['T-L2', 'F-L1-L2']])
     """
     require("boxes", "the search for gearboxes")
-    from vstatics.synthesis.boxes.batches.found import found_in  # compiles
+    from vstatics.synthesis.boxes.batches.found import found_in  # the import compiles
 
     low, high = search.bounds
     search = search._replace(

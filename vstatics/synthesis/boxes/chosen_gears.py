@@ -81,7 +81,7 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
     speeds = turned[:, -1] @ basis
     inputs, outputs = speeds[:, box.input], speeds[:, box.output]
     turns = np.minimum(np.abs(inputs), np.abs(outputs)) > STILL_SPEED * np.abs(speeds).max(axis=1)
-    is_one = sizes[:, -1] > SECOND_MOTION  # for rows of length 2 at most, in an orthonormal basis
+    is_one = sizes[:, -1] > SECOND_MOTION  # valid as the rows of elements are no longer than 2
     with np.errstate(all="ignore"):
         return np.asarray(np.where(turns & is_one, inputs / outputs, np.nan))
 

@@ -86,7 +86,7 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
 
 
 def _planetary_sets(case: Transmission) -> list[Mechanism]:
-    """Return the planetary sets, without 1:1 shafts.
+    """Return the planetary gear sets; shafts, which are mechanisms of ratio 1, are left out.
 
     Raises
     ------
@@ -111,7 +111,7 @@ def _planetary_sets(case: Transmission) -> list[Mechanism]:
 
 
 def _joined_links(case: Transmission) -> list[int]:
-    """Return for each link the lowest link that shafts join to it."""
+    """Return for each link the lowest of the links that shafts, of ratio 1, connect with it."""
     body = [*range(case.links + 1)]
     for mechanism in case.mechanisms:
         if mechanism.ratio == 1:
@@ -121,7 +121,7 @@ def _joined_links(case: Transmission) -> list[int]:
 
 
 def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:
-    """Return sun, carrier and ring link; the ring has more teeth."""
+    """Return the links of sun, carrier and ring; the central gear with more teeth is the ring."""
     sun, ring = (
         (mechanism.first, mechanism.second)
         if abs(mechanism.ratio) > 1
@@ -131,6 +131,6 @@ def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:
 
 
 def _ends(first: int, second: int, held: int | None) -> tuple[int, int]:
-    """Return the links of an element in the order of `FoundBox`."""
+    """Return the links of a shift element in the order of `FoundBox`."""
     low, high = sorted(HELD if link == held else link for link in (first, second))
     return (high, low) if low == HELD else (low, high)

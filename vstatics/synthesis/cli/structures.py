@@ -33,7 +33,7 @@ LONG = 60
 """Duration above which an estimate is printed. [s]"""
 WIDEST_NAME = len("10 links")
 QUICK_SETS = 3
-"""Number of sets that are listed faster than estimated."""
+"""Number of gear sets up to which a list takes less time than its estimate."""
 
 
 def _links(text: str) -> int:
@@ -150,7 +150,7 @@ class StructureCount(NamedTuple):
 
 
 class StructureEstimate(NamedTuple):
-    """Estimated number, size and duration of schemes."""
+    """Estimated number of schemes, size of their list, and time of the command."""
 
     schemes: Flat[StructureCount]
     exact: bool
@@ -164,7 +164,7 @@ def _counted(asked: StructureSearch, by_links: Mapping[int, int]) -> StructureCo
 
 
 def _expected_count(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
-    """Estimate the number of schemes; print a long duration, and check the disk space.
+    """Estimate the number of schemes; print the estimate of a long list, and check the disk space.
 
     Raises
     ------
@@ -184,7 +184,7 @@ def _expected_count(asked: StructureSearch, output: str | None, *, listed: bool)
 
 
 def _known(asked: StructureSearch, *, listed: bool) -> CommandEstimate:
-    """Estimate the number, size and duration of schemes."""
+    """Estimate the number of schemes, the size of their list, and the time of the command."""
     estimated = estimate(asked, listed=listed)
     say = str if estimated.exact else about
     rows = {"schemes": say(estimated.total)}

@@ -28,13 +28,13 @@ from vstatics.synthesis.pictures.points import (
 )
 
 POINTS_HEIGHT, POINTS_HEIGHT_ALONE = 170.0, 300.0
-"""Height of the axes, above diagrams and alone. [pt]"""
+"""Height of the axes with points: above stick diagrams, and without diagrams. [pt]"""
 BOXES_SCALE_HEIGHT = 34.0
-"""Height of the scale. [pt]"""
+"""Height of the numbers and the name of the abscissa below the points. [pt]"""
 CAPTION_LINE_HEIGHT = 11.0
 """Distance between lines of a caption. [pt]"""
 MOST_DRAWN_DIAGRAMS = 8
-"""Largest number of diagrams."""
+"""Largest number of stick diagrams in a picture."""
 DIAGRAMS_SIDE_BY_SIDE = 2
 DIAGRAM_GAP = 16.0
 """Distance between diagrams. [pt]"""
@@ -43,7 +43,7 @@ LARGEST_DIAGRAM_SCALE = 0.62
 
 
 class BoxCell(NamedTuple):
-    """A diagram with heading and caption; lengths in points."""
+    """Stick diagram of a gearbox with heading and caption; lengths are in points."""
 
     heading: str
     caption: Sequence[str]
@@ -97,7 +97,7 @@ def render_points(
 
 
 def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> list[Figure]:
-    """Draw the points of all boxes above the diagrams of some, with further pages if necessary.
+    """Draw the points of all boxes above the diagrams of `drawn`, on several pages if necessary.
 
     Raises
     ------

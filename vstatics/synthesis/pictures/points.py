@@ -48,12 +48,12 @@ PointLook = tuple[str, str]
 
 
 def has_place(box: ListedBox) -> bool:
-    """Check whether a box has both figures."""
+    """Return whether a gearbox has both a mean loss and a largest torque."""
     return math.isfinite(box.loss) and math.isfinite(box.torque)
 
 
 def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> None:
-    """Draw all boxes with both figures as points, and the numbers of boxes with a diagram.
+    """Draw gearboxes with a loss and a torque as points, and number the boxes with a diagram.
 
     Parameters
     ----------
@@ -225,7 +225,11 @@ def families_width(listing: BoxListing, drawn: Sequence[ListedBox], style: Style
 def _families(
     listing: BoxListing, looks: Mapping[int, PointLook], style: Style
 ) -> list[tuple[PointLook, str, str]]:
-    """List the legend: coloured families, number of grey families, mark of the Pareto list."""
+    """Return the entries of the legend: look, colour of the edge, and text.
+
+    Families with a diagram come first, each in its colour, then the number of all other families,
+    which are grey, and the mark of the Pareto list.
+    """
     families = listing.families
     entries = [
         (look, style.paper, f"{style.text('family')} {family} ({len(families[family])})")

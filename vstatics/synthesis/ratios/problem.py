@@ -1,4 +1,4 @@
-"""Request of a fit, checked before any long calculation."""
+"""Request to fit mechanism ratios to wanted gear ratios, checked before any long calculation."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from vstatics.synthesis.ratios.formula import GearFormula, gear_formula
 from vstatics.synthesis.tolerances import PART_FOR_ZERO_BOUND
 
 LARGEST_SET_RATIO = 14.0
-"""Largest default ratio; without contact of three planets a set stays below 13.93. [-]"""
+"""Largest default ratio; a set with three planets that do not touch stays below 13.93. [-]"""
 SMALLEST, LARGEST = 1e-9, 1e9
 """Smallest and largest size of a bound, so that products of ratios are finite. [-]"""
 ALL = "all"
@@ -120,7 +120,8 @@ def mechanism_index(links: OwnLinks, asked: str) -> int:
     Raises
     ------
     ValueError
-        If the mechanism does not exist, or a named gear set has several; the message lists them.
+        If the mechanism does not exist, or the name belongs to a gear set with several mechanisms,
+        which the message lists.
     """
     names = [mechanism.name for mechanism in links.case.mechanisms]
     if asked in names:
@@ -141,7 +142,7 @@ def mechanism_index(links: OwnLinks, asked: str) -> int:
 
 
 def _wrong(low: float, high: float) -> Iterator[str]:
-    """Yield messages about bounds."""
+    """Yield the faults of the bounds of a ratio, in words."""
     if not (math.isfinite(low) and math.isfinite(high)):
         yield f"read {low:g}:{high:g}, expected finite numbers"
     elif low > high:
@@ -165,9 +166,9 @@ class FitProblem(NamedTuple):
     """Wanted gear ratios, and the mechanism ratios to vary."""
 
     links: OwnLinks
-    """Case without planets among the links, with freewheels as at the given ratios."""
+    """Case without links for planets and without freewheels, see `on_engaged_links`."""
     formulas: Sequence[GearFormula]
-    """Formula of each gear; gears without a target can have a formula that is too long."""
+    """Formula of each gear; a gear without a target can have a formula of the kind `too long`."""
     targets: Mapping[int, float]
     """Wanted ratio by the index of a gear. [-]"""
     weights: Mapping[int, float]
@@ -255,7 +256,11 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
 
 
 def on_engaged_links(case: Transmission) -> OwnLinks:
-    """Return a case without planets among the links, with freewheels as at given ratios."""
+    """Return a case without links for planets, in which no freewheel changes its state.
+
+    A freewheel becomes a shift element that is engaged in the gears where the freewheel holds at
+    the present ratios of the case.
+    """
     links = on_own_links(case)
     if case.freewheels:
         links = links._replace(case=solve(links.case).with_freewheels_engaged)
@@ -359,7 +364,7 @@ def ratio_fault(name: str, formula: GearFormula, wanted: float, varied: str) -> 
 
 
 def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
-    """Return the fault of a ratio with the opposite sign of all possible ratios, or "".
+    """Return a message if all possible ratios have the opposite sign of the wanted ratio, else "".
 
     >>> sign_fault("gear 1", -2.0, (2.5, 5.0))
     'gear 1: read -2, but within the bounds its ratio is 2.5 to 5: expected a ratio above 0'
@@ -371,7 +376,7 @@ def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
 
 
 def doubts(problem: FitProblem) -> Iterator[str]:
-    """Yield doubtful requests, and ratios that cannot be met alone or together."""
+    """Yield warnings: bounds of the other sign, and wanted ratios that cannot be met."""
     yield from _other_signs(problem)
     names = [gear.name for gear in problem.links.case.gears]
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
@@ -392,7 +397,7 @@ def doubts(problem: FitProblem) -> Iterator[str]:
 
 
 def _other_signs(problem: FitProblem) -> Iterator[str]:
-    """Yield mechanisms whose bounds have the opposite sign of the ratio in the case."""
+    """Yield warnings about mechanisms whose bounds have the opposite sign of their ratio."""
     limits = zip(problem.links.case.mechanisms, *problem.bounds, strict=True)
     for mechanism, low, high in limits:
         if high < 0 < mechanism.ratio or mechanism.ratio < 0 < low:
@@ -412,7 +417,7 @@ def reach_text(low: float, high: float) -> str:
 
 
 def _is_constant(problem: FitProblem, index: int) -> bool:
-    """Return whether a gear has a constant ratio if only ratios of 1 are inserted."""
+    """Return whether a gear has a constant ratio although all ratios except 1 can vary."""
     links = problem.links
     fixed = {n: 1.0 for n, mechanism in enumerate(links.case.mechanisms) if mechanism.ratio == 1}
     return gear_formula(links, links.case.gears[index], fixed).kind == "constant"

@@ -2,7 +2,7 @@
 
 A row contains the links of sun, carrier and ring of each set in turn, numbered in the order of
 their first appearance (a restricted growth string). Its leading sets form such a row, too, so rows
-with one set more grow from it. An unsound row only has unsound descendants.
+with an additional set grow from it. An unsound row only has unsound descendants.
 """
 
 from __future__ import annotations

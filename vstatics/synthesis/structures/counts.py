@@ -4,7 +4,7 @@ Classes are counted while they are listed. Schemes with numbered sets need only 
 number of connected schemes is the number of all schemes minus the number of schemes in parts. A
 connected scheme is sound, or it is one body, or it is a sound scheme of some of its sets in which
 bodies formed by the other sets replace links. The number of sound schemes therefore follows from
-the sound schemes with two sets less.
+the sound schemes with two sets fewer.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ def labelled(sets: int) -> ByLinks:
 def connected(sets: int) -> ByLinks:
     """Count the connected schemes with numbered sets.
 
-    These are all schemes without those where the first set is connected to fewer sets.
+    From all schemes, the schemes in which the first set is connected to fewer sets are subtracted.
 
     >>> connected(2)
     {5: 9, 4: 18, 3: 6}

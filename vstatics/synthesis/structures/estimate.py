@@ -1,8 +1,8 @@
-"""Estimate of the number of schemes, their size and the time, before all are found.
+"""Estimate of the number of schemes, the size of their list and the time, from a sample.
 
-Schemes grow set by set. A sample is drawn from those of each number of sets, and its descendants
-represent all (Knuth 1975, Estimating the efficiency of backtrack programs). If there are few, all
-are taken and the number is exact.
+Schemes grow set by set. At each number of sets a sample of the schemes is drawn, whose descendants
+represent the descendants of all (Knuth 1975, Estimating the efficiency of backtrack programs). Few
+schemes are all taken, so that their number is exact.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from vstatics.synthesis.structures.growth import (
 from vstatics.synthesis.structures.json_lines import lines
 
 GROWN_SCHEMES = 600_000
-"""Number of schemes grown in each step, before division by the orders of members."""
+"""Number of schemes grown in each step; it is divided by the number of orders of set members."""
 FEW_SETS = 4
 """Number of sets above which fewer schemes grow in each step."""
 COUNTED_SETS = 6
@@ -83,7 +83,7 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
         whole = search._replace(classes="none", ports=False)
         if not grown.exact and _are_soon_counted(whole):
             stand = _by_links(search, grown, labelled_weights(search, grown.batch))
-            known = count(whole)  # corrects the sample
+            known = count(whole)  # exact numbers of labelled schemes correct the sample
             by_links = {
                 links: number * known[links] / stand[links] if stand[links] else number
                 for links, number in by_links.items()
@@ -97,7 +97,7 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
 
 
 def _labelled(search: StructureSearch) -> Estimate:
-    """Estimate schemes with numbered sets, and the time to count schemes."""
+    """Estimate the number of schemes with numbered sets, and the time to count them."""
     if _are_soon_counted(search):
         return Estimate(count(search), exact=True, bytes=0.0, seconds=0.0)
     sample = _sample(counted_by(search))
@@ -114,7 +114,7 @@ def _are_soon_counted(search: StructureSearch) -> bool:
 def _by_links(
     search: StructureSearch, sample: _DrawnSchemes, numbers: NDArray[Any]
 ) -> dict[int, float]:
-    """Sum up the represented schemes by number of links."""
+    """Return the number of schemes that a sample represents, by number of links."""
     all_of_them = numbers * sample.weights
     links = sample.batch.links
     sums = {wanted: float(all_of_them[links == wanted].sum()) for wanted in search.wanted}

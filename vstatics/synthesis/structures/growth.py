@@ -1,7 +1,7 @@
 """Enumeration of all schemes with a number of planetary gear sets, set by set.
 
 The leading sets of a least code form a least code themselves, which is connected and sound if the
-whole is. Every class therefore grows exactly once, from a class with one set less. Schemes need not
+whole is. Every class therefore grows exactly once, from a class with a set fewer. Schemes need not
 be compared with earlier results, and memory does not grow with their number.
 """
 
@@ -31,7 +31,7 @@ SCHEMES_AT_ONCE = 50_000
 
 
 class StructureSearch(NamedTuple):
-    """Request for schemes.
+    """Request for schemes of planetary gear sets.
 
     Examples
     --------
@@ -44,7 +44,7 @@ class StructureSearch(NamedTuple):
     unsound: bool = False
     """True to include schemes with a locked-up group of sets."""
     ports: bool = False
-    """True to choose an input and an output."""
+    """True to list each choice of input and output of a scheme."""
     links: tuple[int, ...] = ()
     """Wanted numbers of links; any when empty."""
     matrix: bool = False

@@ -87,7 +87,7 @@ class ExcitedGear:
 
     @cached_property
     def unit(self) -> Floats:
-        """Motion of the links for an input of 1, shape (links,); zero for a torque."""
+        """Motion of the links that moves the excited link by 1, shape (links,); 0 for a torque."""
         free = coordinates(self.free).free
         row = free[self.at]
         return free @ (row / (row @ row)) if self.by_motion else np.zeros(len(free))
@@ -118,14 +118,18 @@ class ExcitedGear:
 
     @cached_property
     def _basis(self) -> Floats:
-        """Modes, rigid motions, massless motions, and last the motion for an input of 1."""
+        """Motions that describe the gear, in columns, shape (links, motions).
+
+        They are modes, rigid motions, massless motions, and last `unit`, the motion of the links
+        for a given angle of 1 rad of the excited link.
+        """
         split = coordinates(self.system)
         parts = [self.natural.shapes, rigid_basis(self.system, split), split.massless]
         return np.column_stack([*parts, self.unit])
 
     @cached_property
     def _by_basis(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """Matrices of `links` in terms of the basis."""
+        """Matrices M, K, D and K times loss factors, in terms of the motions of `_basis`."""
         twists = without_rounding(self.free.twists, self._basis)
         return self.free.matrices(twists, self.free.speeds @ self._basis, self._basis)
 

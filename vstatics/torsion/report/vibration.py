@@ -24,7 +24,7 @@ class Vibration(NamedTuple):
 
     gears: Sequence[GearModes] = ()
     shapes: Sequence[Drawn] = ()
-    """Pictures of the shapes of each gear; empty on a page without pictures."""
+    """Picture of the mode shapes of each gear; empty on a page without pictures."""
     campbell: Drawn | None = None
     """Campbell diagram of all gears shown."""
     in_full: bool = True
@@ -57,7 +57,7 @@ class Vibration(NamedTuple):
 
 
 def has_part(case: Transmission, *, runs: bool = False) -> bool:  # noqa: ARG001
-    """Return whether a case has inertias and elastic devices.
+    """Return whether a case has inertias and elastic components.
 
     >>> from vstatics import Spring
     >>> spring = Spring({1: 1, 2: -1}, stiffness=100.0)

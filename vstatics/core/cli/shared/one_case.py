@@ -26,7 +26,7 @@ from vstatics.core.tables.grid import Grid
 
 @contextmanager
 def problems_of(reading: Reading) -> Iterator[None]:
-    """Add the places in the file to problems of a case.
+    """Add the places in the file to all problems of a case that are raised in the block.
 
     Raises
     ------
@@ -41,7 +41,7 @@ def problems_of(reading: Reading) -> Iterator[None]:
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
-    """Return a problem with its place; a problem of an option concerns the whole file."""
+    """Return a problem with its place in the file; a problem without a path gets the file only."""
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located
@@ -49,7 +49,7 @@ def _placed(problem: Problem, reading: Reading) -> Problem:
 
 
 class CaseAnswer(NamedTuple):
-    """Answer of a command about a case; tables are laid out on request."""
+    """Answer of a command about a single case; `grids` creates the tables only when called."""
 
     grids: Callable[[], Iterable[Grid]]
     answer: Answer
@@ -69,12 +69,12 @@ class OneCase(NamedTuple):
     input_format: readers.Format | None
     telling: Telling
     coast: bool | None = None
-    """True if power enters at the output; by default as the case says."""
+    """True if power enters at the output; None for the direction of power in the case."""
     static_torque: float | None = None
-    """Torque at the input; by default as the case says. [N*m]"""
+    """Torque at the input; None for the torque in the case. [N*m]"""
 
     def destination(self, *others: str) -> Destination:
-        """Return the output, which may overwrite neither the case nor other inputs.
+        """Return the destination of the output; refuse to overwrite the case or another input.
 
         Raises
         ------
@@ -85,7 +85,7 @@ class OneCase(NamedTuple):
         return one_text(self.wanted, inputs)
 
     def read(self, *given: tuple[bytes, str]) -> Reading:
-        """Read the case, or parse the text if given, and print the warnings.
+        """Read the case from its file, or from the given text, and print the warnings.
 
         Raises
         ------
@@ -106,7 +106,7 @@ class OneCase(NamedTuple):
         Parameters
         ----------
         calculate : callable
-            Function that returns the answer; problems that it raises get their places.
+            Function that returns the answer; problems that it raises get their places in the file.
         to : Destination, optional
             Output, if the command has determined it already.
         extra : str
@@ -144,7 +144,7 @@ def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> I
 
 
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
-"""Options of a command with a single case, except the direction of power."""
+"""Options that every command with a single case has: output, input format and messages."""
 one_case = gathered("request", OneCase, click.argument("case", type=click.Path()), *of_case)
 """Case and options of a command with a single case, passed to the command as `request`."""
 

@@ -1,4 +1,4 @@
-"""Lists of a deck that have a value for each part of the model, for reader and writer."""
+"""Lists of a deck with a value for each part of a kind, used by the reader and the writer."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from typing import NamedTuple
 
 
 class DeckList(NamedTuple):
-    """List with a value for each part of a kind.
+    """List of a deck with a value for each part of a kind.
 
     >>> FIELDS["IAB"].part, FIELDS["IAB"].member, FIELDS["IAB"].size
     ('mechanisms', 'ratio', 'KG')
     """
 
     part: str
-    """Name of the list of parts in the model."""
+    """Name of the parts in the model: ``mechanisms``, ``shift_elements`` or ``gears``."""
     member: str
-    """Attribute of a part that the value gives."""
+    """Attribute of each part that has its values in the list, such as ``ratio``."""
     size: str
     """Field that gives the number of values."""
     heading: str
@@ -39,4 +39,4 @@ FIELDS = {
     "INP(I)": DeckList("gears", "input", "NP", "Input link in each gear (0: that of the case):"),
     "IOUT(I)": DeckList("gears", "output", "NP", "Output link in each gear (0: that of the case):"),
 }
-"""Lists by the names in messages, in the order of the template; lists of gears are optional."""
+"""Lists by their names in messages, in the order of a template; lists for gears are optional."""

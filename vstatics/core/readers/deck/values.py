@@ -1,4 +1,4 @@
-"""Values of the fields of a deck, in the prescribed number, each with a place."""
+"""Reading of the values in a field of a deck: their number is checked, and each has a place."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/
 _DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"
-"""Value instead of an unreadable value, which equals no link and no number of a part."""
+"""Text that replaces an unreadable value; -1 is the number of no link and no other part."""
 
 
 class Values(NamedTuple, Generic[Number]):
@@ -46,7 +46,7 @@ class Values(NamedTuple, Generic[Number]):
     spots: Callable[[], list[Spot]]
     """Function that returns the place of each value; few places are ever needed."""
     unreadable: set[int]
-    """Positions of the stand-ins, from 0."""
+    """Positions, from 0, of values that are missing, unreadable, or in a field with too many."""
 
 
 class Wanted(NamedTuple):
@@ -184,7 +184,7 @@ def _rows(scan: Scan, field: Field, expected: int) -> list[list[Token]]:
 
 
 def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
-    """Describe the values of a gear on a line."""
+    """Return the description of the values of a gear whose values are on a separate line."""
 
     def label(position: int) -> str:
         return f"{key}({position + 1},{gear})"
@@ -227,7 +227,7 @@ class _ValueReader(Generic[Number]):
         self.after_comma = True
         self.failed = False
         self.complete_at = 0
-        """Line whose tokens, including the mistyped, complete the values."""
+        """Line on which the field is complete, if mistyped values are counted."""
 
     def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
         """Read all values, and check the number of values."""

@@ -1,4 +1,4 @@
-"""Results at many operating points: any numbers of a case varied, in SI units.
+"""Results at many operating points, at which any numbers of a case vary, in SI units.
 
 `paths` finds the numbers that a path names. `parts` groups points by numbers that require a new
 case, such as tooth numbers, and `relative` by the signs of loads, and relates numbers to the loads.

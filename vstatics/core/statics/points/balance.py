@@ -34,7 +34,7 @@ GRID_WIDTH = 100.0
 GRID_REFINEMENT = 1000.0
 """Value of sinh at the end of the grid; a larger value places more of its torques near 0. [-]"""
 EDGE_STEPS = 50
-"""Bisections to find the torque at which friction begins to lock the gear."""
+"""Number of bisections to find the torque at which friction begins to lock the gear."""
 MOST_ROOT_STEPS = 100
 """Largest number of iterations for a root."""
 MOST_SOLUTIONS = 3
@@ -42,9 +42,9 @@ MOST_SOLUTIONS = 3
 MOST_POINTS_AT_ONCE = 100_000
 """Largest number of points calculated at once, to limit memory."""
 PROBE_PART = 0.37
-"""Arbitrary torque, relative to the input torque, to probe if other torques are determinate. [-]"""
+"""Arbitrary torque, relative to the input torque, to test if other torques are determinate. [-]"""
 NO_BALANCE, TWO_BALANCES = 3, 4
-"""States of a gear: no torque balances the battery, or several torques do."""
+"""Numbers for the states of a gear: no torque balances the battery, or several torques do."""
 
 Follow = Callable[[Columns, int], Followed]
 """Function that solves points, including laws."""
@@ -63,7 +63,7 @@ class OpenBalance:
 
     @property
     def number(self) -> CaseNumber:
-        """Number of the case for the unknown torque."""
+        """Key of the unknown torque in the columns of varied numbers."""
         return CaseNumber(self.gear, "torques", self.link)
 
     def surplus(self, results: Results) -> Floats:
@@ -159,7 +159,7 @@ def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:
 
 
 def sought_link(gear: Gear, settled: Gear) -> int:
-    """Return the link with the unknown torque, which only the settled gear contains."""
+    """Return the link with the unknown torque: only the settled gear has a torque on this link."""
     return next(link for link in settled.torques if link not in gear.torques)
 
 
@@ -169,8 +169,8 @@ def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance
     Raises
     ------
     CaseError
-        If several links have neither speed nor torque, and equilibrium does not determine the
-        torques from a single one of them.
+        If several links have neither speed nor torque, and a torque on a single link would not
+        determine the others by equilibrium.
     """
     gears, balances = list(case.gears), []
     for index, gear in enumerate(case.gears):
@@ -285,7 +285,7 @@ def _ends(
 ) -> tuple[Floats, Floats, Floats, Floats, Booleans]:
     """Return torques and surplus at both ends of a sign change, and flags of existence.
 
-    `turn` counts the sign changes of each point from 0.
+    `turn` is the number of the sign change at each point, from 0.
     """
     signs = np.sign(surplus)
     change = (signs[1:] * signs[:-1] < 0) | ((signs[1:] == 0) & (signs[:-1] != 0))
@@ -370,7 +370,7 @@ class _RootSearch:
         return bool((~self.is_there | narrow | (self.left <= 2 * EPSILON)).all())
 
     def beyond_gap(self) -> _RootSearch:
-        """Return the search on the other side of locked torques, if any."""
+        """Return the search for roots beyond the torques at which friction locks the gear."""
         return _RootSearch(*self.ends, self.is_there & self.gap & self.beyond, beyond=False)
 
     @property

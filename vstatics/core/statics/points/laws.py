@@ -33,7 +33,7 @@ SCAN_POINTS = 17
 MOST_ROOTS = 3
 """Largest number of sign changes searched for roots."""
 ROOT_BISECTIONS = 60
-"""Bisections for a root, enough for the precision of a float."""
+"""Number of bisections for a root, enough for the precision of a float."""
 NONE, SEVERAL = 1, 2
 """States of a gear: no solution, or several solutions for the efficiencies."""
 WITH_LOSSES = (
@@ -162,7 +162,7 @@ def _differ(speeds: Floats, others: Floats) -> Booleans:
 
 
 def _speed(case: Transmission, results: Results, columns: Columns, number: CaseNumber) -> Floats:
-    """Return the magnitude of the speed for a law [rad/s]; 0 if indeterminate."""
+    """Return the magnitude of the speed at which a law is read [rad/s]; 0 if indeterminate."""
     index, quantity, owner = number
     if quantity == "drag":
         speed = results.speeds[:, index, owner - 1]
@@ -221,7 +221,7 @@ class _Search:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
 
     def sizes(self, results: Results) -> dict[CaseNumber, Floats]:
-        """Return the magnitude of the torque for each law [N*m]; NaN if undefined."""
+        """Return the magnitude of the torque at which each law is read [N*m]; NaN if undefined."""
         torques = results.lossy_torques_Nm
         return {number: np.abs(torques[:, number.gear, row]) for number, row in self.rows.items()}
 
@@ -234,7 +234,7 @@ class _Search:
         return results, {number: law.at(sizes[number]) for number, law in self.laws.items()}
 
     def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
-        """Iterate from efficiencies given by `end`, such as min, to a fixed point.
+        """Iterate to a fixed point from an end of each law: `end` is min or max of efficiencies.
 
         Returns
         -------
@@ -280,7 +280,7 @@ class _Search:
         return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Any) -> None:
-        """Search between the ends for all solutions of gears with a single unknown efficiency."""
+        """Search a law for all solutions of gears with a single unknown efficiency."""
         single = [numbers[0] for numbers in self.of_gear.values() if len(numbers) == 1]
         if not single:
             return

@@ -32,7 +32,7 @@ class CaseOfPoints(NamedTuple):
 
 
 def cases_of_points(case: Transmission, columns: Mapping[str, Floats]) -> Iterator[CaseOfPoints]:
-    """Yield the cases for columns of numbers of parts, in SI, by path.
+    """Yield a case for each different set of part numbers, from columns in SI units by path.
 
     Raises
     ------

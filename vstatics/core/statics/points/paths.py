@@ -181,7 +181,7 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
 
 
 def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumber]:
-    """Select the speed ratios that act, without bypassed converters."""
+    """Return the speed ratios that have an effect: those of bypassed converters are left out."""
     first = case.own_mechanisms.start - 1
     return [
         number

@@ -56,11 +56,11 @@ class GearLoad(NamedTuple):
 
     @property
     def torque_unit(self) -> Floats | None:
-        """Reference of torques, as in `Transmission.torque_unit` [N*m]."""
+        """Torque to which torques are relative, as in `Transmission.torque_unit` [N*m]."""
         return None if self.torque is None else np.where(self.torque == 0, self._way, self.torque)
 
     def unit_of(self, quantity: OfGear) -> Floats | None:
-        """Return the reference of a given speed, torque or drag [rad/s, N*m]."""
+        """Return the speed or torque to which numbers of a quantity are relative [rad/s, N*m]."""
         if quantity == "speeds":
             return self.speed
         if quantity == "speed_ratios":
@@ -75,7 +75,8 @@ def solve_points(case: Transmission, columns: Columns, variants: int) -> Results
     Raises
     ------
     CaseError
-        If a number in SI units needs an operating point, or a case is not valid.
+        If a number in SI units needs an operating point that is not given, or the case of a group
+        of points is not valid.
     """
     loads = loads_of(case, columns, variants)
     _expect_loads(case, columns, loads)
@@ -184,9 +185,9 @@ def with_numbers(case: Transmission, columns: Columns) -> Transmission:
 
 
 def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) -> GearNumbers:
-    """Return the varying numbers of a gear relative to the operating points.
+    """Return the numbers of a gear that vary, relative to the operating points.
 
-    Fixed numbers with a unit vary with the operating points.
+    A fixed number with a unit is among them, because its relative value varies.
     """
     numbers: dict[GearNumber, Floats] = {}
     gear = case.with_all_drag(case.gears[index])
@@ -229,7 +230,7 @@ class _PointData:
         by_gear: Sequence[GearNumbers],
         loads: Sequence[GearLoad],
     ) -> None:
-        """Store the data of a group of points represented by a case."""
+        """Store the data of the chosen points, a group that a single case represents."""
         for n, gear in enumerate(case.gears):
             unit = loads[n].torque_unit
             if unit is not None:

@@ -97,7 +97,7 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
         for column in section.columns
         for rim in column.rims.values()
     )
-    most = MOST_SHRUNK_NAMED if has_rims else MOST_SHRUNK  # planet teeth are above the pin
+    most = MOST_SHRUNK_NAMED if has_rims else MOST_SHRUNK  # planet gears have texts
     if bare.coaxial.has_boxes:  # the size of boxes depends on letters
         most = MOST_SHRUNK_NAMED
     for tried in range(FITS):
@@ -106,7 +106,7 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
         if length <= wide * letters + ROUNDED or letters >= most:
             break
         lack = length / (wide * letters)
-        letters *= max(lack ** (1 + tried // SLOW_FITS), LEAST_STEP)  # faster if names fill it
+        letters *= max(lack ** (1 + tried // SLOW_FITS), LEAST_STEP)  # larger steps in later tries
         letters = min(letters, most)
     return layout
 

@@ -198,7 +198,7 @@ class _FrameMaker:
         )
 
     def _nearest(self, first_link: int, second_link: int, place: int) -> list[Bar]:
-        """Return two neighbouring bars, or the nearest bars of two links."""
+        """Return the bars at a place and above it or, at -1, the nearest bars of two links."""
         if place >= 0:
             return (self.below + self.above)[place : place + 2]
         bars = list(enumerate(self.below + self.above))

@@ -41,7 +41,7 @@ class CoaxialSheet(NamedTuple):
     chains: Sequence[CoaxialChain] = ()
 
     def remarks(self, style: Style) -> list[str]:
-        """Return remarks for the title: crossings, an output not along the axis, another order."""
+        """Return remarks for the title, such as crossings or gear sets not in the case's order."""
         remarks = crossings_told(crossings_of(self.layout), style)
         if not self.layout.coaxial.train.end:
             remarks.append(style.text("output through the housing"))

@@ -63,7 +63,7 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
         yield SignRoom(-11, 10, places.housing - BRAKE_LENGTH, places.housing + 6)
         name = top_name(layout, up)
         if name:
-            half = layout.width(name, bold=True) / 2  # bold as for an engaged element
+            half = layout.width(name, bold=True) / 2  # names of engaged shift elements are bold
             yield SignRoom(
                 -half, half, places.housing + 7, places.housing + 7 + layout.height(name)
             )

@@ -19,7 +19,7 @@ from vstatics.synthesis.boxes.schemes.stems import stems
 PIECE, LONGEST_PIECE = 0.5, 5.0
 """Estimated time of a piece in a short and in a long search. [s]"""
 MOST_SHORT_PIECES = 2000
-"""Largest number of pieces of length `PIECE`; short pieces give an interrupted search results."""
+"""Largest number of pieces of length `PIECE`, so short that an interrupted search has results."""
 SAMPLED_CHOICES = 24
 """Number of choices of ports in the sample that estimates the total time."""
 DEPTH = Depth(firsts=8, sets=12, seconds=0.2)
@@ -71,7 +71,7 @@ def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:
 
 
 def _part(schemes: list[BoxScheme], first: int, last: int, weight: int) -> Iterator[BoxScheme]:
-    """Yield the schemes and ports of a stem from `first` to `last` of its `weight`."""
+    """Yield the schemes and ports in the part of a stem from `first` to `last` of its `weight`."""
     total = sum(len(scheme.ports) for scheme in schemes)
     low, high = (min(max(place, 0), weight) * total // weight for place in (first, last))
     for scheme in schemes:

@@ -74,7 +74,7 @@ def _of_all(search: BoxSearch) -> BoxEstimate | None:
 
 
 def _of_some(search: BoxSearch) -> BoxEstimate:
-    """Extrapolate from sampled choices of ports; those of a scheme share its preparation."""
+    """Extrapolate from sampled choices of ports, which share the preparation of their scheme."""
     began = time.process_time()
     seen: list[tuple[float, Tried]] = []
     count, ready = 0, 0.0

@@ -1,4 +1,4 @@
-"""Search for gearboxes in one scheme, for any input and output."""
+"""Search for the gearboxes of a single scheme, with each choice of input and output."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ FIRST_ELEMENT_SETS = 4096
 
 
 class PortSearch:
-    """Search of a scheme for any input and output."""
+    """Search of a scheme for gearboxes; its link speeds serve all choices of input and output."""
 
     def __init__(self, search: BoxSearch, scheme: BoxScheme) -> None:
-        """Calculate the speeds in all possible gears."""
+        """Calculate the speeds of links in all possible gears."""
         self.search = search
         self.scheme = scheme
         self.bases = speed_bases(search, scheme)
@@ -66,7 +66,7 @@ class PortSearch:
             most *= 4
 
     def gears_of(self, first: int, last: int) -> PortGears:
-        """Return empty arrays for the gears of two ports; count their boxes in `searched`."""
+        """Return empty arrays for the gears between two ports; add their boxes to `searched`."""
         search, table = self.search, self.table
         ports = self.bases.moving.index(first), self.bases.moving.index(last)
         ends = enumerate(table.ends.tolist())

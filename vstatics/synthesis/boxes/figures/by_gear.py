@@ -17,15 +17,15 @@ class GearFigures(NamedTuple):
     """Figures of a gear, relative to input speed, torque and power."""
 
     torques: Mapping[str, float]
-    """Torque from the first link on each engaged element, without losses. [-]"""
+    """Torque from the first link on each engaged shift element, without losses. [-]"""
     slips: Mapping[str, float]
     """Slip speed of each disengaged shift element, first link minus second. [-]"""
     carriers: Mapping[str, float]
-    """Carrier speed of each set. [-]"""
+    """Carrier speed of each gear set. [-]"""
     planets: Mapping[str, float]
     """Speed of the planets that mesh with the sun of each set, relative to the carrier. [-]"""
     losses: Mapping[str, float]
-    """Loss of each set; the sum is 1 - efficiency. [-]"""
+    """Power lost in each gear set; the sum over all sets is 1 - efficiency. [-]"""
     circulating: float
     """Recirculating power, with losses. [-]"""
     drag: float
@@ -33,7 +33,7 @@ class GearFigures(NamedTuple):
 
 
 class BoxGear(NamedTuple):
-    """A gear of a found box."""
+    """Gear of a found gearbox."""
 
     name: str
     engaged: tuple[str, ...]
@@ -55,9 +55,9 @@ def without_noise(names: Iterable[str], values: Iterable[float]) -> dict[str, fl
 
 
 def with_drag(gears: Sequence[GearFigures]) -> list[GearFigures]:
-    """Add the drag to the gears of a box.
+    """Return the gears of a gearbox with their drag.
 
-    The capacity of an element is the largest torque of the element in all gears.
+    The torque capacity of a shift element is its largest torque in all gears.
 
     >>> first = GearFigures({"A": 2.0}, {"B": -0.5}, {}, {}, {}, 0.0, math.nan)
     >>> second = GearFigures({"B": 3.0}, {"A": 1.0}, {}, {}, {}, 0.0, math.nan)
@@ -77,7 +77,7 @@ def with_drag(gears: Sequence[GearFigures]) -> list[GearFigures]:
 
 
 def mean_drag(gears: Mapping[str, float], weights: Mapping[str, float]) -> float:
-    """Return the mean drag of gears, with the default weight 1.
+    """Return the weighted mean of the drag of gears; a gear without a weight has the weight 1.
 
     >>> mean_drag({"1": 2.0, "2": 0.0}, {"1": 3.0})
     1.5
@@ -87,7 +87,7 @@ def mean_drag(gears: Mapping[str, float], weights: Mapping[str, float]) -> float
 
 
 def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
-    """Check that weights belong to gears, are not negative, and not all 0.
+    """Check that weights have the names of gears, are not negative, and are not all 0.
 
     Raises
     ------
@@ -127,7 +127,9 @@ def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
 
 
 def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> None:
-    """Check that weights belong to possible gears of a search, and are not all 0 in a box.
+    """Check weights against the gears that a found gearbox can have.
+
+    Each weight must have the name of a possible gear, and no gearbox may get weights of 0 only.
 
     Raises
     ------
@@ -149,6 +151,6 @@ def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> Non
     wanted = search.sequence
     fewest, most = (0, 0) if wanted is None else (wanted.least, wanted.most)
     check_weights(names_of_mean([*search.targets, *[1.0] * most]), weights)
-    # Boxes with more gears have these gears, too.
+    # Gearboxes with more gears also contain these gears, so it is enough to check the fewest gears.
     least = names_of_mean([*search.targets, *[1.0] * fewest])
     check_weights(least, {name: weights[name] for name in least if name in weights})

@@ -162,7 +162,7 @@ def planet_ratio(ratio: float) -> float:
 
 
 def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
-    """Return set `place`; meshed planets, or a carrier at the housing, need a planet ratio."""
+    """Return the mechanism of a set; meshed planets, or a held carrier, need a planet ratio."""
     sun, carrier, ring = links
     has_planets = ratio > 0 or carrier == HOUSING
     of_planet = planet_ratio(ratio)

@@ -1,9 +1,9 @@
 """Cells of gear-set ratios, and their reduction where gears must meet their targets.
 
-Numerators and denominators are linear in each ratio, so the values at the corners of a cell bound
-the ratio of a gear in the cell. They also bound how far a gear-set ratio can move along an edge
-before the gear misses its target for all values of the other ratios. The removed parts of a cell
-contain no solution.
+A cell is a range for each gear-set ratio. The ratio of a gear is a quotient whose numerator and
+denominator are linear in each gear-set ratio, so the values at the corners of a cell bound it. They
+also bound how far a gear-set ratio can move along an edge before the gear misses its target for all
+values of the other ratios. The removed parts of a cell contain no solution.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.tolerances import CELL_ROUNDING
 
 NARROW_CELL = 1.001
-"""Quotient of the bounds of a ratio below which a cell is not halved further. [-]"""
+"""Quotient of the bounds of a gear-set ratio below which a cell is not halved further. [-]"""
 MOST_SWEEPS = 4
 """Largest number of times that a cell is reduced by all targets in turn."""
 LESS = 0.8
-"""Remaining share of a cell along a ratio above which sweeps end. [-]"""
+"""Remaining share of a cell along a gear-set ratio above which sweeps end. [-]"""
 
 
 class RatioCells(NamedTuple):
@@ -37,24 +37,24 @@ class RatioCells(NamedTuple):
     """Lower bounds of ring teeth/sun teeth, shape (cells, sets). [-]"""
     high: Floats
     reach: Integers
-    """Targets that each ratio can have in a cell, as bits, shape (cells, ratios)."""
+    """Targets that the ratio of each gear can meet in a cell, as bits, shape (cells, ratios)."""
     stages: Integers
-    """Number of stages of `SPREADS` for which fits have been tried, shape (cells,)."""
+    """Number of stages of `solving.SPREADS` for which fits have been tried, shape (cells,)."""
     known: Booleans
     """True if suitable shift elements for the gears exist, shape (cells,)."""
     parts: Floats
     """Numerators and denominators at the corners of the cell, shape (ratios, 2, corners)."""
     shares: Floats
-    """First and last share of a cell within the bounds, shape (sets, 2)."""
+    """Start and end of the cell along each gear-set ratio, as shares of the bounds, (sets, 2)."""
     left: Floats
-    """First and last share of the cell that all targets leave, shape (sets, 2)."""
+    """Start and end of the part that all targets leave, as shares of the cell, (sets, 2)."""
     slack: Floats
-    """Distance of each corner from both ends of a range, shape (2, corners)."""
+    """Two polynomials that are not negative where a target is met, shape (2, corners)."""
     planes: PlaneRoom
 
 
 def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
-    """Return work arrays for cells with a number of ratios and gear sets."""
+    """Return work arrays for cells with a number of gear ratios and of gear sets."""
     halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW_CELL))
     deep = 2 + len(asked.targets) + sets * math.ceil(max(halvings, 0))
     return RatioCells(
@@ -75,9 +75,8 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
 def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, top: int) -> bool:
     """Reduce a cell by all targets; return False if nothing remains.
 
-    The reduction first uses the targets that each ratio can have, then the targets that only one
-    ratio can have.
-
+    First, each gear ratio loses the targets that it cannot meet in the cell. Then each target that
+    only a single gear ratio can meet reduces the cell.
 
     Parameters
     ----------
@@ -145,7 +144,7 @@ def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
 
 @compiled
 def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
-    """Remove targets that a ratio misses everywhere in a cell; return whether any was removed."""
+    """Remove targets that a gear ratio misses in the whole cell; return whether any was removed."""
     reach = cells.reach[top]
     is_any = False
     for ratio in range(len(reach)):
@@ -159,7 +158,7 @@ def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
 
 @compiled
 def _only_ratio(reach: Integers, target: int) -> int:
-    """Return the only ratio that can have a target, or -1 if there are several."""
+    """Return the index of the only gear ratio that can meet a target; -1 for none or several."""
     single = -1
     for ratio in range(len(reach)):
         if (reach[ratio] >> target) & 1:
@@ -229,7 +228,10 @@ def _positive(slack: Floats, bit: int) -> tuple[float, float]:
 
 @compiled
 def spread_in(cells: RatioCells, top: int) -> float:
-    """Return the largest spread of ln(i) in a cell over all ratios that can have a target."""
+    """Return the largest difference of ln(i) within a cell, over all gear ratios i with a target.
+
+    The result is infinite if such a ratio has a zero or a pole in the cell.
+    """
     spread = 0.0
     for ratio in range(cells.parts.shape[0]):
         if cells.reach[top, ratio]:
@@ -243,7 +245,7 @@ def spread_in(cells: RatioCells, top: int) -> float:
 
 @compiled
 def longest(cells: RatioCells, top: int) -> int:
-    """Return the gear set whose ratio changes the gears most, or -1 in a narrow cell."""
+    """Return the gear set whose ratio changes the gear ratios most, or -1 in a narrow cell."""
     best = 0.0
     longest_set = -1
     for number in range(cells.low.shape[1]):

@@ -71,9 +71,9 @@ def chained(ratio_of: Integers, chosen: Integers, room: ChainRoom) -> bool:
     Parameters
     ----------
     ratio_of : array, shape (combinations of a set,)
-        Ratio of each combination, negative if the combination has no ratio.
+        Number of the ratio of each combination, negative if the combination has no ratio.
     chosen : array, shape (targets,)
-        Ratio of each target.
+        Number of the ratio of each target.
     room : ChainRoom
         `gears` receives the combination of each target.
 

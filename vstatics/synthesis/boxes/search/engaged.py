@@ -83,7 +83,7 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
 
 
 class GearSpeeds(NamedTuple):
-    """Different link speeds of the gears of a scheme."""
+    """Link speeds in the gears of a scheme; equal speeds of several gears are stored once."""
 
     speeds: Floats
     """Polynomials of the ratios at the corners of the bounds, then at a point within; shape

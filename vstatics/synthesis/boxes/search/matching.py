@@ -14,7 +14,7 @@ class MatchRoom(NamedTuple):
     """Work arrays for matchings, each of shape (targets,)."""
 
     chosen: Integers
-    """Ratio of each target."""
+    """Number of the ratio that is assigned to each target."""
     came_from: Integers
     """Previous target on an augmenting path."""
     line: Integers
@@ -90,7 +90,7 @@ def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
 
 @compiled
 def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
-    """Remove targets that a ratio has in no complete matching.
+    """Remove from each ratio the targets that it has in no complete matching.
 
     An edge is in some matching if the target that loses its ratio can take another ratio, and so
     on, up to a free ratio or around a cycle (Regin's filter for all-different, AAAI 1994).

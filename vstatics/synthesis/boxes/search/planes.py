@@ -23,7 +23,7 @@ class PlaneRoom(NamedTuple):
     """Work arrays for planes; a cell extends from -1 to 1 along each gear-set ratio."""
 
     only_ratios: Integers
-    """The only ratio that a target can have, negative if there are several, shape (targets,)."""
+    """Number of the only ratio that can meet each target, negative for several, (targets,)."""
     values: Floats
     """Values of a polynomial at the corners, shape (corners,)."""
     planes: Floats
@@ -54,7 +54,7 @@ def plane_room(targets: int, sets: int) -> PlaneRoom:
 
 @compiled
 def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, left: Floats) -> bool:
-    """Reduce a cell by all targets that only a single ratio can have.
+    """Reduce a cell by all targets that only a single ratio can meet.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Targets that a gear can reach within the bounds, decided exactly from the corners.
+"""Targets that the ratio of a gear can reach within the bounds, decided exactly from the corners.
 
 A ratio is a quotient of two polynomials, each linear in every gear-set ratio. Where the
 denominator has no zero, the quotient is monotonic along each ratio, so its extremes are at corners.
@@ -16,7 +16,7 @@ from vstatics.synthesis.tolerances import INDEPENDENT_RATIO
 
 @compiled
 def reached(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -> int:
-    """Return the targets that the quotient reaches, as bits.
+    """Return the targets that the quotient reaches within the bounds, as bits.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ def has_one_sign(values: Floats) -> bool:
 
 @compiled
 def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
-    """Return the smallest and the largest quotient at the corners."""
+    """Return the smallest and the largest quotient of numbers given at the corners of a range."""
     least = most = numerator[0] / denominator[0]
     for corner in range(1, len(numerator)):
         ratio = numerator[corner] / denominator[corner]

@@ -113,7 +113,7 @@ def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) 
     parts : array, shape (ratios, 2, corners)
         Numerator and denominator of each ratio at the corners of the bounds.
     chosen : array, shape (targets,)
-        Ratio of each target.
+        Number of the ratio of each target.
     asked : Asked
     room : FitRoom
         `logs` contains the starting point and receives the solution.

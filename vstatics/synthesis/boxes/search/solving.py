@@ -51,8 +51,8 @@ class CellRoom(NamedTuple):
     chains: ChainRoom
     """Combination of elements for each target."""
     ratio_of: Integers
-    """Ratio of each combination of a set, negative without a ratio, shape (combinations of a
-    set,)."""
+    """Number of the ratio of each combination of a set, negative without a ratio, shape
+    (combinations of a set,)."""
     least: Floats
     """Lower ends of the ranges within which a better solution must be, shape (targets,). [-]"""
     most: Floats
@@ -185,7 +185,7 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
 
 @compiled
 def _give(target: int, cells: RatioCells, top: int) -> None:
-    """Copy a cell: the first ratio has the target in the upper copy, and lacks it in the lower."""
+    """Copy a cell: in the upper copy its first ratio has the target alone, in the lower never."""
     double(cells, top)
     bit = 1 << target
     is_given = False

@@ -73,7 +73,7 @@ def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
-    """Draw packs in a common drum, each above the driven shaft."""
+    """Draw clutch packs in a common drum, each above the shaft that it drives."""
     axis, placing = station.axes[0], sheet.placing
     low = placing.sign_height(axis)
     roof, common = placing.y(axis, low + ROOF), station.links[0]
@@ -108,14 +108,15 @@ def _box(sheet: AxesSheet, number: int, station: Station) -> None:
     device, up = sheet.scheme.devices[index], placing.board.rows.sides[axis]
     for contact in placing.contacts:
         for member, link in device.members.items():
-            if contact[:3:2] == (link, index) and member in device.labels:  # of a spring
+            # a spring has labels: the coefficients of links in its twist
+            if contact[:3:2] == (link, index) and member in device.labels:
                 at = contact.x + 2.0, y - up * (BOX + 5.0)
                 device_sheet.text(at, typeset(device.labels[member]), size=SMALL, ha="left")
     device_sheet.name(index)
 
 
 def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
-    """Draw the case with pinions, and the gears of the two shafts."""
+    """Draw the differential case with its pinions, and the side gears of the two shafts."""
     (index,), axis, placing = station.devices, station.axes[0], sheet.placing
     device_sheet, x = sheet.of_device(index), placing.xs[number]
     y, pen, color = placing.y(axis, 0.0), device_sheet.pen, sheet.color(index)
@@ -170,7 +171,7 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
 def _section(sheet: AxesSheet, number: int, station: Station) -> None:
     """Draw gear sets and couplings as a half-section above the axis."""
     layout, placing, axis = station.layout, sheet.placing, station.axes[0]
-    assert layout is not None  # noqa: S101 - a half-section has one
+    assert layout is not None  # noqa: S101 - a half-section has a layout
     left, right = ends_of(layout)
     corner = (
         placing.xs[number] - (left + right) / 2,
@@ -184,7 +185,7 @@ def _section(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _goes_on(sheet: AxesSheet, link: int, station: Station) -> bool:
-    """Return True if torque passes from a half-section to a neighbouring link."""
+    """Return True if a link of a half-section carries torque to or from parts outside of it."""
     others = set(range(len(sheet.scheme.devices))) - set(station.devices)
     ports = {port.link for port in sheet.scheme.ports}
     return (link in ports and sheet.is_used(-1, link)) or any(

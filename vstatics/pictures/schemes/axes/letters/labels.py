@@ -98,7 +98,7 @@ def device_labels(
         others = owners[(owners[:, 4] != wanted_label.device) & (owners[:, 4] >= 0), :4]
         met = _meets(boxes, walls)
         dear = dear + met @ costs
-        if not wanted_label.is_name:  # the teeth of a planet stand within its set
+        if not wanted_label.is_name:  # tooth numbers of planets are within a set
             dear -= met[:, : len(within)] @ (IN_SET * (within == wanted_label.device))
         dear += STRANGE * _meets(boxes + NEAR * OUTWARD, others).any(axis=1)
         box = Rectangle(*boxes[int(np.argmin(dear))].tolist())

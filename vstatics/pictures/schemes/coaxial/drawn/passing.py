@@ -46,7 +46,7 @@ def _is_on(at: Point, line: Segment) -> bool:
 
 
 def _between(ends: set[Point], steps: Iterable[Segment]) -> set[Segment]:
-    """Return the steps that lie between ends, which remain when dead ends are removed."""
+    """Return the steps between ends, which are the steps that remain without dead ends."""
     remaining = {step for step in steps if step[0] != step[1]}
     while True:
         points = [at for step in remaining for at in step]

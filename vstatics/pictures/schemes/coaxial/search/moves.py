@@ -85,7 +85,7 @@ class Moves(NamedTuple):
                 yield Move(SectionState(low, high, done | bit), PAIR, cost, step)
 
     def _walls(self, state: SectionState) -> Iterator[Move]:
-        """Yield links that pass the row of planets."""
+        """Yield walls: links next to the row of planets that continue on its other side."""
         below, above, done = state
         bars = below + above
         ways = []

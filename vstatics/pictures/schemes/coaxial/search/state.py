@@ -35,7 +35,10 @@ class SweepStep(NamedTuple):
     bars: Sequence[tuple[Bars, Bars]]
     """Bars at the component; for a set, at the left arm, at each plane and at the right arm."""
     place: int = -1
-    """Place of the lower of two connected neighbours, from the axis; -1 for the nearest bars."""
+    """Index, from the axis, of the lower of the two adjacent bars that the component connects.
+
+    -1 means that it connects the nearest bars of its links.
+    """
     is_turned: bool = False
     """True for a gear set whose planes are drawn in reverse order."""
     left: tuple[bool, bool] = (False, False)
@@ -43,7 +46,7 @@ class SweepStep(NamedTuple):
     right: tuple[bool, bool] = (False, False)
     """True where the right arm of a carrier meets the last bar below, and the first bar above."""
     before: tuple[Bars, Bars] | None = None
-    """Bars to the left, if the component starts bars."""
+    """Bars to the left of the component, if it begins new bars."""
 
 
 class Move(NamedTuple):

@@ -159,7 +159,7 @@ class _SweepSearch(NamedTuple):
         closed: set[SectionState] = set()
 
         def add(state: SectionState, cost: int, trace: _Trace) -> None:
-            cost += state.done == train.all_bits and bool(state.above)  # the axis is below
+            cost += state.done == train.all_bits and bool(state.above)  # not at the axis
             if state not in closed and best.get(state, cost + 1) > cost:
                 best[state] = cost
                 guess = cost + self.weight * self._rest(state.done)

@@ -150,7 +150,7 @@ def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> 
 
 @compiled
 def may_use_all(targets: int, length: int, singly: int, room: SequenceRoom) -> bool:
-    """Check for elements as `set_elements`, for gears chosen by ranges in a cell.
+    """Return whether gears chosen by ranges in a cell may use all elements, as in `set_elements`.
 
     With targets the order of the gears is not known yet, so single shifts are not checked.
     """

@@ -17,7 +17,7 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO, TARGET_MARGIN
 
 NARROW_SEQUENCE_CELL = 1.01
-"""Quotient of the bounds of a ratio below which a cell is not halved further. [-]"""
+"""Quotient of the bounds of a gear-set ratio below which a cell is not halved further. [-]"""
 
 
 class Sequence(NamedTuple):
@@ -75,7 +75,7 @@ class ChoiceRoom(NamedTuple):
     places: Integers
     """Place of each gear in the order, negative at first, shape (gears,)."""
     chosen: Integers
-    """Ratio of each gear, shape (gears,)."""
+    """Number of the ratio of each gear, shape (gears,)."""
     free: Booleans
     """True if a ratio is not assigned to a gear, shape (ratios,)."""
     looks: Integers
@@ -87,8 +87,8 @@ class SequenceRoom(NamedTuple):
 
     wanted: Sequence
     ratio_of: Integers
-    """Ratio of each combination of a set, negative without a ratio, shape (combinations of a
-    set,)."""
+    """Number of the ratio of each combination of a set, negative without a ratio, shape
+    (combinations of a set,)."""
     chains: ChainRoom
     """Combination of elements for each gear."""
     match: MatchRoom
@@ -122,7 +122,7 @@ class SequenceRoom(NamedTuple):
     squares: Floats
     """Sum of squares of the best sequence, shape (1,). [-]"""
     best_chosen: Integers
-    """Ratios of the best choice: targets, then the sequence, shape (gears,)."""
+    """Numbers of the ratios of the best choice: targets, then the sequence, shape (gears,)."""
     best_gears: Integers
     """Combination of elements in each gear of the best choice, shape (gears,)."""
     best_logs: Floats

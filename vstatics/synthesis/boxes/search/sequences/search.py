@@ -48,7 +48,7 @@ MOST_SEQUENCE_CELLS = 20_000
 MORE_CELLS = 1000
 """Number of further cells to examine for an equally long sequence with single shifts."""
 SMALL = 1.05
-"""Quotient of the bounds of each ratio below which every choice in a cell is fitted. [-]"""
+"""Quotient of the bounds of each gear-set ratio below which each choice is fitted. [-]"""
 MOST_CELL_FITS = 40
 """Largest number of choices to fit before a cell is halved."""
 
