@@ -79,7 +79,6 @@ TABLE_15 = [
 CONTROLS = TABLE_13 | BRAKES
 PAIRS = [" ".join(pair) for pair in combinations(CONTROLS, 2)]
 RATIOS = [Fraction(-2), Fraction(-26, 10)]
-SHORT = {"d": "direct", "g": "gear", "b": "blocked", "p": "parking", "n": "neutral"}
 
 
 def schemes() -> Iterator[tuple[int, list[set[str]]]]:
@@ -114,6 +113,13 @@ def rows(heading: str) -> list[list[str]]:
     return [[cell.strip() for cell in line] for line in lines]
 
 
+def names(text: str) -> list[str]:
+    """Return the clutches and brakes of a cell: ``F1 to F6``, or ``T1, T2``."""
+    first, _, last = text.partition(" to ")
+    ends = [int(end.removeprefix("F")) for end in (first, last) if last]
+    return [f"F{n}" for n in range(ends[0], ends[1] + 1)] if last else text.split(", ")
+
+
 def test_scheme_22_lacks_b2_and_18_of_1365_are_complete() -> None:
     numbered = dict(enumerate(combinations(range(1, 16), 4), 1))
     assert len(numbered) == 1365
@@ -143,13 +149,12 @@ def test_printed_rules_leave_the_24_printed_pairs() -> None:
 
 @pytest.mark.slow
 def test_kinds_are_those_of_the_page_whatever_the_scheme() -> None:
-    head, *body = rows("Table 14")
-    page = {
-        f"{row[0]} {column}": SHORT[cell]
-        for row in body
-        for column, cell in zip(head[1:], row[1:], strict=True)
-        if cell
-    }
+    page: dict[str, str] = {}
+    for first, second, kind, count in rows("Table 14")[1:]:
+        pairs = set(PAIRS) & {f"{a} {b}" for a in names(first) for b in names(second)}
+        assert len(pairs) == int(count), (first, second)
+        assert not pairs & page.keys()
+        page |= dict.fromkeys(pairs, kind)
     assert page.keys() == set(PAIRS)
     ways = [list(way) for _, scheme in schemes() for way in permutations(scheme)]
     assert len(ways) == 432
@@ -159,13 +164,8 @@ def test_kinds_are_those_of_the_page_whatever_the_scheme() -> None:
 
 
 def test_of_the_24_printed_ones_4_are_gears() -> None:
-    head, *body = rows("Table 15")
-    page = {
-        int(cell): f"{row[0]} {column}"
-        for row in body
-        for column, cell in zip(head[1:], row[1:], strict=True)
-    }
-    assert [page[number] for number in sorted(page)] == TABLE_15
+    with_each = ["T1", "T2", *names("F1 to F6")]
+    assert [f"{clutch} {other}" for clutch in names("F7 to F9") for other in with_each] == TABLE_15
     found = kinds(next(scheme for number, scheme in schemes() if number == 686))
     found = {" ".join(sorted(pair.split())): kind for pair, kind in found.items()}
     of = [found[" ".join(sorted(pair.split()))] for pair in TABLE_15]
