@@ -16,7 +16,7 @@ from tests.test_readme import blocks
 from vstatics.core.statics.result_arrays import GearTable
 from vstatics.core.tables.quantities import BY_NAME
 
-PAGES = ("docs/python.md", "docs/how-to/commands-in-python.md", "docs/how-to/python.md")
+PAGES = ("docs/python.md", "docs/how-to/commands-in-python.md")
 
 
 def typed(page: str) -> str:

@@ -40,8 +40,8 @@ def places() -> dict[str, str]:
     """The page of each document, by its path in the project.
 
     >>> known = places()
-    >>> known["docs/cookbook/README.md"], known["docs/how-to/python.md"], known["docs/method.md"]
-    ('cookbook/index', 'how-to/python', 'reference/method')
+    >>> known["docs/cookbook/README.md"], known["docs/how-to/shift.md"], known["docs/method.md"]
+    ('cookbook/index', 'how-to/shift', 'reference/method')
     """
     found = dict(PLACES)
     for path in sorted((ROOT / "docs").glob("**/*.md")):
