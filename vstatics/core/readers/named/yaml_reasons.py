@@ -6,6 +6,12 @@ import yaml
 
 _BRACKETS = {"flow sequence": ("list", "]"), "flow mapping": ("mapping", "}")}
 """Names of the parser for values in brackets, with plain names and closing brackets."""
+_BLOCKS = {
+    "block mapping": ("mapping", "a key"),
+    "block collection": ("list", "`- `"),
+    "block sequence": ("list", "`- `"),
+}
+"""Names of the parser for values without brackets, with plain names and their entries."""
 
 
 def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
@@ -24,27 +30,29 @@ def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
     read `@`, with which no text begins; write the text in quotes
     """
     context, problem = error.context or "", error.problem or ""
-    mark, begin = error.problem_mark, error.context_mark
-    place = f"line {begin.line + 1}, column {begin.column + 1}" if begin else ""
-    index = mark.index if mark else len(text)
-    is_first = not text[text.rfind("\n", 0, index) + 1 : index].strip()
-    for kind, (name, bracket) in _BRACKETS.items():
-        if kind in context and place:
-            return f"the {name} that begins on {place} is not closed, expected `,` or `{bracket}`"
+    begin = error.context_mark
+    index = error.problem_mark.index if error.problem_mark else len(text)
+    raw = ", ".join(part for part in (context, problem) if part)
     if problem.startswith("mapping values are not allowed"):
         return "read a second `: `; write a text with a colon in quotes, and check the indentation"
     if "that cannot start any token" in problem and text[index : index + 1].strip():
         return f"read `{text[index]}`, with which no text begins; write the text in quotes"
-    if context.endswith("block mapping") and begin and is_first:
-        return (
-            f"wrong indentation here or above: the mapping that begins on {place} continues with "
-            f"a key in column {begin.column + 1}"
-        )
-    if context.endswith(("block collection", "block sequence")) and begin and is_first:
-        return (
-            f"wrong indentation here or above: the list that begins on {place} continues with "
-            f"`- ` in column {begin.column + 1}"
-        )
-    if "quoted scalar" in context and "end of stream" in problem:
+    return _of_part(context, begin, text, index) or raw if begin else raw
+
+
+def _of_part(context: str, begin: yaml.Mark, text: str, index: int) -> str:
+    """Return the reason of an error at an index within a part of a text; empty if unknown."""
+    place = f"line {begin.line + 1}, column {begin.column + 1}"
+    for kind, (name, bracket) in _BRACKETS.items():
+        if kind in context:
+            return f"the {name} that begins on {place} is not closed, expected `,` or `{bracket}`"
+    if "quoted scalar" in context and index >= len(text):
         return f"the quotation mark on {place} is not closed"
-    return ", ".join(part for part in (context, problem) if part)
+    is_first = not text[text.rfind("\n", 0, index) + 1 : index].strip()
+    for kind, (name, item) in _BLOCKS.items():
+        if context.endswith(kind) and is_first:
+            return (
+                f"wrong indentation here or above: the {name} that begins on {place} continues "
+                f"with {item} in column {begin.column + 1}"
+            )
+    return ""
