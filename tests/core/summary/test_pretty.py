@@ -198,3 +198,10 @@ def test_a_ratio_below_1_is_shown_as_output_over_input_too(ratio: float) -> None
 
 def test_gears_that_are_slower_than_their_input_have_no_inverse() -> None:
     assert "1/i" not in shown(MZKT)
+
+
+def test_planets_without_teeth_are_named() -> None:
+    [case] = (path for path in SHIPPED if path.name == "ravigneaux-aod.yaml")
+    text = case.read_text("utf-8").replace(", short: 18", "")
+    said = shown("-", stdin=text.encode())
+    assert "planet speed: relative to its carrier; not determined: set.short" in said
