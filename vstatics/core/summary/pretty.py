@@ -131,7 +131,7 @@ def gears_grid(
             *_figures(line, digits),
             _largest(speeds(index), 0 if rpm else 2, digits),
             _largest(_torques(by_name, index), 0 if torque else 2, digits)
-            if results.calculable[index]
+            if results.calculable[index] and not results.locked[index]
             else Cell(""),
             *_by_role(results, index, shown_roles),
             *[_state(results, index)] * has_state,
