@@ -79,18 +79,27 @@ def _covers(placing: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: f
 
 
 def _room(placing: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
-    """Return the middle of the first gap on the far side of an axis with room for a name."""
+    """Return the middle of the first gap on the far side of an axis with room for a name.
+
+    A gap ends where a hollow shaft around the link begins, because the name would seem to be that
+    of the hollow shaft.
+    """
     span = placing.spans[link]
-    if span.level:
-        return None
+    around = [
+        other
+        for number, other in placing.spans.items()
+        if placing.axis_of(number) == axis and other.level > span.level
+    ]
     taken = sorted(
         x
         for x, station in zip(placing.xs, placing.board.stations, strict=True)
         if axis in station.axes and station.kind in ("pair", "differential")
     )
+    taken = sorted([*taken, *(end for other in around for end in (other.left, other.right))])
     stops = [span.left, *(x for x in taken if span.left < x < span.right), span.right]
     for start, end in pairwise(stops):
-        if end - start - 14 > wide:
+        is_inside = any(other.left < (start + end) / 2 < other.right for other in around)
+        if end - start - 14 > wide and not is_inside:
             return (start + end) / 2
     return None
 
