@@ -60,10 +60,13 @@ def free_names(
                 named.add(link)
                 yield link, (right + off, y), "left"
             else:
-                place = _room(placing, axis, link, placing.wide(scheme.name(link)) + 4)
-                if place is not None:
+                place = _room(placing, axis, link, wide + 4)
+                low = placing.y(axis, -placing.bases[axis] - 7.5)
+                if place is not None and not (
+                    span.level and _covers(placing, solid, (place - wide / 2, low), wide)
+                ):
                     named.add(link)
-                    yield link, (place, placing.y(axis, -placing.bases[axis] - 7.5)), "center"
+                    yield link, (place, low), "center"
 
 
 def _covers(placing: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: float) -> bool:
