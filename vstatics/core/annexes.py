@@ -26,14 +26,14 @@ KEYS = MappingProxyType({"vehicle": "vehicle", "fatigue": "vehicle", "dump": "to
 """Annex that provides each key of a case, in the order of reading and writing."""
 DOCUMENTS = MappingProxyType(
     {
-        "boxes": ("synthesis", b'"searched"'),
-        "scenario": ("simulation", b"duration"),
-        "sweep file": ("sweep", b"case"),
+        "boxes": ("synthesis", (b'"searched"',)),
+        "scenario": ("simulation", (b"duration", b"start", b"shifts", b"controls")),
+        "sweep file": ("sweep", (b"case",)),
     }
 )
-"""Annex of each kind of documents other than cases, with a text that identifies the kind.
+"""Annex of each kind of documents other than cases, with texts that identify the kind.
 
-All documents of the kind contain the text, and hardly any case does.
+All documents of the kind contain one of the texts, and hardly any case does.
 """
 COMMANDS = MappingProxyType(
     {

@@ -38,6 +38,8 @@ def test_long_planets_of_a_ravigneaux_set_fit_the_large_sun_and_the_ring() -> No
         element("ravigneaux", **teeth | {"ring": 80}), "ring 80 is not large_sun + 2 long = 72"
     )
     assert problem.severity == "warning"
+    (problem,) = told(element("ravigneaux", small_sun=28, large_sun=32, ring=75), "would need")
+    assert problem.message.startswith("the long planet would need 21.5 teeth")
     (problem,) = told(
         element("ravigneaux", small_sun=30, large_sun=36, ring=30), "no planet `long` fits"
     )

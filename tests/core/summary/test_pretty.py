@@ -198,3 +198,26 @@ def test_a_ratio_below_1_is_shown_as_output_over_input_too(ratio: float) -> None
 
 def test_gears_that_are_slower_than_their_input_have_no_inverse() -> None:
     assert "1/i" not in shown(MZKT)
+
+
+def test_planets_without_teeth_are_named() -> None:
+    [case] = (path for path in SHIPPED if path.name == "ravigneaux-aod.yaml")
+    text = case.read_text("utf-8").replace(", short: 18", "")
+    said = shown("-", stdin=text.encode())
+    assert "planet speed: relative to its carrier; not determined: set.short" in said
+
+
+def test_a_self_locking_gear_has_no_torque() -> None:
+    """A worm with back efficiency 0, driven by the wheel: torques with losses do not exist."""
+    worm = """
+input: m
+output: drum
+load: {speed: 1400 rpm, power: 2 kW}
+elements:
+  W: {kind: worm, worm: m, wheel: drum, teeth: {worm: 1, wheel: 40},
+      efficiency: {worm: 0.55, wheel: 0}}
+"""
+    line = next(
+        line for line in gear_lines(shown("-", "--coast", stdin=worm.encode())) if "40.0" in line
+    )
+    assert line.split() == ["1", "40.000", "-", "-", "1400", "m", "self-locking"]

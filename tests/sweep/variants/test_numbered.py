@@ -63,7 +63,7 @@ def test_what_does_not_go_together(made: Any) -> None:
     assert problem.message == "D1.ratio is varied twice, expected each number once"
     assert problem.place == Place("--vary", 1, 1, "#1.ratio=3,4")
     (problem,) = problems_of(made, "D1.ratio=1,2", "2.ratio=1:2")
-    assert "expected 1:2:201 or similar, or a sample" in problem.message
+    assert "such as 1:2:5 for five values, or --sample N" in problem.message
     assert problem.place == Place("--vary", 1, 1, "2.ratio=1:2")
 
 

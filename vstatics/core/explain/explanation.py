@@ -9,6 +9,8 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from vstatics.core.arguments import refusing
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.elements.group import group_of
 from vstatics.core.errors import CaseError
 from vstatics.core.explain.bodies import OwnLinks, Structure, as_solved, on_own_links, structure
 from vstatics.core.explain.equations import speed_system, torque_system
@@ -176,7 +178,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         reason=reason,
         ratio=float(results.ratio[number]),
         efficiency=float(results.efficiency[number]),
-        messages=list(_messages_about(results, actual.name)),
+        messages=[*_messages_about(results, actual.name), *_assumed_teeth(results, case)],
         balance=machine_balance(results, number),
         tried=tried_signs(state) or None,
     )
@@ -186,6 +188,22 @@ def _messages_about(results: Results, gear: str) -> Iterator[str]:
     for message in results.messages:
         if message.gear == gear:
             yield f"{message.severity}: {message.text}"
+
+
+def _assumed_teeth(results: Results, case: Transmission) -> Iterator[str]:
+    """Yield a note on each planet that is a link but has no teeth, so that one is assumed."""
+    drawing = drawing_of(results.case)
+    elements = drawing.elements if drawing else ()
+    for element in elements:
+        names = {f"{element.name}.{planet}" for planet in element.planet_names}
+        if names.isdisjoint(case.link_names):
+            continue
+        for planet, rims in group_of(element).planets.items():
+            if None in rims.values() and (name := f"{element.name}.{planet}") in case.link_names:
+                yield (
+                    f"note: the teeth of planet {name} are not given; its speed and torques hold "
+                    "for one tooth"
+                )
 
 
 def _pairs(case: Transmission, place: int) -> Transmission:

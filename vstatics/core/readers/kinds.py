@@ -12,7 +12,7 @@ from vstatics.core.readers.named import nodes
 from vstatics.core.readers.named.nodes import Node
 
 KEYS: Mapping[str, str] = {
-    "scenario": "duration",
+    "scenario": "duration start shifts controls",
     "sweep file": "vary variants",
     "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
 }
@@ -44,6 +44,8 @@ def is_of_kind(kind: str, data: bytes, file: str) -> bool:
 
     >>> is_of_kind("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
+    >>> is_of_kind("scenario", b"{case: box.yaml, duraton: 6, start: {}}", "up.yaml")
+    True
     """
     from vstatics.core.readers import format_of
 
@@ -66,8 +68,8 @@ def document_function(name: str, data: bytes, file: str) -> Any:
     ReadError
         If the annex of the document is not installed.
     """
-    for kind, (annex, mark) in DOCUMENTS.items():
-        if kind in KEYS and mark in data and is_of_kind(kind, data, file):
+    for kind, (annex, marks) in DOCUMENTS.items():
+        if kind in KEYS and any(mark in data for mark in marks) and is_of_kind(kind, data, file):
             known = document_kind(kind)
             if known is None:
                 raise ReadError([of_file("E004", file, not_installed(kind, annex))])

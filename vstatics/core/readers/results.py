@@ -32,7 +32,10 @@ TAKEN = (
     "expected a result of `vstatics run` (listing, JSON, JSON lines, CSV, Parquet) or a sweep "
     "(CSV, JSON lines, NPZ, Parquet)"
 )
-CASE = "a case, not a result; create a result with `vstatics run CASE -f json -o RESULT.json`"
+CASE = (
+    "a case, not a result; create a result with `vstatics run CASE -f json -o RESULT.json`, or "
+    "show two cases side by side with `vstatics summary CASE OTHER`"
+)
 OTHERS = {
     "remedy": "an explanation of `vstatics check --explain`",
     "severity": "a problem that `vstatics check` reports",

@@ -502,8 +502,8 @@ def _unheld_torques(results: Results, number: int) -> str:
     gear, variant = state.gear, state.ideal.variant
     input_link = case.gear_input(gear)
 
-    def is_held(link: int, columns: Sequence[matrix.Column]) -> bool:
-        alone = gear._replace(input=link, torques={})
+    def is_held(link: int, columns: Sequence[matrix.Column], more: Sequence[int] = ()) -> bool:
+        alone = gear._replace(input=link, torques={}, engaged=(*gear.engaged, *more))
         return torques.solve_torques(case, alone, columns).consistent
 
     unheld = [link for link in (input_link, *gear.torques) if not is_held(link, variant.columns)]
@@ -522,7 +522,8 @@ def _unheld_torques(results: Results, number: int) -> str:
     links = ["the input" if link == input_link else case.link_name(link) for link in unheld]
     what = "torque of " if len(links) == 1 else "torques of "
     over = [n for n in case.freewheels if n not in gear.engaged]
-    why, exchange = _overrunning(case, state, over)
+    helps = any(is_held(link, variant.columns, over) for link in unheld)
+    why, exchange = _overrunning(case, state, over if helps else ())
     return f"nothing supports the {what}{' and of '.join(links)}{why}{exchange}"
 
 

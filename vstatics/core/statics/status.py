@@ -55,7 +55,7 @@ NO_TORQUES = Status(
 LOCKED = Status(
     "locked",
     "self-locking",
-    "friction holds the gear train, whatever the input torque",
+    "friction holds the gear train, whatever the driving torque",
     is_fault=True,
 )
 DRAGGED = Status(

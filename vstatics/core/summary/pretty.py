@@ -131,7 +131,7 @@ def gears_grid(
             *_figures(line, digits),
             _largest(speeds(index), 0 if rpm else 2, digits),
             _largest(_torques(by_name, index), 0 if torque else 2, digits)
-            if results.calculable[index]
+            if results.calculable[index] and not results.locked[index]
             else Cell(""),
             *_by_role(results, index, shown_roles),
             *[_state(results, index)] * has_state,
@@ -256,6 +256,8 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     headings = [column.heading for column in gears.columns]
     about = [tr("planet speed: relative to its carrier")]
     about *= any(heading.startswith(SPEEDS["planet_speeds"]) for heading in headings)
+    if about and (planets := _planets_without_speed(results)):
+        about.append(f"{tr('not determined')}: {', '.join(planets)}")
     about += [tr("1.00 is the input speed or torque")] * ("largest torque" in headings)
     if about:
         yield "; ".join(about)
@@ -269,6 +271,18 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     for status in STATUSES:
         if status in states:
             yield f"{state(status.name).spoken.text}: {tr(status.meaning)}"
+
+
+def _planets_without_speed(results: Results) -> list[str]:
+    """Return the planets of gear sets without a speed in any gear, mostly for lack of teeth."""
+    if results.case.drawing is None:
+        return []
+    [planets] = [table for table in tables(results) if table.quantity.name == "planet_speeds"]
+    return [
+        row.removesuffix(".planet")
+        for row, values in zip(planets.rows, planets.values, strict=True)
+        if np.isnan(values).all()
+    ]
 
 
 def _inverses(results: Results, digits: int | None) -> Iterator[str]:

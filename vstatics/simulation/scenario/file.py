@@ -44,7 +44,7 @@ from vstatics.simulation.scenario.values import ScenarioValues
 from vstatics.simulation.scenario.words import elastic_names, name_problems, vocabulary
 
 FileOrStream = str | os.PathLike[str] | Stream
-EXPECTED = "a scenario: a mapping with `case`, `duration`, `start` and what happens"
+EXPECTED = "a scenario: a mapping with `case`, `duration`, `start`, and shifts, controls or torques"
 _OTHERS = {
     "case": f"this is a case, expected {EXPECTED}",
     "sweep file": f"this is a sweep file, expected {EXPECTED}; `vstatics sweep --file` takes it",

@@ -255,6 +255,6 @@ class SweepNames:
         else:
             hint = (
                 nearest_quantity(name, (*FUNCTIONS, OMEGA, *OF_RATIOS, OK))
-                or "; such as ratio, efficiency, speeds[C1]"
+                or "; tables are, for example, ratio, efficiency, speeds[C1]"
             )
         return f"there is no table {quoted(name)}{hint}"

@@ -242,9 +242,9 @@ def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floa
         if isinstance(values, Span):
             span = f"{values.low:g}:{values.high:g}"
             message = (
-                f"{target.name}={span} has no number of values, expected {span}:201 or similar"
+                f"{target.name}={span} needs the number of values, such as {span}:5 for five values"
             )
-            problems.append(Problem("E708", f"{message}, or a sample", place=place))
+            problems.append(Problem("E708", f"{message}, or --sample N", place=place))
         elif isinstance(values, DrawnNumbers):
             message = f"{target.name} has a distribution, expected values, or a sample"
             problems.append(Problem("E709", message, place=place))

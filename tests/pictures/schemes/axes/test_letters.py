@@ -77,3 +77,30 @@ def test_letters_of_all_boxes_stand_clear(
     browser: Any, name: str, wheels: bool, language: Language, gears: tuple[int, ...]
 ) -> None:
     check(browser, load(name), Style(wheels=wheels, language=language), gears)
+
+
+HOLLOW = """
+input: engine
+output: out
+elements:
+  g1: {kind: gear_pair, first: odd, second: w1, teeth: {first: 13, second: 46}}
+  g3: {kind: gear_pair, first: odd, second: w3, teeth: {first: 26, second: 37}}
+  g2: {kind: gear_pair, first: even, second: w2, teeth: {first: 19, second: 42}}
+  g4: {kind: gear_pair, first: even, second: w4, teeth: {first: 31, second: 32}}
+shift_elements:
+  C1: [engine, odd]
+  C2: [engine, even]
+  S1: {kind: dog_clutch, links: [w1, out]}
+  S2: {kind: dog_clutch, links: [w2, out]}
+  S3: {kind: dog_clutch, links: [w3, out]}
+  S4: {kind: dog_clutch, links: [w4, out]}
+gears: {"1": [C1, S1], "2": [C2, S2], "3": [C1, S3], "4": [C2, S4]}
+"""
+
+
+def test_the_name_of_an_inner_shaft_is_not_under_the_hollow_shaft() -> None:
+    svg = render(vstatics.solve(vstatics.loads(HOLLOW)), "stick", "svg", Style()).decode()
+    texts = [item for item in ET.fromstring(svg).iter() if item.tag.endswith("text")]  # noqa: S314
+    at = {str(item.text): float(item.attrib["x"]) for item in texts}
+    assert {"odd", "even"} <= {*at}
+    assert at["C1"] < at["odd"] < at["g3"] < at["even"]

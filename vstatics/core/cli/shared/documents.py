@@ -45,7 +45,7 @@ def is_a(kind: str, data: bytes, name: str) -> bool:
     >>> is_a("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
     """
-    if DOCUMENTS[kind][1] not in data:
+    if not any(mark in data for mark in DOCUMENTS[kind][1]):
         return False
     if kind in KEYS:
         return is_of_kind(kind, data, name)

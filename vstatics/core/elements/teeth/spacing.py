@@ -61,9 +61,11 @@ def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
         first, *others = wheels
         if teeth.denominator > 1:
             sun, ring = map(layout.label, sorted(wheels, key=lambda wheel: wheel.internal))
+            label = layout.label(rim)
+            name = label if "planet" in label or layout.element.rims else f"{label} planet"
             yield Doubt(
                 "N311",
-                f"the {layout.label(rim)} would need {float(teeth):g} teeth (({ring} - {sun})/2); "
+                f"the {name} would need {float(teeth):g} teeth (({ring} - {sun})/2); "
                 "its speed is calculated with this number; `allow: [N311]` is usual for a real "
                 "gearbox",
                 layout.key(wheels[-1]),
@@ -155,7 +157,7 @@ def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
         )
         if room > 0:
             continue
-        names = f"{rim} {teeth} and {member} {passed.teeth}"
+        names = f"{rim} {float(teeth):g} and {member} {passed.teeth}"
         if layout.element.kind == "ravigneaux":
             message = f"tips of {names} would touch if the gears were in one plane"
             yield Doubt("N315", message, layout.key(passed), has_cure=False)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Any, Protocol
 
 from vstatics.core.errors import ReadError, quoted, spoken
@@ -15,6 +16,7 @@ from vstatics.core.readers.named.nodes import (
     TWICE,
     UNIT,
     UNKNOWN_KEY,
+    DocumentText,
     Listing,
     Mapping,
     Node,
@@ -29,6 +31,14 @@ from vstatics.core.readers.named.references import UnknownNameError
 
 NO_MERGE = "the merge key `<<` is not accepted, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
+_AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
+"""Key that YAML reads after a decimal comma within braces, such as `5 rpm` of `2000,5 rpm`."""
+_SYNONYMS = {
+    **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
+    **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
+}
+"""Keys that engineers expect, with the key of a case for each."""
+_MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}
 
 
 def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
@@ -59,15 +69,45 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
     meant: dict[str, Node] = {}
     for key, value in entries(spots, spot):
         if key.text not in known:
-            hint = spots.document.hint(key.text, known)
+            hint = meant_key(spots.document, key.text, known)
             expected = hint or f", expected {spoken(map(quoted, known))}"
-            if key.text.isdigit():
-                expected = f"; {NO_COMMA}"
+            expected = _advice(key.text, known) or expected
             spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key, UNKNOWN_KEY)
             meant.update((name, value) for name in known if f"`{name}`" in hint)
         elif known[key.text].required or not is_null(value):
             given[key.text] = value
     return meant | given
+
+
+def meant_key(document: DocumentText, key: str, known: Iterable[str]) -> str:
+    """Return a hint with the known key that an unknown key probably means; empty without one."""
+    names = [*known]
+    synonym = _SYNONYMS.get(key.casefold())
+    return f"; did you mean `{synonym}`?" if synonym in names else document.hint(key, names)
+
+
+def _advice(key: str, known: Collection[str]) -> str:
+    """Return advice on a typical mistake that an unknown key shows; empty for other keys.
+
+    >>> _advice("5 rpm", ["speed"])
+    '; write a decimal point, not a decimal comma'
+    >>> _advice("kind:belt", ["kind"])
+    '; write a blank after the colon: `kind: belt`'
+    >>> _advice("sun", ["first", "second"])
+    '; sun, ring, carrier and teeth are keys of gear sets under `elements`'
+    >>> _advice("ratio", ["sun", "ring", "teeth"])
+    '; a gear set with a ratio instead of teeth is written under `mechanisms`'
+    """
+    name, colon, value = key.partition(":")
+    if _AFTER_COMMA.fullmatch(key):
+        return f"; {NO_COMMA}"
+    if colon and value and name in known:
+        return f"; write a blank after the colon: `{shown(name)}: {shown(value)}`"
+    if key in _MEMBERS and {"first", "second"} <= {*known}:
+        return "; sun, ring, carrier and teeth are keys of gear sets under `elements`"
+    if key == "ratio" and "teeth" in known:
+        return "; a gear set with a ratio instead of teeth is written under `mechanisms`"
+    return ""
 
 
 def is_merge(key: Scalar) -> bool:

@@ -23,8 +23,10 @@ from vstatics.core.model.shape import (
     Shape,
 )
 from vstatics.core.readers.named import nodes
+from vstatics.core.readers.named.compounds import meant_key
 from vstatics.core.readers.named.nodes import (
     MOST_HINTS,
+    DocumentText,
     Listing,
     Node,
     Scalar,
@@ -35,6 +37,15 @@ from vstatics.core.readers.named.nodes import (
 from vstatics.core.readers.named.walk import Walk
 
 _HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name in BODIES))
+
+
+_HOUSINGS = {"ground", "frame", "case", "casing", "gehäuse", "fixed", "earth", "chassis", "корпус"}
+"""Names by which engineers may mean the housing."""
+
+
+def _is_housing(name: str) -> bool:
+    """Return whether a name of a link probably means the housing."""
+    return name.casefold() in _HOUSINGS
 
 
 def is_listed(root: nodes.Mapping) -> bool:
@@ -48,11 +59,23 @@ def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
 
     Without components, the links are those with inertias.
     """
+    root = _as_meant(root, walk.spots.document)
     places = joined_links(root) or _named(_links(root, _HEAVY))
     names = list(dict.fromkeys(node.text for node in places))
     if names:
         walk.references.set_link_names(names)
     return names
+
+
+def _as_meant(root: nodes.Mapping, document: DocumentText) -> nodes.Mapping:
+    """Return a document with each mistyped key replaced by the key of a case that it means."""
+    known = [key.name for key in with_elements(CASE).keys]
+    entries = []
+    for key, value in root.entries:
+        hint = "" if key.text in known else meant_key(document, key.text, known)
+        name = next((name for name in known if f"`{name}`" in hint), key.text)
+        entries.append((key._replace(text=name), value))
+    return root._replace(entries=entries)
 
 
 def joined_links(root: nodes.Mapping) -> list[Scalar]:
@@ -80,25 +103,42 @@ def loose_links(
 ) -> Iterator[Problem]:
     """Yield a warning for each link that is connected to a single component.
 
+    A link that several brakes share instead of the housing is reported, too.
+
     A carrier can rotate freely, so it is reported only if its name looks mistyped.
     """
+    root = _as_meant(root, spots.document)
     places = joined_links(root)
     counts = Counter(node.text for node in places)
+    shifts = [entry for entry in root.entries if entry[0].text == "shift_elements"]
+    in_shifts = Counter(node.text for node in joined_links(root._replace(entries=shifts)))
+    unheld = {name for name in names if _is_housing(name) and counts[name] == in_shifts[name] > 1}
     carriers = {record.get("carrier") for record in values.get("elements", {}).values()}
     outputs = [values.get("output"), *values.get("outputs", ())]
     connected = {values.get("input"), *(outputs if any(outputs) else [len(names)])}
     connected.update(link for key in ("drag", "inertias", "masses") for link in values.get(key, ()))
     for gear in gears:
         connected.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
-    loose = [n for n, name in enumerate(names, 1) if counts[name] == 1 and n not in connected]
+    loose = [
+        n
+        for n, name in enumerate(names, 1)
+        if (counts[name] == 1 or name in unheld) and n not in connected
+    ]
     first = {node.text: node for node in reversed(places)}
     for count, number in enumerate(loose):
         name = names[number - 1]
         others = [*(other for other in names if other != name), "housing"]
         hint = spots.document.hint(name, others) if count < MOST_HINTS else ""
+        if _is_housing(name):
+            hint = "; write `housing` for a part that never turns"
         if hint or number not in carriers:
             node = first[name]
-            message = f"link `{shown(name)}` appears only once, so it is connected to nothing{hint}"
+            reason = (
+                "appears only in shift elements, so nothing holds it"
+                if name in unheld
+                else "appears only once, so it is connected to nothing"
+            )
+            message = f"link `{shown(name)}` {reason}{hint}"
             yield Problem("W102", message, (), spots.document.source.place(node.line, node.column))
 
 

@@ -288,6 +288,9 @@ class Walk:
             merged = next((key for key, _ in node.entries if is_merge(key)), None)
             kinds = spoken(map(quoted, known), "or")
             missing = f"{quoted(shape.key)} is missing; expected one of {kinds}"
+            for key, _ in node.entries:
+                if key.text.startswith(f"{shape.key}:"):
+                    missing = f"{quoted(shape.key)} is missing; write a blank after the colon"
             message, identity = (NO_MERGE, UNKNOWN_KEY) if merged else (missing, MISSING)
             self.spots.complain(spot, message, merged, identity)
             self.spots.unreadable.append(spot.path)

@@ -13,6 +13,7 @@ from typing import Any
 import yaml
 
 from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
+from vstatics.core.readers.named.yaml_reasons import reason_of
 
 MOST_VALUES = 200_000
 """Maximum number of values of a document with all aliases expanded."""
@@ -81,7 +82,7 @@ class _Builder:
                 _Builder(self.document, yaml.SafeLoader).root()  # stops at level 17
             mark = error.problem_mark or error.context_mark
             place = self.document.place(mark.index) if mark else self.last
-            reason = ", ".join(part for part in (error.context, error.problem) if part)
+            reason = reason_of(error, self.document.text)
             if (
                 mark
                 and mark.index

@@ -60,10 +60,13 @@ def free_names(
                 named.add(link)
                 yield link, (right + off, y), "left"
             else:
-                place = _room(placing, axis, link, placing.wide(scheme.name(link)) + 4)
-                if place is not None:
+                place = _room(placing, axis, link, wide + 4)
+                low = placing.y(axis, -placing.bases[axis] - 7.5)
+                if place is not None and not (
+                    span.level and _covers(placing, solid, (place - wide / 2, low), wide)
+                ):
                     named.add(link)
-                    yield link, (place, placing.y(axis, -placing.bases[axis] - 7.5)), "center"
+                    yield link, (place, low), "center"
 
 
 def _covers(placing: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: float) -> bool:
@@ -79,18 +82,27 @@ def _covers(placing: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: f
 
 
 def _room(placing: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
-    """Return the middle of the first gap on the far side of an axis with room for a name."""
+    """Return the middle of the first gap on the far side of an axis with room for a name.
+
+    A gap ends where a hollow shaft around the link begins, because the name would seem to be that
+    of the hollow shaft.
+    """
     span = placing.spans[link]
-    if span.level:
-        return None
+    around = [
+        other
+        for number, other in placing.spans.items()
+        if placing.axis_of(number) == axis and other.level > span.level
+    ]
     taken = sorted(
         x
         for x, station in zip(placing.xs, placing.board.stations, strict=True)
         if axis in station.axes and station.kind in ("pair", "differential")
     )
+    taken = sorted([*taken, *(end for other in around for end in (other.left, other.right))])
     stops = [span.left, *(x for x in taken if span.left < x < span.right), span.right]
     for start, end in pairwise(stops):
-        if end - start - 14 > wide:
+        is_inside = any(other.left < (start + end) / 2 < other.right for other in around)
+        if end - start - 14 > wide and not is_inside:
             return (start + end) / 2
     return None
 

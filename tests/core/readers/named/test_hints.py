@@ -1,0 +1,70 @@
+"""Typical mistakes in a case get advice, and cause no further messages."""
+
+from __future__ import annotations
+
+import pytest
+
+from vstatics.core.errors import ReadError
+from vstatics.core.readers import read
+from vstatics.core.readers.reading import Reading
+
+CASE = """\
+input: s
+output: c
+elements:
+  P: {kind: planetary, sun: s, ring: r, carrier: c, teeth: {sun: 30, ring: 70}}
+shift_elements:
+  B: [r, housing]
+  C: [s, c]
+load: {speed: 2000 rpm, torque: 160 N*m}
+gears: {low: [B], high: [C]}
+"""
+
+
+def errors(old: str, new: str) -> list[str]:
+    assert old in CASE
+    with pytest.raises(ReadError) as raised:
+        read(CASE.replace(old, new).encode(), "case.yaml")
+    return [problem.message for problem in raised.value.problems if problem.severity == "error"]
+
+
+@pytest.mark.parametrize("key", ["shift_element", "clutches", "brakes"])
+def test_a_mistyped_key_of_links_causes_one_message(key: str) -> None:
+    [message] = errors("shift_elements", key)
+    assert message == f"unknown key `{key}`; did you mean `shift_elements`?"
+
+
+def test_a_decimal_comma_gets_advice() -> None:
+    assert "write a decimal point, not a decimal comma" in errors("2000 rpm", "2000,5 rpm")[-1]
+
+
+def test_a_missing_blank_after_a_colon_gets_advice() -> None:
+    assert errors("kind: planetary", "kind:planetary") == [
+        "elements.P: `kind` is missing; write a blank after the colon"
+    ]
+    assert "write a blank after the colon: `speed: 9`" in errors("speed: 2000 rpm", "speed:9")[0]
+
+
+def test_a_ratio_instead_of_teeth_gets_advice() -> None:
+    assert "is written under `mechanisms`" in errors("teeth: {sun: 30, ring: 70}", "ratio: -2")[1]
+
+
+def warnings(text: str) -> list[str]:
+    reading: Reading = read(text.encode(), "case.yaml")
+    return [problem.message for problem in reading.warnings if problem.id == "W102"]
+
+
+def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
+    once = CASE.replace("housing", "ground")
+    hint = "; write `housing` for a part that never turns"
+    assert warnings(once) == [
+        f"link `ground` appears only once, so it is connected to nothing{hint}"
+    ]
+    twice = once.replace("  C: [s, c]", "  C: [s, c]\n  D: [c, ground]")
+    assert warnings(twice) == [
+        f"link `ground` appears only in shift elements, so nothing holds it{hint}"
+    ]
+    held = twice.replace("teeth: {sun: 30", "planets: 4, teeth: {sun: 30").replace(
+        "shift_elements:", "  S: {kind: held, link: ground}\nshift_elements:"
+    )
+    assert warnings(held) == []
