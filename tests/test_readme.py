@@ -106,8 +106,8 @@ def run_all(asked: list[str], folder: Path, seconds: float = 60) -> list[str]:
 
 
 def prepared(folder: Path) -> Path:
-    """Put the shipped cases, the schemas and this program, as `vstatics`, into a folder."""
-    for name in ("cases", "schemas"):
+    """Put the cases, the schemas, the documents and this program, as `vstatics`, into a folder."""
+    for name in ("cases", "schemas", "docs"):
         (folder / name).symlink_to(ROOT / name)
     program = folder / ".bin" / "vstatics"
     program.parent.mkdir()
@@ -366,7 +366,6 @@ def test_make_run_prints_the_first_table_of_the_readme() -> None:
 
 
 OF_SOURCES = ["docs/sources.md", *(name for name in NAMES if name.startswith("docs/sources/"))]
-CASES_OF_SOURCES = ROOT / "docs/sources/vehicle-dynamics-cases.md"
 
 
 COMMANDS_OF_SOURCES = dict.fromkeys(
@@ -384,8 +383,6 @@ COMMANDS_OF_SOURCES = dict.fromkeys(
 )
 def test_a_command_of_the_sources_runs_as_printed(command: str, folder: Path) -> None:
     """Within sentences and tables; those in blocks are examples, see above."""
-    for block in blocks(CASES_OF_SOURCES):
-        write_file(block, folder)
     [said] = run_all([f"{command} > /dev/null && echo done"], folder)
     assert said.splitlines()[-1:] == ["done"], said
 

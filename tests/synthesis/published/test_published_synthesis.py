@@ -15,7 +15,6 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, permutations
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -27,6 +26,7 @@ from vstatics.core.model.transmission import Gear, ShiftElement
 from vstatics.synthesis.gears.search import combinations as combinations_of
 
 PAGE = ROOT / "docs" / "synthesis" / "tables.md"
+CASE_OF_THE_PAGE = ROOT / "docs" / "sources" / "cases" / "two-sets.yaml"
 TABLE_10 = [
     "a1",
     "h1",
@@ -186,21 +186,9 @@ def test_the_brake_that_was_left_out_gives_two_more_gears() -> None:
         assert engine == ["blocked", "gear", "gear", "direct"]
 
 
-@pytest.fixture(scope="module")
-def case_of_the_page(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    text = PAGE.read_text(encoding="utf-8")
-    found = re.search(
-        r"<!-- file: two-sets.yaml -->\n```yaml\n(.*?)^```", text, re.MULTILINE | re.DOTALL
-    )
-    assert found
-    path = tmp_path_factory.mktemp("page") / "two-sets.yaml"
-    path.write_text(found[1], encoding="utf-8")
-    return path
-
-
-def test_the_program_gives_the_gears_of_the_page(case_of_the_page: Path) -> None:
+def test_the_program_gives_the_gears_of_the_page() -> None:
     """Formulas in K, by hand from the Willis equations of scheme 686; K1 = -2, K2 = -2.6."""
-    case = load(case_of_the_page)
+    case = load(CASE_OF_THE_PAGE)
     k1, k2 = RATIOS
     forms = {
         "F7 T1": 1 - 1 / (k1 * k2),
@@ -223,9 +211,9 @@ def rows_of_gears() -> list[list[str]]:
     return [list(line) for line in lines]
 
 
-def test_the_program_solves_the_gears_and_no_others(case_of_the_page: Path) -> None:
+def test_the_program_solves_the_gears_and_no_others() -> None:
     """All 66 pairs as gears: those with a ratio are direct drives, or gears."""
-    case = load(case_of_the_page)
+    case = load(CASE_OF_THE_PAGE)
     gears = [Gear(pair) for pair in combinations(range(1, 13), 2)]
     found = np.isfinite(solve(replace(case, gears=gears)).ratio)
     scheme = next(scheme for number, scheme in schemes() if number == 686)
@@ -233,9 +221,9 @@ def test_the_program_solves_the_gears_and_no_others(case_of_the_page: Path) -> N
     assert found.tolist() == expected
 
 
-def test_the_program_tells_the_kinds_of_table_14_in_its_order(case_of_the_page: Path) -> None:
+def test_the_program_tells_the_kinds_of_table_14_in_its_order() -> None:
     """All 66, and with a brake on J1 besides the two gears that the source leaves out."""
-    case = load(case_of_the_page)
+    case = load(CASE_OF_THE_PAGE)
     found = combinations_of(case)
     assert [" ".join(one.engaged) for one in found] == PAIRS
     scheme = next(scheme for number, scheme in schemes() if number == 686)
