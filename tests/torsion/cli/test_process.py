@@ -22,7 +22,7 @@ def _files(folder: Path) -> None:
     (folder / "box.yaml").write_text(GOOD, encoding="utf-8")
 
 
-@pytest.mark.parametrize("call", [("modes",), pytest.param(SIMPLIFY, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("call", [("modes",), SIMPLIFY])
 def test_a_terminal_shows_what_a_pipe_gets(call: tuple[str, ...]) -> None:
     shown = on_terminal("torsion", call[0], "box.yaml", *call[1:], cwd=Path.cwd())
     assert shown == said(*call, text=GOOD).out
@@ -61,7 +61,6 @@ def python(code: str) -> str:
     return done.stderr
 
 
-@pytest.mark.slow
 def test_commands_go_together_in_a_shell() -> None:
     folder = Path.cwd()
     line = f"cat {folder}/box.yaml | vstatics torsion simplify - --gear direct --links 3"
@@ -71,7 +70,6 @@ def test_commands_go_together_in_a_shell() -> None:
     assert (status, len(json.loads(out)["gears"][0]["modes"])) == (0, 3)
 
 
-@pytest.mark.slow
 def test_a_reader_that_has_seen_enough_ends_the_program_quietly() -> None:
     status, out, err = shell(f"vstatics torsion modes {Path.cwd()}/box.yaml | head -n 1")
     assert (status in (0, 1), out, err) == (True, b"two gears\n", b"")

@@ -15,18 +15,13 @@ from tests.torsion.cli.torsional import ASKED, BOX, CHAIN, GOOD, said
 from vstatics import load
 
 OF_COMMAND = {
-    "modes": "modes",
+    **{command: command for command in ("modes", "response", "damping")},
     "reduce": "reduction",
     "simplify": "simplification",
-    "response": "response",
     "identify": "identification",
-    "damping": "damping",
 }
 VALIDATORS = {command: validator(name) for command, name in OF_COMMAND.items()}
-OPTIONS: dict[str, tuple[str, ...]] = {
-    **ASKED,
-    "simplify": ("--gear", "direct", "--links", "2"),
-}
+OPTIONS = {**ASKED, "simplify": ("--gear", "direct", "--links", "2")}
 VIBRATING = [file for file in sorted(CASES.glob("*.yaml")) if load(file).inertias]
 
 

@@ -62,11 +62,9 @@ def test_it_is_the_first_maximum_of_the_equation_of_motion(ratio: float) -> None
 
 
 def test_a_clutch_that_is_engaged_at_once_doubles_the_torque() -> None:
+    """Very slowly, it has its torque after three time constants."""
     assert engagement(1e12, 1, 1).factor == pytest.approx(2)
     assert engagement(1e200, 1e200, 1).factor == 2
-
-
-def test_a_clutch_that_is_engaged_very_slowly_has_its_torque_after_three_time_constants() -> None:
     assert engagement(1e-300, 1e-100, 1e-100).factor == pytest.approx(1 - math.exp(-3))
 
 
