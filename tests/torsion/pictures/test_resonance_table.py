@@ -67,10 +67,8 @@ def own_rows(matrices: tuple[Array, ...], fastest: float) -> list[Row]:
     order = np.argsort(squares.real)[1:]  # the first turns as one
     first = np.zeros((10, 10))
     first[:5, 5:] = np.eye(5)
-    first[5:, :5], first[5:, 5:] = (
-        -np.linalg.solve(mass, stiffness),
-        -np.linalg.solve(mass, damping),
-    )
+    first[5:, :5] = -np.linalg.solve(mass, stiffness)
+    first[5:, 5:] = -np.linalg.solve(mass, damping)
     values = np.linalg.eigvals(first)
     swings = sorted((one for one in values if one.imag > 1e-6), key=abs)
     rows = []
