@@ -98,7 +98,7 @@ def test_half_the_cylinders_fire_in_a_revolution_and_multiples(cylinders: int) -
 
 
 def test_firing_orders_have_a_colour_and_width_of_their_own() -> None:
-    looks = {"true": set(), "false": set()}
+    looks: dict[str, set[tuple[str | None, ...]]] = {"true": set(), "false": set()}
     for one in marks(drawn(of_frequency(30.0, cylinders=4), "campbell"), "order"):
         paths = [path for path in one.element.iter() if path.get("d")]
         looks[one.data["firing"]] |= {
