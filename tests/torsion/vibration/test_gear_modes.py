@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from random import Random
 
 import numpy as np
 import pytest
@@ -45,14 +46,6 @@ def test_two_masses_on_a_shaft() -> None:
     assert gear.damped == []
 
 
-def test_a_chain_of_equal_masses_free_at_its_ends() -> None:
-    """``omega_k = 2 sqrt(c/J) sin(k pi/(2n))`` with k nodes."""
-    gear = only(chain([3.0] * 12, [75.0] * 11))
-    expected = [2 * 5 * math.sin(k * math.pi / 24) for k in range(1, 12)]
-    assert omegas(gear) == pytest.approx(expected, rel=1e-13)
-    assert [mode.nodes for mode in gear.modes] == list(range(1, 12))
-
-
 @settings(max_examples=count(24, 180))
 @given(branched())
 def test_every_system_of_springs(case: Transmission) -> None:
@@ -79,52 +72,39 @@ def test_every_system_of_springs(case: Transmission) -> None:
 
 @settings(max_examples=count(12, 90))
 @given(branched(), st.randoms(use_true_random=False))
-def test_renumbering_links_changes_nothing(case: Transmission, random: object) -> None:
+def test_renumbering_links_changes_nothing(case: Transmission, random: Random) -> None:
     order = list(range(1, case.links + 1))
-    random.shuffle(order)  # type: ignore[attr-defined]
-    new = dict(zip(range(1, case.links + 1), order, strict=True))
-    other = case.replace(
-        inertias={new[link]: value for link, value in case.inertias.items()},
-        springs=[
-            spring._replace(twist={new[link]: part for link, part in spring.form.items()})
-            for spring in case.springs
-        ],
-        input=new[case.input],
-        output=new[case.output],
-    )
+    random.shuffle(order)
+    new = dict(enumerate(order, 1))
+    springs = [
+        spring._replace(twist={new[link]: part for link, part in spring.form.items()})
+        for spring in case.springs
+    ]
+    inertias = {new[link]: value for link, value in case.inertias.items()}
+    ends = {"input": new[case.input], "output": new[case.output]}
+    other = case.replace(inertias=inertias, springs=springs, **ends)
     assert omegas(only(other)) == pytest.approx(omegas(only(case)), rel=1e-10, abs=1e-10)
-
-
-def of_springs(twists: list[Array]) -> Array:
-    """K of the three springs of the set."""
-    parts = zip((900.0, 4000.0, 2500.0), twists, strict=True)
-    stiffness: Array = np.sum([c * np.outer(a, a) for c, a in parts], axis=0)
-    return stiffness
 
 
 def test_a_planetary_set_agrees_with_a_model_made_by_hand() -> None:
     """Lagrange's equations with the ring and the carrier as coordinates of the set.
 
-    ``w_sun = 3.5 w_carrier - 2.5 w_ring`` (Willis, ratio -2.5): J_sun couples the two.
+    ``w_sun = 3.5 w_carrier - 2.5 w_ring`` (Willis, ratio -2.5): J_sun couples the two. In direct
+    the clutch makes sun, ring and carrier one body of .09 on its mount.
     """
-    case = with_planetary_set()
-    # q = (engine, ring, carrier, vehicle); sun = 3.5 carrier - 2.5 ring
-    sun = np.array([0, -2.5, 3.5, 0])
-    mass = np.diag([0.2, 0.05, 0.03, 4.0]) + 0.01 * np.outer(sun, sun)
-    twists = [np.array([1, 0, 0, 0]) - sun, np.array([0, 1, 0, 0]), np.array([0, 0, 1, -1])]
-    stiffness = of_springs(twists)
-    squares = linalg.eigh(stiffness, mass, eigvals_only=True)
-    low, direct = modes(case)
-    assert low.rigid_modes == 1
-    assert omegas(low) == pytest.approx(np.sqrt(squares[1:]), rel=1e-11)
-    # direct: the clutch makes sun, ring and carrier one body of .09 on its mount
-    body = np.diag([0.2, 0.09, 4.0])
-    twists = [np.array([1, -1, 0]), np.array([0, 1, 0]), np.array([0, 1, -1])]
-    stiffness = of_springs(twists)
-    assert direct.rigid_modes == 0
-    assert omegas(direct) == pytest.approx(
-        np.sqrt(linalg.eigh(stiffness, body, eigvals_only=True)), rel=1e-11
-    )
+    low, direct = modes(with_planetary_set())
+    sun = np.array([0, -2.5, 3.5, 0])  # by engine, ring, carrier, vehicle
+    for gear, rigid, mass, twists in (
+        (low, 1, np.diag([0.2, 0.05, 0.03, 4.0]) + 0.01 * np.outer(sun, sun),
+         [np.array([1, 0, 0, 0]) - sun, np.array([0, 1, 0, 0]), np.array([0, 0, 1, -1])]),
+        (direct, 0, np.diag([0.2, 0.09, 4.0]),
+         [np.array([1, -1, 0]), np.array([0, 1, 0]), np.array([0, 1, -1])]),
+    ):  # fmt: skip
+        rows = np.array(twists)
+        stiffness = rows.T @ np.diag([900.0, 4000.0, 2500.0]) @ rows
+        squares = linalg.eigh(stiffness, mass, eigvals_only=True)
+        assert gear.rigid_modes == rigid
+        assert omegas(gear) == pytest.approx(np.sqrt(squares[rigid:]), rel=1e-11)
 
 
 def test_torques_of_rigid_devices_balance_every_link() -> None:
@@ -148,22 +128,6 @@ def test_torques_of_rigid_devices_balance_every_link() -> None:
                 for inertia, x in zip(inertias, mode.shape.values(), strict=True)
             ]
             assert inertial == pytest.approx(on_links, abs=1e-9 * scale)
-
-
-@pytest.mark.parametrize("stiff", [1e8, 1e10, 1e12])
-def test_very_stiff_devices_tend_to_constraints(stiff: float) -> None:
-    case = with_planetary_set()
-    [mechanism], [clutch] = case.mechanisms, case.shift_elements
-    elastic = case.replace(
-        mechanisms=[mechanism._replace(stiffness=stiff)],
-        shift_elements=[clutch._replace(stiffness=stiff)],
-    )
-    for rigid, stiffened in zip(modes(case), modes(elastic), strict=True):
-        lowest = omegas(stiffened)[: len(rigid.modes)]
-        assert lowest == pytest.approx(omegas(rigid), rel=1e4 / stiff + 1e-9)
-        for exact, near in zip(rigid.modes, stiffened.modes, strict=False):
-            scale = max(map(abs, exact.torques.values()))
-            assert near.torques == pytest.approx(exact.torques, abs=scale * (1e5 / stiff + 1e-6))
 
 
 def test_own_and_reduced_coordinates_have_the_same_frequencies() -> None:
@@ -197,36 +161,29 @@ def test_a_soft_support_is_an_ordinary_mode() -> None:
     assert gear.modes[0].elastic["string"] == pytest.approx(1)
 
 
-def test_equal_frequencies_are_listed_as_often_as_they_occur() -> None:
-    """Two equal wheels on equal half-shafts: antiphase, and with the rest (2.2)."""
-    springs = [Spring({1: 1, n: -1}, stiffness=50.0, name=f"half-shaft {n}") for n in (2, 3, 4)]
-    case = Transmission(
-        4, [], [], [], springs=springs, inertias={1: 9.0, 2: 2.0, 3: 2.0, 4: 2.0}, output=4
-    )
-    gear = only(case)
-    assert omegas(gear) == pytest.approx([5.0, 5.0, math.sqrt(50 * (1 / 2 + 3 / 9))], rel=1e-13)
-    first, second = (np.array(list(mode.shape.values())) for mode in gear.modes[:2])
-    assert abs(first @ np.diag([9.0, 2, 2, 2]) @ second) < 1e-12
-
-
 def test_what_stands_together_is_one_node() -> None:
-    """Wheels in antiphase on half-shafts: all between engine and differential stands, (2.2)."""
+    """Wheels in antiphase on half-shafts: all between engine and differential stands, (2.2).
+
+    Two of three equal ones have the same frequency, and shapes of their own.
+    """
     springs = [
-        Spring({1: 1, 2: -1}, stiffness=70.0, name="propshaft"),
-        Spring({2: 1, 3: -1}, stiffness=50.0, name="left"),
-        Spring({2: 1, 4: -1}, stiffness=50.0, name="right"),
+        Spring({1: 1, 2: -1}, 70.0),
+        Spring({2: 1, 3: -1}, 50.0),
+        Spring({2: 1, 4: -1}, 50.0),
     ]
     inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
     gear = only(Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4))
     [antiphase] = [mode for mode in gear.modes if mode.omega == pytest.approx(5.0)]
     assert antiphase.nodes == 1
-    axle = only(
-        Transmission(
-            3, [], [], [], output=2, inertias={1: 1.0, 2: 2.0, 3: 0.1},
-            springs=[Spring({1: 1, 2: -1, 3: -1}, stiffness=5.0), Spring({3: 1}, stiffness=9.0)],
-        )
-    )  # fmt: skip
+    springs = [Spring({1: 1, 2: -1, 3: -1}, stiffness=5.0), Spring({3: 1}, stiffness=9.0)]
+    inertias = {1: 1.0, 2: 2.0, 3: 0.1}
+    axle = only(Transmission(3, [], [], [], springs=springs, inertias=inertias))
     assert axle.modes[0].nodes == 1
+    springs = [Spring({1: 1, n: -1}, stiffness=50.0) for n in (2, 3, 4)]
+    masses = [9.0, 2.0, 2.0, 2.0]
+    gear = only(Transmission(4, [], [], [], springs=springs, inertias=dict(enumerate(masses, 1))))
+    assert omegas(gear) == pytest.approx([5.0, 5.0, math.sqrt(50 * (1 / 2 + 3 / 9))], rel=1e-13)
+    assert abs(shapes(gear)[:, 0] @ np.diag(masses) @ shapes(gear)[:, 1]) < 1e-12
 
 
 def test_a_tie_of_the_largest_amplitude_goes_to_the_first_link() -> None:
@@ -268,8 +225,8 @@ def test_redundant_devices_have_no_torque_of_their_own() -> None:
         3, twice, [], [Gear([1, 2])], springs=springs, output=3, inertias={1: 2.0, 3: 8.0}
     )
     gear = only(case)
-    told = "C and D: 1 component is in excess; the speeds agree, the torque of C and D is not determined"
-    assert gear.warnings == [told]
+    told = "C and D: 1 component is in excess; the speeds agree, the torque of C and D is not "
+    assert gear.warnings == [f"{told}determined"]
     assert math.isnan(gear.modes[0].torques["C"])
     assert gear.modes[0].torques["shaft 1"] == pytest.approx(50)
 
