@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 from scipy import linalg
 
 from tests.chance import count
+from tests.commands import CASES
 from tests.torsion.systems import Array, branched, chain, matrices, with_planetary_set
-from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load
 from vstatics.torsion.vibration.gear_modes import GearModes, modes
 
 
@@ -271,12 +272,16 @@ def test_freewheels_hold_as_they_do_at_mean_speeds() -> None:
     assert only(case).rigid_modes != only(turned).rigid_modes
 
 
-def test_so_many_modes_as_are_asked_for() -> None:
+def test_so_many_modes_as_are_asked_for_of_gears_called_as_elsewhere() -> None:
     case = chain([1.0] * 60, [10.0] * 59)
     assert len(only(case).modes) == 20
     assert len(only(case, count=59).modes) == 59
     assert omegas(only(case, count=3)) == pytest.approx(omegas(only(case))[:3])
     assert len(only(chain([1.0] * 50, [10.0] * 49)).modes) == 49
+    shipped = load(CASES / "moskvich412.yaml")
+    assert [gear.name for gear in modes(shipped, ["4", "#5"])] == ["4", "1 at stop"]
+    with pytest.raises(ValueError, match="no gear '5'"):
+        modes(shipped, ["5"])
 
 
 def test_many_links_by_sparse_matrices() -> None:
