@@ -7,49 +7,47 @@ import pytest
 from scipy import linalg
 
 from tests.chance import count, seeded
+from tests.torsion.systems import Array
 from vstatics.core.model.parts import damping
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Transmission
 from vstatics.torsion import Harmonic, modes, response
 
 
-def random_case(seed: int) -> tuple[Transmission, dict[str, np.ndarray]]:
+def random_case(seed: int) -> tuple[Transmission, Array, Array, Array]:
     """Three to six inertias with springs and dampers alone between any two, or to the housing."""
     rng = seeded(seed)
     links = rng.randint(3, 6)
-    inertias = {n: 10 ** rng.uniform(-1, 1) for n in range(1, links + 1)}
+    masses = [10 ** rng.uniform(-1, 1) for _ in range(links)]
     springs, stiffness, resistance = [], np.zeros((links, links)), np.zeros((links, links))
     for number in range(rng.randint(2, 2 * links)):
         first, second = rng.sample(range(links + 1), 2)
         twist = {link: part for link, part in ((first, 1.0), (second, -1.0)) if link}
         size = 10 ** rng.uniform(0, 2)
-        row = np.zeros(links)
-        for link, part in twist.items():
-            row[link - 1] = part
+        row = np.array([twist.get(n, 0.0) for n in range(1, links + 1)])
         if number and rng.random() < 0.5:
             springs.append(Spring(twist, stiffness=100 * size, name=f"s{number}"))
             stiffness += 100 * size * np.outer(row, row)
         else:
             springs.append(Spring(twist, damping=size, name=f"d{number}"))
             resistance += size * np.outer(row, row)
-    mass = np.diag([*inertias.values()])
+    inertias = dict(enumerate(masses, 1))
     case = Transmission(links, [], [], [], inertias=inertias, springs=springs)
-    return case, {"mass": mass, "stiffness": stiffness, "resistance": resistance}
+    return case, np.diag(masses), stiffness, resistance
 
 
 @pytest.mark.parametrize("seed", range(count(40, 1000)))
 def test_eigenvalues_are_those_of_the_dense_pencil(seed: int) -> None:
     """Zeros are left out: the program tells rigid motions apart."""
-    case, dense = random_case(seed)
-    mass, stiffness, resistance = (dense[one] for one in ("mass", "stiffness", "resistance"))
-    count, identity = len(mass), np.eye(len(mass))
+    case, mass, stiffness, resistance = random_case(seed)
+    identity = np.eye(len(mass))
     companion = np.block([[0 * mass, identity], [-stiffness, -resistance]])
     wanted = linalg.eigvals(companion, linalg.block_diag(identity, mass))
     size = np.abs(wanted).max()
     wanted = wanted[(np.abs(wanted) > 1e-5 * size) & (wanted.imag >= -1e-6 * size)]
     [found] = modes(case)
     values = np.array([one for one in found.damped if abs(one) > 1e-5 * size])
-    assert len(values) == len(wanted), (count, values, wanted)
+    assert len(values) == len(wanted), (values, wanted)
     for one in wanted:
         assert np.abs(values - one).min() <= 1e-5 * max(abs(one), 1e-3 * size)
 
@@ -57,8 +55,7 @@ def test_eigenvalues_are_those_of_the_dense_pencil(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(count(20, 500)))
 def test_amplitudes_and_torques_of_a_response_are_those_of_the_dense_equations(seed: int) -> None:
     """(K - w^2 M + i w D) x = F, by NumPy; the torque of a damper is i w d times its twist."""
-    case, dense = random_case(seed)
-    mass, stiffness, resistance = (dense[one] for one in ("mass", "stiffness", "resistance"))
+    case, mass, stiffness, resistance = random_case(seed)
     speed = 300.0  # rpm, first order
     omega = speed * np.pi / 30
     dynamic = stiffness - omega**2 * mass + 1j * omega * resistance
