@@ -71,6 +71,8 @@ def test_a_table_gives_orders_amplitudes_and_phases() -> None:
 
 
 def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:
+    """Each with the resonance between them."""
+
     def speeds(written: str) -> list[float]:
         made = document("response", *AT, "--orders", "2", "--speed", written, text=GOOD)
         told: list[float] = made["gears"][0]["speeds"]
@@ -123,15 +125,6 @@ def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
     assert f"{max(told['sum']['torques']['damper']['rms']):.9g}" in numbers
 
 
-def test_resonances_within_the_speeds_and_that_there_are_none() -> None:
-    call = ("response", "--at", "mass", "--orders", "1,2", "--speed")
-    [gear] = document(*call, "100:400:2", text=MASS)["gears"]
-    assert [(one["order"], one["mode"]) for one in gear["resonances"]] == [(1, 1), (2, 1)]
-    assert [one["speed"] for one in gear["resonances"]] == pytest.approx([HIT, HIT / 2])
-    assert "Resonances\n" in said(*call, "100:400:2", text=MASS).out
-    assert "Resonances: none at these speeds\n" in said(*call, "1000", text=MASS).out
-
-
 def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
     """Nearer and nearer the speed the amplitude grows without end, with any damping not."""
     call = ("response", "--at", "mass", "--orders", "1", "--speed")
@@ -145,6 +138,7 @@ def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
         first, *_, last = (sizes[float(one)] for one in near)
         assert (last > 1e3 * first) == grows == (not gear["resonances"][0]["damped"])
     assert said(*call, "100:400:4", text=damped).err == ""
+    assert "Resonances: none at these speeds\n" in said(*call, "1000", text=MASS).out
 
 
 def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:

@@ -25,11 +25,6 @@ ASKED = {
 }
 
 
-def omega(slope: float) -> float:
-    """Of 0.5 kg*m^2, and 2 kg*m^2 behind a ratio of 1.5."""
-    return math.sqrt(slope * (1 / 0.5 + 1.5**2 / 2))
-
-
 @pytest.mark.parametrize("command", ASKED)
 def test_commands_tell_the_slope_that_they_take(command: str) -> None:
     for options, slope, torque in (
@@ -40,28 +35,17 @@ def test_commands_tell_the_slope_that_they_take(command: str) -> None:
         assert (made.status, note in made.err) == (0, True), options
 
 
-def test_modes_and_resonances_are_those_of_the_slope() -> None:
+def test_a_torque_is_that_of_the_slope_and_has_its_unit() -> None:
+    """0.5 kg*m^2, and 2 kg*m^2 behind a ratio of 1.5; in play the spring is open."""
     for torque, slope in (("20", 300.0), ("45", 600.0)):
         [gear] = document("modes", "--torque", torque, text=DAMPER)["gears"]
-        assert gear["modes"][0]["omega"] == pytest.approx(omega(slope))
+        omega = math.sqrt(slope * (1 / 0.5 + 1.5**2 / 2))
+        assert gear["modes"][0]["omega"] == pytest.approx(omega)
         assert gear["slopes"] == {"damper": pytest.approx(slope)}
-    asked = ("--at", "engine", "--orders", "1", "--speed", "100:1000:2")
-    [gear] = document("response", *asked, text=DAMPER)["gears"]
-    [met] = gear["resonances"]
-    assert met["speed"] * math.pi / 30 == pytest.approx(omega(300))
-
-
-def test_in_play_the_spring_is_open() -> None:
     made = said("modes", "--torque", "0", text=DAMPER)
     assert "gear 1: in play, so it is open, at 0 N*m" in made.err
-    [gear] = document("modes", "--torque", "0", text=DAMPER)["gears"]
-    assert (gear["rigid_modes"], gear["modes"]) == (2, [])
-
-
-def test_quiet_tells_no_slope_and_a_torque_has_its_unit() -> None:
     assert not said("modes", "-q", text=DAMPER).err
-    wrong = said("modes", "--torque", "5 rpm", text=DAMPER)
-    assert wrong.is_wrong_use("read '5 rpm'")
+    assert said("modes", "--torque", "5 rpm", text=DAMPER).is_wrong_use("read '5 rpm'")
 
 
 CONVERTER = """\

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import openpyxl
 import pytest
 
-from tests.commands import CASES, NEUTRAL, vstatics
+from tests.commands import CASES, NEUTRAL, environment, vstatics
+from tests.core.cli.test_schemas import validator
 from tests.processes import names
 from tests.torsion.cli.torsional import (
     ASKED,
@@ -24,6 +27,7 @@ from tests.torsion.cli.torsional import (
     said,
     tables,
 )  # fmt: skip
+from vstatics import load
 from vstatics.torsion.cli.group import TorsionCommands
 
 SIMPLIFY = ("simplify", "--gear", "direct", "--links", "2")
@@ -52,7 +56,12 @@ def _files(folder: Path) -> None:
 
 
 def with_lost(text: str) -> str:
+    """With a link that nothing moves or holds."""
     return text.replace("casing]\noutput", "casing, lost]\noutput")
+
+
+def no_constant(text: str) -> Any:
+    raise AssertionError(text)
 
 
 @pytest.mark.parametrize("command", ASKED)
@@ -73,8 +82,65 @@ def test_a_workbook_has_a_sheet_for_each_kind_of_table(command: str) -> None:
     assert asked(command, "-o", "new.xlsx").status in (0, 1)
     book = openpyxl.load_workbook("new.xlsx")
     assert len(book.sheetnames) < 10
-    values = [cell for sheet in book for row in sheet.iter_rows(values_only=True) for cell in row]
-    assert sum(isinstance(one, float) for one in values) >= 4
+    cells = [cell for sheet in book for row in sheet.iter_rows(values_only=True) for cell in row]
+    assert sum(isinstance(one, float) for one in cells) >= 4
+
+
+SCHEMAS = {
+    "reduce": "reduction", "simplify": "simplification", "identify": "identification",
+    **{command: command for command in ("modes", "response", "damping")},
+}  # fmt: skip
+VIBRATING = [file for file in sorted(CASES.glob("*.yaml")) if load(file).inertias]
+
+
+@each_call
+def test_json_fits_its_schema_and_has_null_but_no_nan(call: tuple[str, ...]) -> None:
+    """Of gears without results, of links without values; no key is free or may be left out."""
+    command, *options = call
+    schema = validator(SCHEMAS[command])
+    more = {
+        "identify": ("--gear", "direct", "--omega", "5", "--decrement", ".2"),
+        "simplify": ("--gear", "direct", "--links", "1", "--rule", "u"),
+        "modes": ("--modes", "1", "--coast"),
+    }
+    for text in (BOX, with_lost(BOX), GOOD):
+        for asked_for in (options, more.get(command, options)):
+            answer = said(command, *asked_for, "-f", "json", text=text)
+            made = json.loads(answer.out, parse_constant=no_constant)
+            assert [error.json_path for error in schema.iter_errors(made)] == []
+    for key in made.keys() - {"file", "decrement" if command == "identify" else ""}:
+        assert not schema.is_valid({name: one for name, one in made.items() if name != key}), key
+        assert not schema.is_valid({**made, key: {"more": ["1"]}}), key
+    assert not schema.is_valid({**made, "more": 1})
+
+
+def test_json_of_a_gear_fits_no_schema_if_it_is_spoilt() -> None:
+    def of_mode(**change: object) -> dict[str, Any]:
+        first, *others = right["modes"]["gears"][0]["modes"]
+        return {"modes": [{**first, **change}, *others]}
+
+    right = {name: asked(name, "-f", "json", text=GOOD).json for name in OF_GEARS}
+    total = {"amplitudes": {"a": {"largest": []}}, "torques": {}}
+    for command, change in (
+        ("modes", {"more": 1}), ("modes", {"rigid_modes": 1.5}), ("modes", {"error": "tied up"}),
+        ("modes", {"damped": [{"real": 1}]}), ("modes", of_mode(omega="1")),
+        ("modes", of_mode(shape={"engine": "1"})), ("modes", of_mode(sensitivity={"inertia": {}})),
+        ("reduce", {"inertias": [1]}), ("response", {"speeds": [None, "1"]}),
+        ("response", {"resonances": [{"order": 1, "mode": 1}]}), ("response", {"sum": total}),
+    ):  # fmt: skip
+        [gear] = right[command]["gears"]
+        wrong = {**right[command], "gears": [{**gear, **change}]}
+        assert not validator(SCHEMAS[command]).is_valid(wrong), change
+
+
+@pytest.mark.parametrize("file", VIBRATING, ids=lambda file: file.stem)
+def test_json_of_shipped_cases_fits_its_schema(file: Path) -> None:
+    first = load(file).link_names[0]
+    response = ("response", "--at", first, "--orders", "2,4", "--speed", "600:2000:3", "--sum")
+    for command, *options in (("modes",), ("reduce", "--to", first), response):
+        answer = vstatics("torsion", command, file, *options, "-f", "json")
+        assert answer.status == 0, answer.err
+        assert list(validator(SCHEMAS[command]).iter_errors(answer.json)) == []
 
 
 def test_tables_for_people_fit_a_terminal() -> None:
@@ -237,6 +303,21 @@ def test_without_its_argument_or_with_two_it_is_wrong_use(command: str) -> None:
     assert vstatics("torsion", command, "a.yaml", "b.yaml").status == 2
 
 
+@pytest.mark.slow
+def test_the_help_of_the_group_imports_no_command() -> None:
+    code = (
+        "import sys; from vstatics.core.cli import main\n"
+        "main(['torsion', '--help'], standalone_mode=False)\n"
+        "print(*sorted(one for one in sys.modules if one.startswith(('scipy', 'vstatics.torsion'))))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment()
+    )
+    imported = done.stdout.splitlines()[-1].split()
+    names = ["", ".annex", ".cli", ".cli.group"]
+    assert imported == [f"vstatics.torsion{name}" for name in names]
+
+
 def test_a_case_without_inertias_or_without_springs_has_no_modes() -> None:
     answer = said("modes", text=CHAIN.partition("\n")[2])
     assert answer.gives_nothing("<stdin>", "inertias: nothing has an inertia, so nothing vibrates")
@@ -256,15 +337,6 @@ def test_without_scipy_it_is_refused_before_anything_is_read(
     for command, *options in ALL:
         answer = vstatics("torsion", command, "nowhere.yaml", *options, "-o", "new.json")
         assert (answer.status, answer.all, names()) == (1, message, ["box.yaml"])
-
-
-def no_constant(text: str) -> Any:
-    raise AssertionError(text)
-
-
-@each_call
-def test_json_has_null_and_no_nan(call: tuple[str, ...]) -> None:
-    json.loads(said(*call, "-f", "json", text=with_lost(BOX)).out, parse_constant=no_constant)
 
 
 def test_what_does_not_exist_is_null_in_json_and_empty_in_csv() -> None:
