@@ -8,8 +8,6 @@ from scipy import linalg
 
 from tests.torsion.vibration.test_gear_modes import omegas
 from vstatics import loads
-from vstatics.torsion.system.gear_system import TorsionalSystem
-from vstatics.torsion.system.state import vibrating
 from vstatics.torsion.vibration.gear_modes import modes
 
 DRIVELINE = """
@@ -59,17 +57,6 @@ def test_at_the_meshes_planets_are_links_anyway() -> None:
     for one, other in zip(meshes.modes, hand.modes, strict=True):
         expected = [other.torques["inner"], other.torques["outer"]]
         assert [one.torques["P.sun"], one.torques["P.ring"]] == pytest.approx(expected, rel=1e-9)
-
-
-def test_the_share_of_each_link_in_the_energy_of_planets() -> None:
-    """Simple set with p = ring/sun: 2/(p-1)^2, 2p^2/(p-1)^2, -((p+1)/(p-1))^2 (Tarasik, sec. 5)."""
-    case = loads(DRIVELINE)
-    system = vibrating(case, case.gears[0])
-    assert isinstance(system, TorsionalSystem)
-    p, spin, orbit = 75 / 30, 3 * 2e-3, 3 * 0.6 * 0.08**2
-    shares = [2 / (p - 1) ** 2, 2 * p**2 / (p - 1) ** 2, -(((p + 1) / (p - 1)) ** 2)]
-    expected = [0.001 + spin * shares[0], 0.05 + spin * shares[1], spin * shares[2] + orbit]
-    assert system.link_inertias[1:4] == pytest.approx(expected)
 
 
 BEVEL = """
