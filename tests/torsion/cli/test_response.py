@@ -126,17 +126,13 @@ def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
 
 
 def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
-    """Nearer and nearer the speed the amplitude grows without end, with any damping not."""
     call = ("response", "--at", "mass", "--orders", "1", "--speed")
     damped = MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
-    near = [f"{HIT * (1 + 10.0**-n)!r}" for n in (2, 4, 6)]
-    told = said(*call, f"100,{','.join(near)}", text=MASS).err
+    told = said(*call, "100:400:4", text=MASS).err
     assert f"note: gear 1: nothing damps the resonance at {HIT:.6g} rpm" in told
-    for text, grows in ((MASS, True), (damped, False)):
-        [gear] = document(*call, f"100,{','.join(near)}", text=text)["gears"]
-        sizes = dict(zip(gear["speeds"], gear["orders"][0]["amplitudes"]["mass"], strict=True))
-        first, *_, last = (sizes[float(one)] for one in near)
-        assert (last > 1e3 * first) == grows == (not gear["resonances"][0]["damped"])
+    for text in (MASS, damped):
+        [gear] = document(*call, "100:400:4", text=text)["gears"]
+        assert gear["resonances"][0]["damped"] == (text is damped)
     assert said(*call, "100:400:4", text=damped).err == ""
     assert "Resonances: none at these speeds\n" in said(*call, "1000", text=MASS).out
 
@@ -151,8 +147,7 @@ def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
     shown = said(*call, f"{HIT!r},100", text=MASS).out
     assert "100.0" in shown.partition("largest amplitudes")[2]
     only_hit = said(*call, repr(HIT), text=MASS)
-    assert only_hit.status == 0
-    assert "mass        -           -\n" in only_hit.out
+    assert (only_hit.status, "mass        -           -\n" in only_hit.out) == (0, True)
     heading = "Resonances\ngear  order  mode  speed [rpm]  participation\n"
     assert f"{heading}1         1     1        382.0          1.000\n" in only_hit.out
     rows = csv.reader(io.StringIO(said(*call, repr(HIT), "-f", "csv", text=MASS).out))

@@ -137,10 +137,7 @@ def test_the_fill_tells_the_damping(loss: float, place: int) -> None:
 def test_a_mode_in_which_the_input_stands_has_no_resonance(link: int, excited: bool) -> None:
     """Two equal wheels on equal half-shafts, in antiphase at ``sqrt(c/J)``, 5 rad/s or 0.8 Hz."""
     twists = [{1: 1, 2: -1}, {2: 1, 3: -1}, {2: 1, 4: -1}]
-    springs = [
-        Spring(twist, c, name=f"s{n}")
-        for n, (twist, c) in enumerate(zip(twists, (70.0, 50.0, 50.0), strict=True))
-    ]
+    springs = [Spring(twist, c) for twist, c in zip(twists, (70.0, 50.0, 50.0), strict=True)]
     inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
     case = Transmission(*(4, [], [], []), springs=springs, inertias=inertias, input=link, output=4)
     svg = drawn(solve(case), "campbell")

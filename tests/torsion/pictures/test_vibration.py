@@ -15,8 +15,8 @@ from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, Results, ShiftElement, Spring, Transmission, solve
 from vstatics.core.errors import CaseError
 from vstatics.core.texts import Language
-from vstatics.pictures import drawn_kinds, module_of, picture, render
-from vstatics.pictures.drawing.files import Format, settings_of
+from vstatics.pictures import drawn_kinds, module_of, picture
+from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.torsion.pictures.shapes import modes
 from vstatics.torsion.pictures.shapes.links import mode_links
@@ -83,12 +83,6 @@ def test_what_is_said_of_a_mode_keeps_clear_of_its_bars(language: Language) -> N
     results = shipped_results("moskvich412.yaml")
     for width in (PAGE_WIDTH, 0.7 * PAGE_WIDTH, 0.5 * PAGE_WIDTH):
         assert overlaps(results, "modes", Style(width=width, language=language)) == []
-
-
-@pytest.mark.parametrize(("kind", "form"), [("modes", "svg"), ("campbell", "pdf")])
-def test_the_same_case_gives_the_same_bytes(kind: str, form: Format) -> None:
-    results = ODD["two masses"]
-    assert render(results, kind, form, Style()) == render(results, kind, form, Style())
 
 
 def texts(results: Results, kind: str, *gears: int) -> list[str]:
