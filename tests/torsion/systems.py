@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from hypothesis import strategies as st
+from scipy import linalg
 
 from vstatics import Damping, Gear, Mechanism, ShiftElement, Spring, Transmission
 
@@ -41,6 +42,18 @@ def matrices(case: Transmission) -> tuple[Array, Array, Array]:
         stiffness += spring.rate * np.outer(row, row)
         resistance += spring.damping.viscous * np.outer(row, row)
     return mass, stiffness, resistance
+
+
+def eigenvalues(mass: Array, stiffness: Array, resistance: Array, rigid: int = 0) -> Array:
+    """Those of ``(s^2 M + s D + K) x = 0`` in the upper half plane, by SciPy's QZ, M may be singular.
+
+    Two zeros of each rigid mode are left out.
+    """
+    zero, unit = np.zeros_like(mass), np.eye(len(mass))
+    companion = np.block([[zero, unit], [-stiffness, -resistance]])
+    values = np.asarray(linalg.eigvals(companion, linalg.block_diag(unit, mass)))
+    values = values[np.argsort(np.abs(values))][2 * rigid :]
+    return values[(np.abs(values) < 1e6) & (values.imag >= -1e-7 * np.abs(values))]
 
 
 @st.composite

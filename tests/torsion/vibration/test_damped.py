@@ -11,9 +11,10 @@ from hypothesis import given, settings
 from scipy import linalg
 
 from tests.chance import count, seeded
-from tests.torsion.systems import Array, branched, chain, matrices
+from tests.torsion.systems import Array, branched, chain, eigenvalues, matrices
 from tests.torsion.vibration.test_gear_modes import only
 from vstatics import CaseError, Damping, Spring, Transmission
+from vstatics.torsion import Harmonic, response
 from vstatics.torsion.vibration.eigen_pairs import order_of
 from vstatics.torsion.vibration.gear_modes import modes
 from vstatics.torsion.vibration.refined import Pencils
@@ -93,21 +94,43 @@ def test_a_damping_ratio_is_that_of_a_mode_of_the_device_alone(ratio: float) -> 
 def test_every_damped_system(case: Transmission) -> None:
     """All eigenvalues of the first-order form of twice the size, but those of rigid modes."""
     gear = only(case)
-    mass, stiffness, resistance = matrices(case)
-    size = len(mass)
-    below = [-linalg.solve(mass, stiffness), -linalg.solve(mass, resistance)]
-    first_order = np.block([[np.zeros((size, size)), np.eye(size)], below])
-    values = np.asarray(linalg.eigvals(first_order), complex)
-    values = values[np.argsort(np.abs(values))][2 * gear.rigid_modes :]
-    upper = values[values.imag > 1e-7 * np.abs(values)]
-    real = values[np.abs(values.imag) <= 1e-7 * np.abs(values)]
+    expected = eigenvalues(*matrices(case), rigid=gear.rigid_modes)
     found = np.array(gear.damped)
-    assert len(found) == len(upper) + len(real)
-    for value in (*upper, *real.real):
+    assert len(found) == len(expected)
+    for value in expected:
         assert np.abs(found - value).min() < 1e-5 * abs(value)
     assert sorted(np.abs(found)) == pytest.approx(list(np.abs(found)), rel=1e-8)
     for mode in gear.modes:
         assert (mode.damping_ratio >= 1) == (mode.damped_frequency == 0)
+
+
+@pytest.mark.parametrize("seed", range(count(12, 300)))
+def test_massless_links_of_which_a_damper_resists_some(seed: int) -> None:
+    rng = seeded(seed)
+    size = rng.randint(4, 6)
+    damped = rng.randint(1, size)
+    springs = [
+        Spring({n: 1.0, n + 1: -1.0} if n < size else {n: 1.0}, stiffness=rng.uniform(50, 500),
+               damping=rng.uniform(0.1, 2) if n == damped or rng.random() < 0.3 else 0.0)
+        for n in range(1, size + 1)
+    ]  # fmt: skip
+    inertias = {1: rng.uniform(0.5, 3), size: rng.uniform(0.5, 3)}
+    case = Transmission(size, [], [], [], springs=springs, inertias=inertias)
+    found, expected = np.array(only(case).damped), eigenvalues(*matrices(case))
+    assert len(found) == len(expected)
+    for one in expected:
+        assert np.abs(found - one).min() < 1e-6 * abs(one)
+
+
+def test_a_massless_link_between_undamped_springs_beside_a_damped_one() -> None:
+    """Where no massless motion is damped; springs in series: omega^2 = 1/(J (E1 + E2))."""
+    springs = [
+        Spring({1: 1, 2: -1}, compliance=2e-3), Spring({2: 1}, compliance=3e-3),
+        Spring({1: 1}, compliance=1, damping=1e-3),
+    ]  # fmt: skip
+    [mode] = only(Transmission(2, [], [], [], springs=springs, inertias={1: 0.5})).modes
+    assert mode.omega**2 == pytest.approx((1 / 5e-3 + 1) / 0.5)
+    assert mode.damping_ratio == pytest.approx(1e-3 / (2 * 0.5 * mode.omega))
 
 
 @pytest.mark.filterwarnings("error")
@@ -128,6 +151,74 @@ def test_a_damper_between_a_mass_that_is_free_and_a_link_without(damping: Dampin
     gear = only(Transmission(2, [], [], [], springs=[spring], inertias={1: 1.0}))
     assert gear.modes == []
     assert gear.damped == pytest.approx([-4.0] if damping == 2.0 else [])
+
+
+def with_dampers_alone(seed: int) -> Transmission:
+    """Three to six inertias with springs and dampers alone between any two, or to the housing."""
+    rng = seeded(seed)
+    links = rng.randint(3, 6)
+    inertias = {n: 10 ** rng.uniform(-1, 1) for n in range(1, links + 1)}
+    springs = []
+    for number in range(rng.randint(2, 2 * links)):
+        first, second = rng.sample(range(links + 1), 2)
+        twist = {link: part for link, part in ((first, 1.0), (second, -1.0)) if link}
+        size = 10 ** rng.uniform(0, 2)
+        if number and rng.random() < 0.5:
+            springs.append(Spring(twist, stiffness=100 * size, name=f"s{number}"))
+        else:
+            springs.append(Spring(twist, damping=size, name=f"d{number}"))
+    return Transmission(links, [], [], [], inertias=inertias, springs=springs)
+
+
+@pytest.mark.parametrize("seed", range(count(40, 1000)))
+def test_eigenvalues_with_dampers_alone(seed: int) -> None:
+    """Zeros are left out: the program tells rigid motions apart."""
+    case = with_dampers_alone(seed)
+    wanted = eigenvalues(*matrices(case))
+    size = np.abs(wanted).max()
+    wanted = wanted[np.abs(wanted) > 1e-5 * size]
+    values = np.array([one for one in only(case).damped if abs(one) > 1e-5 * size])
+    assert len(values) == len(wanted), (values, wanted)
+    for one in wanted:
+        assert np.abs(values - one).min() <= 1e-5 * max(abs(one), 1e-3 * size)
+
+
+@pytest.mark.parametrize("seed", range(count(20, 500)))
+def test_amplitudes_and_torques_of_a_response_are_those_of_the_dense_equations(seed: int) -> None:
+    """(K - w^2 M + i w D) x = F, by NumPy; the torque of a damper is i w d times its twist."""
+    case = with_dampers_alone(seed)
+    mass, stiffness, resistance = matrices(case)
+    speed = 300.0  # rpm, first order
+    omega = speed * np.pi / 30
+    dynamic = stiffness - omega**2 * mass + 1j * omega * resistance
+    force = np.zeros(len(mass))
+    force[0] = 1.0
+    amplitudes = np.linalg.solve(dynamic, force)
+    [made] = response(case, 1, [Harmonic(1.0)], [speed])
+    [order] = made.orders
+    found = [abs(complex(order.amplitudes[name][0])) for name in case.link_names]
+    assert found == pytest.approx(np.abs(amplitudes).tolist(), rel=1e-8, abs=1e-14)
+    for one in case.springs:
+        twist = sum(part * amplitudes[link - 1] for link, part in one.form.items())
+        assert isinstance(one.damping, Damping)
+        factor = 1j * omega * one.damping.viscous if one.is_damper else one.rate
+        carried = abs(complex(order.torques[one.name][0]))
+        assert carried == pytest.approx(abs(factor * twist), rel=1e-8, abs=1e-12)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("link", [1, 2, 3])
+def test_a_damper_alone_takes_energy_whichever_way_it_is_twisted(sign: int, link: int) -> None:
+    """Each of three masses moves in both modes, so both have a bound at their speeds."""
+    springs = [
+        Spring({1: 1, 2: -1}, stiffness=100.0),
+        Spring({2: 1, 3: -1}, stiffness=300.0),
+        Spring({link: sign}, damping=0.5, name="brake"),
+    ]
+    case = Transmission(3, [], [], [], inertias={1: 1.0, 2: 0.5, 3: 2.0}, springs=springs)
+    [gear] = response(case, 1, [Harmonic(1.0)], np.linspace(10.0, 500.0, 5))
+    assert [one.damped for one in gear.resonances] == [True, True]
+    assert all(np.isfinite(one).all() for one in gear.orders[0].amplitudes.values())
 
 
 def with_losses(number: int, most: float) -> Transmission:

@@ -14,7 +14,7 @@ from scipy import linalg
 from tests.chance import count
 from tests.commands import CASES
 from tests.torsion.systems import Array, branched, chain, matrices, with_planetary_set
-from vstatics import Gear, ShiftElement, Spring, Transmission, load
+from vstatics import CaseError, Gear, ShiftElement, Spring, Transmission, load
 from vstatics.torsion.vibration.gear_modes import GearModes, modes
 
 
@@ -175,6 +175,14 @@ def test_massless_links_follow_and_infinite_frequencies_are_left_out() -> None:
     assert mode.omega == pytest.approx(5.0)
     assert mode.torques["shaft 1"] == pytest.approx(mode.torques["shaft 2"])
     assert mode.kinetic["2"] == 0
+
+
+def test_without_inertia_or_with_one_mass_between_massless_links_there_is_no_mode() -> None:
+    springs = chain([1.0] * 3, [500.0, 300.0], [0.0, 1.0]).springs
+    with pytest.raises(CaseError, match="nothing has an inertia"):
+        modes(Transmission(3, [], [], [], springs=springs))
+    gear = only(Transmission(3, [], [], [], springs=springs, inertias={2: 1.0}))
+    assert (gear.rigid_modes, gear.modes) == (1, [])
 
 
 def test_what_nothing_moves_or_holds_is_left_out_with_a_warning() -> None:
