@@ -41,14 +41,9 @@ def first_peak(
     while True:
         happens = _events(given, sticks)
         made = solve_ivp(
-            _slopes(given, sticks, slipping),
-            (0, span),
-            state,
-            events=[event for _, event in happens],
-            rtol=1e-10,
-            atol=1e-12,
-            max_step=span / 1000,
-        )
+            _slopes(given, sticks, slipping), (0, span), state,
+            events=[event for _, event in happens], rtol=1e-10, atol=1e-12, max_step=span / 1000,
+        )  # fmt: skip
         assert made.t_events is not None
         names = zip((name for name, _ in happens), made.t_events, strict=True)
         [name] = [name for name, times in names if len(times)]

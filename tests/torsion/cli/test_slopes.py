@@ -17,12 +17,9 @@ load: {torque: 20 N*m}
 """
 """Play, 300 N*m/rad up to 30 N*m, then 600."""
 ASKED = {
-    "modes": (),
-    "reduce": ("--to", "engine"),
-    "simplify": ("--links", "1"),
-    "identify": ("--omega", "5"),
-    "damping": ("--decrements", "damper=.2"),
-}
+    "modes": (), "reduce": ("--to", "engine"), "simplify": ("--links", "1"),
+    "identify": ("--omega", "5"), "damping": ("--decrements", "damper=.2"),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("command", ASKED)

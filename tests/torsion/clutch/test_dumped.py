@@ -139,15 +139,6 @@ def test_the_first_approximation_of_a_clutch_that_breaks_away() -> None:
         assert made.max_torque_simplified == pytest.approx(peak, rel=1e-3)
 
 
-def test_dynamic_factors_of_a_printed_torque() -> None:
-    """ZIL-130 in gear I, table 3.8: 5.441 kN*m; by (3.1) and (3.4) 6101/3760 and 5441/3760."""
-    made = dump(Dump(54.3, 1.77, 1.79, 1.36, 58.3, 713e-6, 6101, 3760, 45))
-    assert made.grip_ratio == pytest.approx(6101 / 3760)
-    assert made.dynamic_factor_of_least == pytest.approx(5441 / 3760, rel=1e-3)
-    gripping = dump(Dump(54.3, 1.77, 1.79, 1.36, 58.3, 713e-6, 3760, 6101, 45))
-    assert gripping.dynamic_factor_of_least == pytest.approx(gripping.max_torque / 3760)
-
-
 def test_other_cases_of_a_clutch_that_grabs_are_on_the_safe_side() -> None:
     for given, case in (
         (Dump(16.6, 1.58, 0.24, 0.746, 35.5, 1.57e-3, 6580, 3320, 26.6), "B2"),

@@ -12,12 +12,10 @@ from vstatics.core.errors import CaseError
 from vstatics.torsion.clutch.engagement import engagement
 
 FACTORS = {
-    30: (1.949, 1.697, 1.513, 1.251, 1.165),
-    50: (1.981, 1.857, 1.697, 1.443, 1.291),
-    100: (1.995, 1.958, 1.894, 1.697, 1.554),
-    150: (1.998, 1.981, 1.949, 1.831, 1.697),
+    30: (1.949, 1.697, 1.513, 1.251, 1.165), 50: (1.981, 1.857, 1.697, 1.443, 1.291),
+    100: (1.995, 1.958, 1.894, 1.697, 1.554), 150: (1.998, 1.981, 1.949, 1.831, 1.697),
     300: (1.999, 1.995, 1.986, 1.949, 1.894),
-}
+}  # fmt: skip
 """By K, for K_c = 10, 30, 50, 100, 150 1/s: the first maximum of (3.70) after t = 3/K, found in
 a dense table of it, apart from this project; the book has a picture, figure 3.6."""
 
@@ -47,13 +45,9 @@ def test_it_is_the_first_maximum_of_the_equation_of_motion(ratio: float) -> None
 
     still.direction = -1  # type: ignore[attr-defined]
     made = solve_ivp(
-        lambda t, y: [y[1], 1 - math.exp(-ratio * t) - y[0]],
-        (0, 3 / ratio + 4 * math.pi),
-        [0.0, 0.0],
-        events=still,
-        rtol=1e-10,
-        atol=1e-12,
-    )
+        lambda t, y: [y[1], 1 - math.exp(-ratio * t) - y[0]], (0, 3 / ratio + 4 * math.pi),
+        [0.0, 0.0], events=still, rtol=1e-10, atol=1e-12,
+    )  # fmt: skip
     assert made.t_events is not None
     assert made.y_events is not None
     maxima = zip(made.t_events[0], made.y_events[0], strict=True)

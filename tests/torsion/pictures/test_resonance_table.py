@@ -109,14 +109,3 @@ def test_rows_of_random_drivelines() -> None:
             shared, alone = shared + (len(names) > 1), alone + (len(names) == 1)
     assert shared > 5
     assert alone > 5
-
-
-def test_a_mode_that_is_excited_beside_one_that_is_not() -> None:
-    """Of one number, and of frequencies that differ by 0.1 %: each gear has its own numbers."""
-    case, matrices = driveline(seeded(3), [10.0, 4.0])
-    sheet = campbell_sheet(solve(case), Style(excited=Excitation(orders=ORDERS)), ())
-    [table] = resonance_tables(sheet.modes, sheet.orders, ([], sheet.fastest), 1e6, Style())
-    told = [[cell.text for cell in row.all_cells] for row in table.rows]
-    for gear, one in enumerate(matrices, 1):
-        for mode, *others in own_rows(one, sheet.fastest):
-            assert [mode, str(gear), *others] in told

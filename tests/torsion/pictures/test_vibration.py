@@ -59,14 +59,10 @@ def tied() -> Results:
 
 
 ODD = {
-    "two masses": chain(2),
-    "one mass": one_mass(),
-    "sixteen masses": chain(16),
+    "two masses": chain(2), "one mass": one_mass(), "sixteen masses": chain(16),
     "long names": chain(5, "the intermediate shaft of the auxiliary drive"),
-    "a long word": chain(3, "x" * 70),
-    "many masses": chain(55),
-    "a gear that is tied up": tied(),
-}
+    "a long word": chain(3, "x" * 70), "many masses": chain(55), "a gear that is tied up": tied(),
+}  # fmt: skip
 
 
 @pytest.mark.slow
@@ -106,21 +102,16 @@ def test_links_stand_in_the_order_in_which_power_comes_to_them() -> None:
     springs = [Spring({1: 1, 2: -1}, 9.0, name="shaft"), Spring({5: 1, 3: -1}, 9.0, name="axle")]
     brake = ShiftElement(6, name="B")
     case = Transmission(
-        *(6, [brake], pairs, [Gear([1])]),
-        springs=springs,
-        inertias={1: 1.0, 3: 5.0, 6: 1.0},
-        output=3,
-        link_names=["engine", "hub", "vehicle", "loose wheel", "wheel", "held"],
-    )
+        *(6, [brake], pairs, [Gear([1])]), springs=springs, inertias={1: 1.0, 3: 5.0, 6: 1.0},
+        output=3, link_names=["engine", "hub", "vehicle", "loose wheel", "wheel", "held"],
+    )  # fmt: skip
     results = solve(case)
     row = mode_links(results, 1, modes_of(results)[0])
     assert row.names == ("engine", "hub", "wheel", "vehicle")
     assert row.heavy == (True, False, False, True)
     assert [(one.name, one.elastic, one.members) for one in row.devices] == [
-        ("shaft", True, (0, 1)),
-        ("axle", True, (2, 3)),
-        ("pair", False, (1, 2)),
-    ]
+        ("shaft", True, (0, 1)), ("axle", True, (2, 3)), ("pair", False, (1, 2)),
+    ]  # fmt: skip
     note = "amplitudes of links, the largest is 1; at rest: held; without load: loose wheel"
     assert note in texts(results, "modes")
 

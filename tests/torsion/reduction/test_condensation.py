@@ -12,7 +12,7 @@ from vstatics.torsion.reduction.scheme import (
     TorsionScheme,
     natural_frequencies,
     stiffness_matrix,
-)
+)  # fmt: skip
 
 Twist = dict[int, float]
 

@@ -12,7 +12,7 @@ from vstatics.torsion.reduction.scheme import (
     TorsionScheme,
     natural_frequencies,
     stiffness_matrix,
-)
+)  # fmt: skip
 
 
 def masses(*inertias: float) -> tuple[tuple[str, ...], tuple[float, ...]]:

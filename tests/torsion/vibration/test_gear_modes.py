@@ -16,6 +16,7 @@ from tests.commands import CASES
 from tests.torsion.systems import Array, branched, chain, matrices, with_planetary_set
 from vstatics import CaseError, Gear, ShiftElement, Spring, Transmission, load
 from vstatics.torsion.vibration.gear_modes import GearModes, modes
+from vstatics.torsion.vibration.tables import modes_grids
 
 
 def only(case: Transmission, **options: object) -> GearModes:
@@ -117,12 +118,10 @@ def test_torques_of_rigid_devices_balance_every_link() -> None:
             torque = mode.torques
             assert (torque["C"] == 0) == (gear is low)
             on_links = [
-                torque["in"],
-                -torque["in"] + torque["P"] + torque["C"],
+                torque["in"], -torque["in"] + torque["P"] + torque["C"],
                 2.5 * torque["P"] - torque["C"] + torque["ring mount"],
-                -3.5 * torque["P"] + torque["out"],
-                -torque["out"],
-            ]
+                -3.5 * torque["P"] + torque["out"], -torque["out"],
+            ]  # fmt: skip
             inertial = mode.omega**2 * np.array(inertias) * [*mode.shape.values()]
             scale = max(map(abs, torque.values()))
             assert inertial == pytest.approx(on_links, abs=1e-9 * scale)
@@ -144,10 +143,8 @@ def test_what_stands_together_is_one_node() -> None:
     Two of three equal ones have the same frequency, and shapes of their own.
     """
     springs = [
-        Spring({1: 1, 2: -1}, 70.0),
-        Spring({2: 1, 3: -1}, 50.0),
-        Spring({2: 1, 4: -1}, 50.0),
-    ]
+        Spring({1: 1, 2: -1}, 70.0), Spring({2: 1, 3: -1}, 50.0), Spring({2: 1, 4: -1}, 50.0),
+    ]  # fmt: skip
     inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
     gear = only(Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4))
     [antiphase] = [mode for mode in gear.modes if mode.omega == pytest.approx(5.0)]
@@ -275,3 +272,28 @@ def test_sensitivities_are_differences_of_the_frequencies() -> None:
         heavier = case.replace(inertias={**case.inertias, link: inertia * (1 + step)})
         slope = (modes(heavier)[0].modes[0].omega / mode.omega - 1) / step
         assert slope == pytest.approx(mode.by_inertia[str(link)], abs=1e-6)
+
+
+def told(gear: GearModes) -> list[list[str]]:
+    """Where most of the energy is, without the shares."""
+    energy = next(one for one in modes_grids([gear]) if one.key == "energy")
+    return [[cell if isinstance(cell, str) else cell.text for cell in row] for row in energy.rows]
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_of_two_equal_shares_the_first_is_named_on_any_processor(side: str) -> None:
+    """Both tyres of the driveline swing with the same energy; rounding makes one larger."""
+    [gear, *_] = modes(load(CASES / "driveline-8hp70.yaml"))
+    even = [number for number, row in enumerate(told(gear)) if row[2] == "left tyre"]
+    assert even
+
+    def moved(shares: dict[str, float]) -> dict[str, float]:
+        return {n: math.nextafter(part, part + n.startswith(side)) for n, part in shares.items()}
+
+    other = gear._replace(
+        modes=[
+            one._replace(elastic=moved(dict(one.elastic)), kinetic=moved(dict(one.kinetic)))
+            for one in gear.modes
+        ]
+    )
+    assert told(other) == told(gear)

@@ -120,11 +120,9 @@ def random_driveline(number: int) -> Driveline:
     inertias = {link: size(-3, 0) for link in LINKS if rng.random() < 0.8}
     inertias |= {"engine": size(-1, 0), "wheel": size(0, 1)}
     twists: dict[str, dict[str, float]] = {
-        "in": {"engine": 1, "s1": -1},
-        "hold r1": {"r1": 1},
-        "hold r2": {"r2": 1},
+        "in": {"engine": 1, "s1": -1}, "hold r1": {"r1": 1}, "hold r2": {"r2": 1},
         "out": {"c2": 1, "wheel": -1},
-    }
+    }  # fmt: skip
     springs = {name: (twist, size(2, 5)) for name, twist in twists.items()}
     return Driveline((sets[0], sets[1]), inertias, springs)
 

@@ -12,9 +12,11 @@ from hypothesis import strategies as st
 from tests.chance import count
 from tests.torsion.systems import Array, branched, chain
 from vstatics import Spring, Transmission
+from vstatics.core.numerics.motions import free_motions
 from vstatics.torsion.system.coordinates import coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
 from vstatics.torsion.vibration.natural import natural_modes
+from vstatics.torsion.vibration.other_ratios import followed_motions
 from vstatics.torsion.vibration.variants import variant_frequencies
 
 VARIANTS = 4
@@ -32,12 +34,9 @@ def frequencies(
     """All that there may be, of shape (variants, links)."""
     given = [*(stiffnesses or {}).values(), *(inertias or {}).values()]
     return variant_frequencies(
-        system,
-        range(len(system.names)),
-        stiffnesses=stiffnesses or {},
-        inertias=inertias or {},
+        system, range(len(system.names)), stiffnesses=stiffnesses or {}, inertias=inertias or {},
         variants=len(given[0]),
-    )
+    )  # fmt: skip
 
 
 def alone(
@@ -124,3 +123,47 @@ def test_many_links_are_solved_one_by_one() -> None:
     found = variant_frequencies(system, [0, 2], stiffnesses={}, inertias=heavy, variants=2)
     expected = [[2 / j * math.sin(k * math.pi / 800) for k in (1, 3)] for j in (1, 2)]
     np.testing.assert_allclose(found, expected, rtol=1e-9)
+
+
+WHOLE = st.integers(-3, 3).map(float)
+
+
+@st.composite
+def small_equations(draw: st.DrawFn) -> Array:
+    """Small whole numbers, so that ranks differ often."""
+    shape = draw(st.integers(1, 4)), draw(st.integers(0, 4)), draw(st.integers(1, 5))
+    count = shape[0] * shape[1] * shape[2]
+    numbers = draw(st.lists(WHOLE, min_size=count, max_size=count))
+    return np.array(numbers).reshape(shape)
+
+
+@settings(max_examples=count(80, 600))
+@given(small_equations())
+def test_a_variant_is_safe_if_its_rank_is_that_of_the_first(
+    equations: Array,
+) -> None:
+    """Never where it is another; where it is safe its motions solve all equations."""
+    unknowns = equations.shape[2]
+    counts = [
+        free_motions([dict(enumerate(row)) for row in one], unknowns).shape[1] for one in equations
+    ]
+    found = followed_motions(equations, counts[0])
+    assert found.safe[0]
+    for one, motions, safe, rank in zip(equations, found.motions, found.safe, counts, strict=True):
+        if safe:
+            assert rank == counts[0]
+            np.testing.assert_allclose(one @ motions, 0, atol=1e-9)
+            np.testing.assert_array_equal(motions[found.free], np.eye(rank))
+    assert sorted([*found.free, *found.others]) == list(range(unknowns))
+
+
+def test_an_equation_that_vanishes_is_no_pivot() -> None:
+    """``u - 1`` for u = 2, 1 + 1e-15 and 1: then nothing is said of the second unknown."""
+    equations = np.array([[[0.0, 1.0]], [[0.0, 1e-15]], [[0.0, 0.0]]])
+    assert followed_motions(equations, 1).safe.tolist() == [True, False, False]
+
+
+def test_no_equations_leave_everything_free() -> None:
+    found = followed_motions(np.zeros((2, 0, 3)), 3)
+    np.testing.assert_array_equal(found.motions, [np.eye(3)] * 2)
+    assert found.safe.all()
