@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -127,20 +126,11 @@ def test_json_of_shipped_cases_fits_its_schema(file: Path) -> None:
 def test_tables_for_people_fit_a_terminal() -> None:
     shown = [asked(command, text=GOOD).out for command in ASKED]
     assert all("\n\n" in text for text in shown)
-    for name in ("moskvich412", "driveline-8hp70"):
-        for call in (
-            ("modes", "--gear", "1"),
-            ("response", "--at", "1", "--orders", "2,4,4.5,6", "--speed", "600:4000:3", "--sum"),
-            *([("dump", "--rate", "50")] if name == "moskvich412" else []),
-        ):
-            found = vstatics("torsion", call[0], CASES / f"{name}.yaml", *call[1:]).out
-            shown.append(found.partition("\nMessages\n")[0])
+    asked_for = ("--at", "1", "--orders", "2,4,4.5,6", "--speed", "600:4000:3", "--sum")
+    for call in (("modes", "--gear", "1"), ("response", *asked_for), ("dump", "--rate", "50")):
+        found = vstatics("torsion", call[0], CASES / "moskvich412.yaml", *call[1:]).out
+        shown.append(found.partition("\nMessages\n")[0])
     assert max(len(line) for text in shown for line in text.splitlines()) <= 80
-
-
-def test_digits_are_those_asked_for() -> None:
-    assert re.search(r"\b\d*\.\d{7}\b", asked("modes", "--digits", "7", text=CHAIN).out)
-    assert asked("modes", "--digits", "7", "-f", "json").status == 2
 
 
 @pytest.mark.parametrize("command", ASKED)
@@ -150,15 +140,6 @@ def test_json_from_a_pipe_tells_its_file_as_other_commands_do(command: str) -> N
     from_file = vstatics("torsion", command, "box.yaml", *ASKED[command], "-f", "json").out
     assert json.loads(from_file) == {**made, "file": "box.yaml"}
     assert said("modes", text=CHAIN).out.startswith("<stdin>\n")  # without a name
-
-
-def test_the_input_may_be_of_any_format() -> None:
-    case = vstatics("convert", "box.yaml", "-", "--to", "json").out
-    for name in ("box.dat", "box.json", "box.txt"):
-        Path(name).write_text(case, encoding="utf-8")
-        found = vstatics("torsion", "modes", name, "--from", "json", "-f", "csv")
-        assert found.out == said("modes", "-f", "csv", text=GOOD).out
-        assert vstatics("torsion", "modes", name, "--from", "deck").status == 1
 
 
 @each_call

@@ -18,8 +18,7 @@ from tests.torsion.pictures.marks import PAPER, Mark, drawn, marks, plotted, tre
 from vstatics import Gear, Load, Results, Spring, Transmission, load, solve
 from vstatics.core.model.parts import Damping
 from vstatics.pictures import picture
-from vstatics.pictures.drawing.style import PAGE_HEIGHT, Excitation, Style
-from vstatics.torsion.pictures.orders import campbell
+from vstatics.pictures.drawing.style import Excitation, Style
 from vstatics.torsion.pictures.orders.orders_and_speeds import ORDERS, running_speeds
 
 FASTEST = {
@@ -211,29 +210,6 @@ def test_modes_above_the_highest_order_are_named() -> None:
     assert any(one.startswith("1: 720.0 Hz") and "↑" in one for one in texts)
 
 
-def test_pages_take_what_does_not_fit_one() -> None:
-    """A chain of forty masses has more rows than a page; each row is on one of them."""
-    links = range(1, 41)
-    springs = [Spring({k: 1, k + 1: -1}, 3e4, name=f"s{k}") for k in links[:-1]]
-    inertias = {k: 0.1 * (1 + 0.01 * k) for k in links}
-    gears = [Gear(), Gear(load=Load(speed=6000.0))]
-    results = solve(Transmission(*(40, [], [], gears), springs=springs, inertias=inertias))
-    style = Style(height=PAGE_HEIGHT)
-    pages = campbell.draw(results, style)
-    [whole] = campbell.draw(results, Style())
-    assert len(pages) > 1
-    for one in pages:
-        wide, high = (72 * size for size in one.get_size_inches())
-        assert wide <= style.width + 0.01
-        assert high <= PAGE_HEIGHT + 0.01
-
-    def table(text: str) -> bool:
-        return text.replace(".", "").isdigit()
-
-    on_pages = sorted(text for one in pages for text in said.texts(one) if table(text))
-    assert {text for text in said.texts(whole) if table(text)} <= set(on_pages) | {"0"}
-
-
 def test_many_orders_make_several_tables_no_wider_than_the_page() -> None:
     orders = tuple(float(n) for n in range(1, 25))
     style = Style(excited=Excitation(orders=orders))
@@ -255,20 +231,6 @@ def test_wrong_use(tmp_path: Path) -> None:
         call = (CASES / "moskvich412.yaml", "-k", kind, *options, "-o", tmp_path / "a.svg")
         assert vstatics("plot", *call).is_wrong_use(why), options
     assert list(tmp_path.iterdir()) == []
-
-
-def test_orders_and_links_are_asked_for_in_python_too() -> None:
-    from vstatics.pictures.plotting import plot
-
-    results = shipped_results("moskvich-start.yaml")
-    svg = plot(results, "campbell", orders=[3, 1.5])._repr_svg_().encode()
-    assert [one.data["order"] for one in marks(svg, "order")] == ["1.5", "3"]
-    svg = plot(results, "response", orders=[2], at="wheels")._repr_svg_().encode()
-    assert "amplitude of wheels" in "".join(tree(svg).itertext())
-    with pytest.raises(ValueError, match=r"read orders \[0\], expected numbers above 0"):
-        plot(results, "campbell", orders=[0])
-    with pytest.raises(ValueError, match="no link 'wheel'"):
-        plot(results, "response", at="wheel")
 
 
 @pytest.mark.parametrize("seed", range(count(4, 200)))
