@@ -29,6 +29,25 @@ def chain(
     )
 
 
+def wheels(propshaft: float = 70.0, damping: float = 0.0, **others: Any) -> Transmission:
+    """Two equal wheels on equal half-shafts behind an engine; in antiphase at sqrt(50/2), 5 rad/s."""
+    shafts = {"propshaft": (1, 2, propshaft), "left": (2, 3, 50.0), "right": (2, 4, 50.0)}
+    springs = [
+        Spring({a: 1, b: -1}, stiffness=c, damping=damping, name=name)
+        for name, (a, b, c) in shafts.items()
+    ]
+    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
+    return Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4, **others)
+
+
+def mounted(
+    damping: Damping | float, stiffness: float = 100.0, inertia: float = 1.0
+) -> Transmission:
+    """One mass on a spring to the housing."""
+    spring = Spring({1: 1}, stiffness=stiffness, damping=damping, name="mount")
+    return Transmission(1, [], [], [], springs=[spring], inertias={1: inertia})
+
+
 def matrices(case: Transmission) -> tuple[Array, Array, Array]:
     """M, K and D of a case of springs alone, by the definition of the source (section 1)."""
     size = case.links
@@ -51,7 +70,7 @@ def eigenvalues(mass: Array, stiffness: Array, resistance: Array, rigid: int = 0
     """
     zero, unit = np.zeros_like(mass), np.eye(len(mass))
     companion = np.block([[zero, unit], [-stiffness, -resistance]])
-    values = np.asarray(linalg.eigvals(companion, linalg.block_diag(unit, mass)))
+    values = np.asarray(linalg.eigvals(companion, linalg.block_diag(unit, mass)), complex)
     values = values[np.argsort(np.abs(values))][2 * rigid :]
     return values[(np.abs(values) < 1e6) & (values.imag >= -1e-7 * np.abs(values))]
 

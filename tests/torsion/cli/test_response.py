@@ -35,39 +35,32 @@ def _files(folder: Path) -> None:
     (folder / "engine.csv").write_text(TABLE, encoding="utf-8")
 
 
-def test_json_has_the_moduli_of_the_library() -> None:
-    made = document("response", *AT, "--orders", "2,4.5", *SPEED, text=GOOD)
+def test_json_has_what_the_library_has() -> None:
+    """A table gives orders, amplitudes and phases, of which some may be chosen, each once."""
     speeds = [600.0, 700.0, 800.0, 900.0, 1000.0]
-    [expected] = response(loads(GOOD), "engine", [Harmonic(2.0), Harmonic(4.5)], speeds)
-    [gear] = made["gears"]
-    assert (made["at"], gear["speeds"]) == ("engine", expected.speeds.tolist())
-    assert set(gear["speeds"]) == {*speeds, *(one["speed"] for one in gear["resonances"])}
-    assert [one["order"] for one in gear["orders"]] == [2.0, 4.5]
-    for told, one in zip(gear["orders"], expected.orders, strict=True):
-        assert told["amplitudes"] == {k: np.abs(v).tolist() for k, v in one.amplitudes.items()}
-        assert told["torques"] == {k: np.abs(v).tolist() for k, v in one.torques.items()}
-    assert gear["resonances"] == [one._asdict() for one in expected.resonances]
-    assert "sum" not in gear
-
-
-def test_a_table_gives_orders_amplitudes_and_phases() -> None:
-    """Sums of orders are those of the library, whose tests have them in closed form."""
-    [one] = document("response", *AT, "--orders", "2,4", *SPEED, text=GOOD)["gears"]
-    call = ("response", *AT, "--torque", "engine.csv", *SPEED, "--sum")
-    [given] = document(*call, text=GOOD)["gears"]
-    [chosen] = document(*call, "--orders", "4,2,4", text=GOOD)["gears"]
-    assert [order["order"] for order in given["orders"]] == [2.0, 4.0, 6.0]
-    assert [order["order"] for order in chosen["orders"]] == [4.0, 2.0]
-    for place, factor in ((0, 80), (1, 25)):
-        expected = factor * np.array(one["orders"][place]["torques"]["damper"])
-        assert given["orders"][place]["torques"]["damper"] == pytest.approx(expected)
-    harmonics = [Harmonic(4.0, 25.0, math.pi / 2), Harmonic(2.0, 80.0)]
-    [summed] = response(loads(GOOD), "engine", harmonics, [600.0, 700.0, 800.0, 900.0, 1000.0])
-    total = summed.with_sum().sum
-    assert total is not None
-    for part in ("largest", "rms"):
-        found = chosen["sum"]["amplitudes"]["disc"][part]
-        assert found == pytest.approx(getattr(total.amplitudes["disc"], part))
+    six = Harmonic(6.0, 8.0, -math.pi / 4)
+    two, four = Harmonic(2.0, 80.0), Harmonic(4.0, 25.0, math.pi / 2)
+    table = ("--torque", "engine.csv", "--sum")
+    for options, harmonics in (
+        (("--orders", "2,4.5"), [Harmonic(2.0), Harmonic(4.5)]),
+        (table, [two, four, six]), ((*table, "--orders", "4,2,4"), [four, two]),
+    ):  # fmt: skip
+        made = document("response", *AT, *options, *SPEED, text=GOOD)
+        [found], [expected] = made["gears"], response(loads(GOOD), "engine", harmonics, speeds)
+        assert (made["at"], found["speeds"]) == ("engine", expected.speeds.tolist())
+        assert set(found["speeds"]) == {*speeds, *(one["speed"] for one in found["resonances"])}
+        assert found["resonances"] == [one._asdict() for one in expected.resonances]
+        for told, one in zip(found["orders"], expected.orders, strict=True):
+            assert told["order"] == one.order
+            for key in ("amplitudes", "torques"):
+                sizes = {name: np.abs(own).tolist() for name, own in getattr(one, key).items()}
+                assert told[key] == sizes
+        total = expected.with_sum().sum
+        assert total is not None
+        assert ("sum" in found) == ("--sum" in options)
+        for part in ("largest", "rms") if "sum" in found else ():
+            own = getattr(total.amplitudes["disc"], part).tolist()
+            assert found["sum"]["amplitudes"]["disc"][part] == own
 
 
 def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:

@@ -63,20 +63,6 @@ def test_table_3_16_in_relative_units(vehicle: str) -> None:
             assert made.dynamic_factor == pytest.approx(printed, rel=0.7e-2)
 
 
-@pytest.mark.parametrize("line", TABLE_3_8, ids=named)
-def test_any_system_of_units_gives_the_same(line: Line) -> None:
-    """Units of inertia, compliance and torque are chosen, those of time and speed follow."""
-    given = line.given
-    inertia, compliance, torque = given.J2, given.E, given.slipping_torque
-    speed = torque * math.sqrt(compliance / inertia)
-    units = [*[inertia] * 5, compliance, torque, torque, speed]
-    relative = Dump._make(number / unit for number, unit in zip(given, units, strict=True))
-    own, other = dump(given), dump(relative)
-    assert own.case == other.case
-    assert [one * torque for one in other[1:5]] == pytest.approx(own[1:5], rel=1e-12)
-    assert other.max_torque == pytest.approx(own.dynamic_factor, rel=1e-12)
-
-
 MARGIN = {"B3": (0.02, 0.04), "V2": (0.16, 0.24), "V3": (0.02, 0.04)}
 """How far closed forms are above an integration in time; those of A are exact."""
 

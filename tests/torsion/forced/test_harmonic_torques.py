@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 
 from tests.chance import seeded
-from tests.torsion.systems import branched, chain, matrices, with_planetary_set
+from tests.torsion.systems import branched, chain, matrices, mounted, wheels, with_planetary_set
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.cycle import summed
@@ -22,8 +22,7 @@ SPEEDS = np.array([100.0, 300.0, 1000.0])
 
 
 def one_mass(damping: Damping | float) -> Transmission:
-    spring = Spring({1: 1}, stiffness=800.0, damping=damping, name="mount")
-    return Transmission(1, [], [], [], springs=[spring], inertias={1: 0.5})
+    return mounted(damping, 800.0, 0.5)
 
 
 @pytest.mark.parametrize(
@@ -86,10 +85,7 @@ def test_resonances_lie_where_an_order_meets_a_natural_frequency() -> None:
 
 def test_a_link_that_stands_in_a_mode_does_not_excite_it() -> None:
     """Two equal wheels on equal half-shafts in antiphase, at 5 rad/s: from a wheel only."""
-    twists = ({1: 1, 2: -1}, {2: 1, 3: -1}, {2: 1, 4: -1})
-    springs = [Spring(a, c, damping=0.02) for a, c in zip(twists, (70.0, 50.0, 50.0), strict=True)]
-    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
-    case = Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4)
+    case = wheels(damping=0.02)
     omegas = [mode.omega for mode in modes(case)[0].modes]
     [antiphase] = [number for number, one in enumerate(omegas, 1) if one == pytest.approx(5.0)]
     for link, excited in ((1, False), (2, False), (3, True)):

@@ -15,6 +15,7 @@ from tests.installed import needs
 from tests.pictures import drawn as said
 from tests.shipped import shipped_results
 from tests.torsion.pictures.marks import PAPER, Mark, drawn, marks, plotted, tree
+from tests.torsion.systems import wheels
 from vstatics import Gear, Load, Results, Spring, Transmission, load, solve
 from vstatics.core.model.parts import Damping
 from vstatics.pictures import picture
@@ -135,10 +136,7 @@ def test_the_fill_tells_the_damping(loss: float, place: int) -> None:
 @pytest.mark.parametrize(("link", "excited"), [(1, False), (3, True)])
 def test_a_mode_in_which_the_input_stands_has_no_resonance(link: int, excited: bool) -> None:
     """Two equal wheels on equal half-shafts, in antiphase at ``sqrt(c/J)``, 5 rad/s or 0.8 Hz."""
-    twists = [{1: 1, 2: -1}, {2: 1, 3: -1}, {2: 1, 4: -1}]
-    springs = [Spring(twist, c) for twist, c in zip(twists, (70.0, 50.0, 50.0), strict=True)]
-    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
-    case = Transmission(*(4, [], [], []), springs=springs, inertias=inertias, input=link, output=4)
+    case = wheels(input=link)
     svg = drawn(solve(case), "campbell")
     frequencies = {
         round(float(one.data["rpm"]) * float(one.data["order"]) / 60, 3)

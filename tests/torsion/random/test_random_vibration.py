@@ -12,7 +12,7 @@ from scipy.integrate import quad, quad_vec
 
 from tests.chance import count, seeded
 from tests.installed import needs
-from tests.torsion.systems import Array, matrices
+from tests.torsion.systems import Array, matrices, mounted
 from vstatics import Damping, Gear, Load, Mechanism, Spring, Transmission
 from vstatics.core.model.converters import Converter
 from vstatics.torsion import modes, random_vibration
@@ -23,15 +23,14 @@ ROAD = Correlation(1e-4, ((1.0, 0.3, 0.8),), 10.0)
 IN_BAND = SpectrumPoints(((2.0, 0.5), (9.0, 2.0), (30.0, 0.1), (60.0, 0.0)))
 
 
-def mounted(damping: Damping | float = 3.0) -> Transmission:
+def mass(damping: Damping | float = 3.0) -> Transmission:
     """A mass of 2 kg*m^2 on 200 N*m/rad."""
-    mount = Spring({1: 1}, stiffness=200.0, damping=damping, name="mount")
-    return Transmission(1, [], [], [], springs=[mount], inertias={1: 2.0})
+    return mounted(damping, 200.0, 2.0)
 
 
 def test_white_torque_on_one_mass() -> None:
     """D = pi S/(k c), D' = pi S/(k J), crossings sqrt(c/J)/2 pi; no variance of the acceleration."""
-    [gear] = random_vibration(mounted(), 1, White(2.5))
+    [gear] = random_vibration(mass(), 1, White(2.5))
     one, link = gear.devices["mount"], gear.links["1"]
     assert one.twist_rms**2 == pytest.approx(math.pi * 2.5 / (3 * 200), rel=1e-12)
     assert one.twist_rate_rms**2 == pytest.approx(math.pi * 2.5 / (3 * 2), rel=1e-12)
@@ -45,7 +44,7 @@ def test_white_torque_on_one_mass() -> None:
 def test_the_spectrum_of_a_twist_is_that_of_the_torque_by_the_square_of_the_answer() -> None:
     """S/((c - J w^2)^2 + (d w)^2), at, below and above the resonance of 10 rad/s."""
     omegas = np.array([0.0, 3.0, 10.0, 25.0])
-    [gear] = random_vibration(mounted(), 1, White(2.5), omegas=omegas)
+    [gear] = random_vibration(mass(), 1, White(2.5), omegas=omegas)
     assert gear.spectrum is not None
     assert gear.spectrum.input.tolist() == [2.5] * 4
     expected = 2.5 / ((200 - 2 * omegas**2) ** 2 + (3 * omegas) ** 2)
@@ -82,13 +81,13 @@ def test_a_link_that_is_moved_through_a_pair_moves_by_the_ratio(ratio: float) ->
 
 
 def test_without_damping_there_are_values_away_from_the_resonance_alone() -> None:
-    [nothing] = random_vibration(mounted(0.0), 1, White(1.0))
+    [nothing] = random_vibration(mass(0.0), 1, White(1.0))
     assert np.isnan([*nothing.devices["mount"][:4], *nothing.links["1"]]).all()
     assert nothing.half_widths == [0.0]
-    [hit] = random_vibration(mounted(0.0), 1, IN_BAND)
+    [hit] = random_vibration(mass(0.0), 1, IN_BAND)
     assert math.isnan(hit.devices["mount"].twist_rms)
     above = SpectrumPoints(((12.0, 3.0), (20.0, 3.0)))
-    [some] = random_vibration(mounted(0.0), 1, above)
+    [some] = random_vibration(mass(0.0), 1, above)
     exact, _ = quad(lambda w: 6 / (200 - 2 * w * w) ** 2, 12, 20, epsabs=0, epsrel=1e-12)
     assert some.devices["mount"].twist_rms ** 2 == pytest.approx(exact, rel=1e-10)
 
@@ -214,14 +213,14 @@ def test_life_of_a_device_with_a_fatigue_strength() -> None:
     from vstatics.vehicle.case.fatigue import Fatigue
 
     strength = Fatigue(100e6, 3, 4e6, section_modulus=1e-6)
-    [bare] = random_vibration(mounted(), 1, White(1.0))
+    [bare] = random_vibration(mass(), 1, White(1.0))
     wanted = 60e6 * 1e-6 / (200 * bare.devices["mount"].twist_rms)  # to a stress of 60 MPa
-    case = mounted().replace(fatigue={"mount": strength})
+    case = mass().replace(fatigue={"mount": strength})
     [gear] = random_vibration(case, 1, White(wanted**2))
     one = gear.devices["mount"]
     assert one.life == pytest.approx((100 / 60) ** 3 * 4e6 / 3.6191919 / one.crossings, rel=1e-7)
     assert bare.devices["mount"].life is None
-    [none] = random_vibration(mounted(0.0).replace(fatigue={"mount": strength}), 1, White(1.0))
+    [none] = random_vibration(mass(0.0).replace(fatigue={"mount": strength}), 1, White(1.0))
     assert none.devices["mount"].life is not None
     assert math.isnan(none.devices["mount"].life)
 

@@ -83,7 +83,10 @@ def test_any_scheme_keeps_its_stiffness_and_frequencies(seed: int) -> None:
 def test_a_meeting_of_three_stays_where_the_shape_is_kept() -> None:
     star = light([1, 1, 1, 0], *(({n: 1.0, 3: -1.0}, 1.0) for n in range(3)))
     assert tidied(star) == star
-    assert len(without_massless(star).springs) == 2
+    springs = zip(star.springs, (9.0, 18.0, 27.0), strict=True)
+    damped = star._replace(springs=tuple(one._replace(damping=d) for one, d in springs))
+    found = without_massless(damped).springs  # a with b, then c with half of both, by (П1.14)
+    assert [one.damping for one in found] == pytest.approx([27 / 4, (27 / 9 + 27 * 4 / 9) / 4])
 
 
 def test_parallel_springs_are_one() -> None:

@@ -42,19 +42,6 @@ def test_one_spring_on_any_masses() -> None:
     assert found == pytest.approx((expected,))
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 10])
-def test_chains_of_equal_masses(count: int) -> None:
-    """2 sqrt(c/J) sin(a) with c/J = 25: free a = k pi/2n, held at one end (2k - 1) pi/(4n + 2)."""
-    free = TorsionScheme(
-        *masses(*[2.0] * count), tuple(shaft(n, n + 1, 0.02) for n in range(count - 1))
-    )
-    expected = [10 * math.sin(k * math.pi / 2 / count) for k in range(1, count)]
-    assert natural_frequencies(free) == pytest.approx(expected)
-    held = free._replace(springs=(*free.springs, SchemeSpring("mount", {0: 1}, 0.02)))
-    angles = [(2 * k - 1) * math.pi / (4 * count + 2) for k in range(1, count + 1)]
-    assert natural_frequencies(held) == pytest.approx([10 * math.sin(one) for one in angles])
-
-
 def test_stiffnesses_that_are_far_apart() -> None:
     """Two equal masses in a row on the housing: the product of omegas is sqrt(c1 c2)/J.
 

@@ -7,20 +7,11 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.installed import needs
-from tests.torsion.systems import Array, chain
+from tests.torsion.systems import Array, chain, wheels
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from tests.torsion.vibration.test_variants import system_of
-from vstatics import Spring, Transmission
+from vstatics import Transmission
 from vstatics.torsion.vibration.variants import variant_frequencies
-
-
-def wheels(propshaft: float) -> Transmission:
-    """Two equal wheels on equal half-shafts behind an engine; in antiphase at 5 rad/s."""
-    twists = {"propshaft": {1: 1, 2: -1}, "left": {2: 1, 3: -1}, "right": {2: 1, 4: -1}}
-    rates = {"propshaft": propshaft, "left": 50.0, "right": 50.0}
-    springs = [Spring(twist, rates[name], name=name) for name, twist in twists.items()]
-    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
-    return Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4)
 
 
 def test_wheels_in_antiphase_keep_their_number() -> None:

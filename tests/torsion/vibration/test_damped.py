@@ -11,19 +11,13 @@ from hypothesis import given, settings
 from scipy import linalg
 
 from tests.chance import count, seeded
-from tests.torsion.systems import Array, branched, chain, eigenvalues, matrices
+from tests.torsion.systems import Array, branched, chain, eigenvalues, matrices, mounted
 from tests.torsion.vibration.test_gear_modes import only
 from vstatics import CaseError, Damping, Spring, Transmission
 from vstatics.torsion import Harmonic, response
 from vstatics.torsion.vibration.eigen_pairs import order_of
 from vstatics.torsion.vibration.gear_modes import modes
 from vstatics.torsion.vibration.refined import Pencils
-
-
-def mounted(damping: Damping | float, stiffness: float = 100.0) -> Transmission:
-    """One mass of 1 kg*m^2 on a spring to the housing."""
-    spring = Spring({1: 1}, stiffness=stiffness, damping=damping, name="mount")
-    return Transmission(1, [], [], [], springs=[spring], inertias={1: 1.0})
 
 
 @pytest.mark.parametrize("damping", [0.0, 12.0, 25.0, 60.0, Damping(loss_factor=6.0)])

@@ -7,7 +7,6 @@ import math
 from fractions import Fraction
 
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -21,16 +20,6 @@ DECADES = 10.0 ** np.arange(-12, 13)
 
 def squares(poles: list[float], weights: list[float], compliances: Array, mode: int) -> Array:
     return squares_with_device(Poles(np.array(poles), np.array(weights)), compliances, mode)
-
-
-@pytest.mark.parametrize("mode", [0, 1])
-def test_two_poles_have_a_quadratic_equation(mode: int) -> None:
-    """``(x - 1)(x - 9) = c (5 x - 21)`` for weights 2 and 3; the roots' product is ``9 + 21 c``."""
-    found = squares([1.0, 9.0], [2.0, 3.0], DECADES, mode)
-    for compliance, x in zip(DECADES, found, strict=True):
-        c = 1 / compliance
-        larger = 5 + 2.5 * c + math.sqrt(16 + 4 * c + 6.25 * c**2)
-        assert x == pytest.approx(larger if mode else (9 + 21 * c) / larger, rel=1e-12)
 
 
 def test_one_of_two_modes_of_one_frequency_is_not_changed() -> None:
