@@ -72,7 +72,8 @@ def eigenvalues(mass: Array, stiffness: Array, resistance: Array, rigid: int = 0
     companion = np.block([[zero, unit], [-stiffness, -resistance]])
     values = np.asarray(linalg.eigvals(companion, linalg.block_diag(unit, mass)), complex)
     values = values[np.argsort(np.abs(values))][2 * rigid :]
-    return values[(np.abs(values) < 1e6) & (values.imag >= -1e-7 * np.abs(values))]
+    upper: Array = values[(np.abs(values) < 1e6) & (values.imag >= -1e-7 * np.abs(values))]
+    return upper
 
 
 @st.composite

@@ -8,8 +8,8 @@ from tests.commands import ROOT
 from tests.published.pages import SOURCES, rounded, rows
 from tests.torsion.book import scheme
 from tests.torsion.published.vehicle_dynamics_cells import cells
+from tests.torsion.test_book_vehicles import APART, PUBLISHED
 from tests.torsion.test_simplification_tables import GEARS
-from tests.torsion.test_table_2_10 import APART, PUBLISHED
 from vstatics.torsion.reduction.scheme import natural_frequencies
 
 
