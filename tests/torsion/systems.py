@@ -30,7 +30,7 @@ def chain(
 
 
 def wheels(propshaft: float = 70.0, damping: float = 0.0, **others: Any) -> Transmission:
-    """Two equal wheels on equal half-shafts behind an engine; in antiphase at sqrt(50/2), 5 rad/s."""
+    """Two equal wheels on equal half-shafts behind an engine; in antiphase at 5 rad/s."""
     shafts = {"propshaft": (1, 2, propshaft), "left": (2, 3, 50.0), "right": (2, 4, 50.0)}
     springs = [
         Spring({a: 1, b: -1}, stiffness=c, damping=damping, name=name)
@@ -64,7 +64,7 @@ def matrices(case: Transmission) -> tuple[Array, Array, Array]:
 
 
 def eigenvalues(mass: Array, stiffness: Array, resistance: Array, rigid: int = 0) -> Array:
-    """Those of ``(s^2 M + s D + K) x = 0`` in the upper half plane, by SciPy's QZ, M may be singular.
+    """Those of ``(s^2 M + s D + K) x = 0`` in the upper half plane, by SciPy's QZ; M can be singular.
 
     Two zeros of each rigid mode are left out.
     """

@@ -270,7 +270,8 @@ def test_the_help_of_the_group_imports_no_command() -> None:
     code = (
         "import sys; from vstatics.core.cli import main\n"
         "main(['torsion', '--help'], standalone_mode=False)\n"
-        "print(*sorted(one for one in sys.modules if one.startswith(('scipy', 'vstatics.torsion'))))"
+        "late = 'scipy', 'vstatics.torsion'\n"
+        "print(*sorted(one for one in sys.modules if one.startswith(late)))"
     )
     done = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment()

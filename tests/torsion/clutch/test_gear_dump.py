@@ -30,11 +30,11 @@ def car(vehicle: str) -> str:
     own = [float(one) for one in ratios.strip("[]").split(",")]
     before = (first.J3 - direct.J3) / (own[0] ** 2 - 1)
     square = final**2
-    pairs = "\n".join(
-        f"  pair {n}: {{first: disc, second: wheel {n}, ratio: {one}}}"
-        for n, one in enumerate(own, 1)
-    )
+    pair = "  pair {0}: {{first: disc, second: wheel {0}, ratio: {1}}}"
+    pairs = "\n".join(pair.format(n, one) for n, one in enumerate(own, 1))
     elements = ", ".join(f"dog {n}: [wheel {n}, propshaft]" for n in range(1, 5))
+    gears = ", ".join(f"{n}: [clutch, dog {n}]" for n in range(1, 5))
+    shafts = "{crown wheel: 1, wheels: -1, axle: -1}"
     return f"""\
 output: vehicle
 inertias:
@@ -46,7 +46,7 @@ inertias:
   vehicle: {direct.J5 * square}
   axle: 0.9
 springs:
-  half-shafts: {{twist: {{crown wheel: 1, wheels: -1, axle: -1}}, compliance: {direct.E / square / 2}}}
+  half-shafts: {{twist: {shafts}, compliance: {direct.E / square / 2}}}
   tyres: {{links: [wheels, vehicle], compliance: {direct.E / square / 8}}}
   leaf springs: {{links: [axle, housing], compliance: {direct.E / square * 3 / 8}}}
 shift_elements: {{clutch: [engine, disc], {elements}}}
@@ -54,7 +54,7 @@ mechanisms:
   shaft: {{first: disc, second: input shaft, ratio: 1}}
 {pairs}
   final drive: {{first: propshaft, second: crown wheel, ratio: {final}}}
-gears: {{1: [clutch, dog 1], 2: [clutch, dog 2], 3: [clutch, dog 3], 4: [clutch, dog 4], N: [clutch], open: [dog 1]}}
+gears: {{{gears}, N: [clutch], open: [dog 1]}}
 dump: {{J1: [engine], J2: [disc], J3: [input shaft, propshaft], J4: [wheels], J5: [vehicle],
   M_C0: {direct.M_C0}, M_phi: {direct.M_phi * final}, omega1: {direct.omega1}, to: propshaft}}
 """

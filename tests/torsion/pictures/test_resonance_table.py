@@ -31,7 +31,7 @@ def ratios_of(random: Random) -> list[float]:
 
 
 def driveline(random: Random, ratios: list[float]) -> tuple[Transmission, list[tuple[Array, ...]]]:
-    """Engine 1, input 2, cage 3, wheels 4 and 5, car 6; M, K and D of each gear by 1, 2, 4, 5, 6."""
+    """Engine 1, input 2, cage 3, wheels 4 and 5, car 6; M, K, D of each gear by 1, 2, 4, 5, 6."""
     masses = [10 ** random.uniform(-1.5, 1) for _ in range(5)] + [200.0]
     right = random.choice([1.0, 1.0, 1.25])  # equal shafts have a mode in which the engine stands
     rates = [10 ** random.uniform(2, 3.5), 8e3, 8e3 * right, 1.2e4, 1.2e4 * right]

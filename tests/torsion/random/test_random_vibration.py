@@ -1,4 +1,4 @@
-"""Random vibration: closed forms, numbers of a road, quadrature over a transfer function made here."""
+"""Random vibration: closed forms, and quadrature over a transfer function made here."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def mass(damping: Damping | float = 3.0) -> Transmission:
 
 
 def test_white_torque_on_one_mass() -> None:
-    """D = pi S/(k c), D' = pi S/(k J), crossings sqrt(c/J)/2 pi; no variance of the acceleration."""
+    """D = pi S/(k c), D' = pi S/(k J), crossings sqrt(c/J)/2 pi; the acceleration has none."""
     [gear] = random_vibration(mass(), 1, White(2.5))
     one, link = gear.devices["mount"], gear.links["1"]
     assert one.twist_rms**2 == pytest.approx(math.pi * 2.5 / (3 * 200), rel=1e-12)
@@ -209,7 +209,7 @@ def test_a_converter_stills_what_would_drift() -> None:
 
 @needs("vehicle")
 def test_life_of_a_device_with_a_fatigue_strength() -> None:
-    """Damage a second = nu D^(m/2) I/(endurance^m N), I = 3.6191919 of exponent 3 (facts of 4.6)."""
+    """Damage a second = nu D^(m/2) I/(endurance^m N), I = 3.6191919 of exponent 3 (4.6)."""
     from vstatics.vehicle.case.fatigue import Fatigue
 
     strength = Fatigue(100e6, 3, 4e6, section_modulus=1e-6)
@@ -227,7 +227,7 @@ def test_life_of_a_device_with_a_fatigue_strength() -> None:
 
 @pytest.mark.parametrize("seed", range(count(6, 200)))
 def test_accelerations_of_masses_in_a_row_on_a_road(seed: int) -> None:
-    """On a damped tyre the next mass has no variance of it, as what acts follows a rate without one.
+    """On a damped tyre the next mass has no variance of it, as what acts follows such a rate.
 
     Every other mass has: by quadrature of the chain, its matrices written out here. On the last
     mass one spring acts alone, so it is the RMS of this force by the mass.
@@ -255,11 +255,12 @@ def test_accelerations_of_masses_in_a_row_on_a_road(seed: int) -> None:
 
     def squared(omega: float) -> Array:
         [moved] = answers(still, size, True, np.array([omega]))
-        made: Array = omega**4 * np.abs(moved) ** 2 * float(road.at(np.array([omega]))[0])
+        spectrum = float(road.at(np.array([omega]))[0])
+        made: Array = omega**4 * np.abs(moved[:kept]) ** 2 * spectrum
         return made
 
-    kept = size - bool(tyre)
-    integral, *_ = quad_vec(lambda one: squared(one)[:kept], 0, np.inf, epsrel=1e-7)  # type: ignore[misc, arg-type]
+    kept, infinite = size - bool(tyre), float(np.inf)
+    integral, *_ = quad_vec(squared, 0, infinite, epsrel=1e-7)  # type: ignore[misc, arg-type]
     assert found[:kept] == pytest.approx(np.sqrt(2 * integral), rel=1e-5)
     [device, *_] = gear.devices.values()
     assert found[0] == pytest.approx(device.torque_rms / masses[0], rel=1e-9)
@@ -269,7 +270,7 @@ def test_accelerations_of_masses_in_a_row_on_a_road(seed: int) -> None:
 def test_a_correlation_over_time_is_the_cosine_transform_of_its_spectrum(
     speed: float | None,
 ) -> None:
-    """Without a speed alpha and beta are rates: R(t) = variance exp(-alpha t) cos(beta t), summed."""
+    """Without a speed alpha and beta are rates: R(t) = sum of D exp(-alpha t) cos(beta t)."""
     shares, pace = ((0.85, 0.45, 0.8), (0.15, 0.9, 0.1)), speed or 1.0
     road = Correlation(2e-4, shares, speed)
     for time in (0.3, 1.0):

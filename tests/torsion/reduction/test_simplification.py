@@ -268,11 +268,12 @@ def test_what_is_asked_for_must_be_possible() -> None:
     light = CHAIN._replace(inertias=(*CHAIN.inertias[:2], 0.0, *CHAIN.inertias[3:]))
     remain = "natural frequencies to remain (--links), expected 1 to 5: the scheme has 5"
     most = "expected 1 at most, so that 4 of 5 natural frequencies remain"
+    of_scheme = "to remove, expected a link of the scheme; did you mean `3`?"
     for given, count, remove, told in (
         (CHAIN, 0, (), f"read 0 {remain}"),
         (CHAIN, 6, (), f"read 6 {remain}"),
         (CHAIN, 4, ("2", "3"), f"read 2 links to remove, {most}"),
-        (CHAIN, 3, ("33",), "read `33` to remove, expected a link of the scheme; did you mean `3`?"),
+        (CHAIN, 3, ("33",), f"read `33` {of_scheme}"),
         (CHAIN, 3, ("2", "2"), "read `2` to remove, which is already removed"),
         (apart, 2, ("apart",), "`apart` cannot be removed: no component acts on it"),
         (light, 2, ("3",), "read `3` to remove, expected a link with inertia"),

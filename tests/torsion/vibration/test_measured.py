@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import pytest
 
@@ -34,21 +35,18 @@ gears: {1: [I], 4: [IV], both: [I, IV]}
 def corrected(case: Transmission, made: Identified) -> Transmission:
     """The case with what was identified."""
 
-    def changes(name: str) -> dict[str, float]:
-        one = {"stiffness": 1 / made.compliances[name]}
-        return one | ({"damping": made.dampings[name]} if made.dampings else {})
+    def those(devices: Sequence[Any]) -> list[Any]:
+        found = []
+        for one in devices:
+            own = {"compliance": None} if isinstance(one, Spring) else {}
+            if one.name in made.compliances:
+                own |= {"stiffness": 1 / made.compliances[one.name]}
+                own |= {"damping": made.dampings[one.name]}
+            found.append(one._replace(**own))
+        return found
 
-    return case.replace(
-        springs=[one._replace(compliance=None, **changes(one.name)) for one in case.springs],  # type: ignore[arg-type]
-        mechanisms=[
-            one._replace(**changes(one.name)) if one.stiffness else one  # type: ignore[arg-type]
-            for one in case.mechanisms
-        ],
-        shift_elements=[
-            one._replace(**changes(one.name)) if one.name in made.compliances else one  # type: ignore[arg-type]
-            for one in case.shift_elements
-        ],
-    )
+    parts = ("springs", "mechanisms", "shift_elements")
+    return case.replace(**{part: those(getattr(case, part)) for part in parts})
 
 
 def mode(case: Transmission, gear: str, number: int = 1) -> Mode:

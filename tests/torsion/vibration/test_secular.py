@@ -1,4 +1,4 @@
-"""Frequencies by the stiffness of one device: against closed forms, and inserted in the equation."""
+"""Frequencies by the stiffness of one device: closed forms, and inserted in the equation."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def squares(poles: list[float], weights: list[float], compliances: Array, mode: 
 
 
 def test_one_of_two_modes_of_one_frequency_is_not_changed() -> None:
-    """Of both, one shape can be chosen that does not twist the device; nor where it has no weight."""
+    """Of both, one shape can be chosen that does not twist the device; or none has a weight."""
     for poles, weights, stays in (
         ([1.0, 4.0, 4.0], [2.0, 3.0, 1.0], 4), ([1.0, 4.0, 4.0 * (1 + 1e-15)], [2.0, 3.0, 1.0], 4),
         ([0.0, 2.0, 2.0, 5.0], [1.0, 1.0, 2.0, 1.0], 2), ([1.0, 4.0], [0.0, 0.0], 4),
