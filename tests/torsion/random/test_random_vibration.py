@@ -260,7 +260,7 @@ def test_accelerations_of_masses_in_a_row_on_a_road(seed: int) -> None:
         return made
 
     kept, infinite = size - bool(tyre), float(np.inf)
-    integral, *_ = quad_vec(squared, 0, infinite, epsrel=1e-7)  # type: ignore[misc, arg-type]
+    integral, *_ = quad_vec(squared, 0, infinite, epsrel=1e-7)
     assert found[:kept] == pytest.approx(np.sqrt(2 * integral), rel=1e-5)
     [device, *_] = gear.devices.values()
     assert found[0] == pytest.approx(device.torque_rms / masses[0], rel=1e-9)

@@ -38,7 +38,7 @@ def corrected(case: Transmission, made: Identified) -> Transmission:
     def those(devices: Sequence[Any]) -> list[Any]:
         found = []
         for one in devices:
-            own = {"compliance": None} if isinstance(one, Spring) else {}
+            own: dict[str, float | None] = {"compliance": None} if isinstance(one, Spring) else {}
             if one.name in made.compliances:
                 own |= {"stiffness": 1 / made.compliances[one.name]}
                 own |= {"damping": made.dampings[one.name]}
