@@ -72,8 +72,8 @@ def test_any_stiffnesses_and_inertias(case: Transmission, data: st.DataObject) -
     stiff_at, heavy_at = (st.integers(0, n - 1) for n in (len(system.elastic), case.links))
     stiff = data.draw(st.dictionaries(stiff_at, numbers(1e-4, 1e4), max_size=2))
     some = st.lists(st.booleans(), min_size=VARIANTS, max_size=VARIANTS).map(np.array)
-    heavy = data.draw(st.dictionaries(heavy_at, numbers(0.01, 10).flatmap(
-        lambda sizes: some.map(lambda left: sizes * left)), max_size=2))  # fmt: skip
+    sizes = st.builds(np.multiply, numbers(0.01, 10), some)
+    heavy = data.draw(st.dictionaries(heavy_at, sizes, max_size=2))
     if stiff or heavy:
         expected = alone(system, stiff, heavy)
         np.testing.assert_allclose(frequencies(system, stiff, heavy), expected, rtol=1e-9)
