@@ -32,12 +32,7 @@ def first_peak(
 ) -> tuple[float, list[str]]:
     """The torque of the spring at its first maximum, and the events before it.
 
-    Parameters
-    ----------
-    slipping : float
-        Torque of the clutch that slips by that at which it breaks away.
-    sticks : Contacts
-        Contacts that stick at the start.
+    `slipping` is the torque of the clutch that slips by that at which it breaks away.
     """
     disc = given.omega1 * sticks.clutch
     state = np.array([0.0, given.omega1, disc, 0.0, 0.0])  # twist; engine, disc, wheels, vehicle
@@ -46,14 +41,9 @@ def first_peak(
     while True:
         happens = _events(given, sticks)
         made = solve_ivp(
-            _slopes(given, sticks, slipping),
-            (0, span),
-            state,
-            events=[event for _, event in happens],
-            rtol=1e-10,
-            atol=1e-12,
-            max_step=span / 1000,
-        )
+            _slopes(given, sticks, slipping), (0, span), state,
+            events=[event for _, event in happens], rtol=1e-10, atol=1e-12, max_step=span / 1000,
+        )  # fmt: skip
         assert made.t_events is not None
         names = zip((name for name, _ in happens), made.t_events, strict=True)
         [name] = [name for name, times in names if len(times)]
@@ -73,13 +63,11 @@ def _slopes(given: Dump, sticks: Contacts, slipping: float) -> Callable[[float, 
     def slopes(_: float, y: Any) -> list[float]:
         twist, _, disc, wheels, _ = y
         torque = twist / given.E
+        engine, turns = -friction / given.J1, (friction - torque) / near
         if sticks.clutch:
             engine = turns = -torque / (given.J1 + near)
-        else:
-            engine, turns = -friction / given.J1, (friction - torque) / near
-        if sticks.grip:
-            rolls = moves = torque / (far + given.J5)
-        else:
+        rolls, moves = torque / (far + given.J5), torque / (far + given.J5)
+        if not sticks.grip:
             rolls, moves = (torque - given.M_phi) / far, given.M_phi / given.J5
         return [disc - wheels, engine, turns, rolls, moves]
 
@@ -88,22 +76,15 @@ def _slopes(given: Dump, sticks: Contacts, slipping: float) -> Callable[[float, 
 
 def _events(given: Dump, sticks: Contacts) -> list[tuple[str, Any]]:
     """What ends a stage: the speeds of a contact meet, its torque is too large, or the peak."""
-    inertia = given.J1 + given.J2 + given.J3
-
-    def event(name: str, value: Any, direction: int) -> tuple[str, Any]:
-        def terminal(_: float, y: Any) -> float:
-            return float(value(y))
-
-        terminal.terminal, terminal.direction = True, direction  # type: ignore[attr-defined]
-        return name, terminal
-
-    found = [event("peak", lambda y: y[2] - y[3], -1)]
+    breaks = given.M_C0 * (given.J1 + given.J2 + given.J3) / given.J1 * given.E
+    grip = given.M_phi * (given.J4 + given.J5) / given.J5 * given.E
+    happens: dict[str, tuple[int, Any]] = {"peak": (-1, lambda _, y: float(y[2] - y[3]))}
     if sticks.clutch:
-        limit = given.M_C0 * inertia / given.J1 * given.E
-        found.append(event("clutch slips", lambda y: y[0] - limit, 1))
+        happens["clutch slips"] = 1, lambda _, y: float(y[0] - breaks)
     else:
-        found.append(event("clutch sticks", lambda y: y[1] - y[2], -1))
+        happens["clutch sticks"] = -1, lambda _, y: float(y[1] - y[2])
     if sticks.grip:
-        grip = given.M_phi * (given.J4 + given.J5) / given.J5 * given.E
-        found.append(event("grip slips", lambda y: y[0] - grip, 1))
-    return found
+        happens["grip slips"] = 1, lambda _, y: float(y[0] - grip)
+    for direction, event in happens.values():
+        event.terminal, event.direction = True, direction
+    return [(name, event) for name, (_, event) in happens.items()]

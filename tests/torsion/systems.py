@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from hypothesis import strategies as st
+from scipy import linalg
 
 from vstatics import Damping, Gear, Mechanism, ShiftElement, Spring, Transmission
 
@@ -28,6 +29,25 @@ def chain(
     )
 
 
+def wheels(propshaft: float = 70.0, damping: float = 0.0, **others: Any) -> Transmission:
+    """Two equal wheels on equal half-shafts behind an engine; in antiphase at 5 rad/s."""
+    shafts = {"propshaft": (1, 2, propshaft), "left": (2, 3, 50.0), "right": (2, 4, 50.0)}
+    springs = [
+        Spring({a: 1, b: -1}, stiffness=c, damping=damping, name=name)
+        for name, (a, b, c) in shafts.items()
+    ]
+    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
+    return Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4, **others)
+
+
+def mounted(
+    damping: Damping | float, stiffness: float = 100.0, inertia: float = 1.0
+) -> Transmission:
+    """One mass on a spring to the housing."""
+    spring = Spring({1: 1}, stiffness=stiffness, damping=damping, name="mount")
+    return Transmission(1, [], [], [], springs=[spring], inertias={1: inertia})
+
+
 def matrices(case: Transmission) -> tuple[Array, Array, Array]:
     """M, K and D of a case of springs alone, by the definition of the source (section 1)."""
     size = case.links
@@ -41,6 +61,19 @@ def matrices(case: Transmission) -> tuple[Array, Array, Array]:
         stiffness += spring.rate * np.outer(row, row)
         resistance += spring.damping.viscous * np.outer(row, row)
     return mass, stiffness, resistance
+
+
+def eigenvalues(mass: Array, stiffness: Array, resistance: Array, rigid: int = 0) -> Array:
+    """Those of ``(s^2 M + s D + K) x = 0`` in the upper half plane, by SciPy's QZ; M can be singular.
+
+    Two zeros of each rigid mode are left out.
+    """
+    zero, unit = np.zeros_like(mass), np.eye(len(mass))
+    companion = np.block([[zero, unit], [-stiffness, -resistance]])
+    values = np.asarray(linalg.eigvals(companion, linalg.block_diag(unit, mass)), complex)
+    values = values[np.argsort(np.abs(values))][2 * rigid :]
+    upper: Array = values[(np.abs(values) < 1e6) & (values.imag >= -1e-7 * np.abs(values))]
+    return upper
 
 
 @st.composite

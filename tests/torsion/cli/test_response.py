@@ -11,7 +11,7 @@ import numpy as np
 import openpyxl
 import pytest
 
-from tests.torsion.cli.torsional import GOOD, document, said, tables
+from tests.torsion.cli.torsional import GOOD, document, said
 from vstatics import loads
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
@@ -26,6 +26,7 @@ output: mass
 """
 """It is hit at 40 rad/s."""
 HIT = 40 * 30 / math.pi
+CSV = ["table", "gear", "order", "mode", "speed", "row", "value"]
 
 
 @pytest.fixture(autouse=True)
@@ -34,45 +35,37 @@ def _files(folder: Path) -> None:
     (folder / "engine.csv").write_text(TABLE, encoding="utf-8")
 
 
-def bytes_of(*call: str, text: str) -> bytes:
-    """The workbook that a command writes."""
-    assert said(*call, "-o", "new.xlsx", text=text).status == 0
-    return Path("new.xlsx").read_bytes()
-
-
-def test_json_has_the_moduli_of_the_library() -> None:
-    made = document("response", *AT, "--orders", "2,4.5", *SPEED, text=GOOD)
+def test_json_has_what_the_library_has() -> None:
+    """A table gives orders, amplitudes and phases, of which some may be chosen, each once."""
     speeds = [600.0, 700.0, 800.0, 900.0, 1000.0]
-    [expected] = response(loads(GOOD), "engine", [Harmonic(2.0), Harmonic(4.5)], speeds)
-    [gear] = made["gears"]
-    assert (made["at"], gear["speeds"]) == ("engine", expected.speeds.tolist())
-    assert set(gear["speeds"]) == {*speeds, *(one["speed"] for one in gear["resonances"])}
-    assert [one["order"] for one in gear["orders"]] == [2.0, 4.5]
-    for told, one in zip(gear["orders"], expected.orders, strict=True):
-        assert told["amplitudes"] == {k: np.abs(v).tolist() for k, v in one.amplitudes.items()}
-        assert told["torques"] == {k: np.abs(v).tolist() for k, v in one.torques.items()}
-    assert gear["resonances"] == [one._asdict() for one in expected.resonances]
-    assert "sum" not in gear
-
-
-def test_a_table_gives_orders_amplitudes_and_phases() -> None:
-    one = document("response", *AT, "--orders", "2,4", *SPEED, "--sum", text=GOOD)["gears"][0]
-    call = ("response", *AT, "--torque", "engine.csv", *SPEED, "--sum")
-    [given] = document(*call, text=GOOD)["gears"]
-    [chosen] = document(*call, "--orders", "4,2,4", text=GOOD)["gears"]
-    assert [order["order"] for order in given["orders"]] == [2.0, 4.0, 6.0]
-    assert [order["order"] for order in chosen["orders"]] == [4.0, 2.0]
-    for place, factor in ((0, 80), (1, 25)):
-        expected = factor * np.array(one["orders"][place]["torques"]["damper"])
-        assert given["orders"][place]["torques"]["damper"] == pytest.approx(expected)
-    both = np.array([order["amplitudes"]["disc"] for order in chosen["orders"]])
-    total = chosen["sum"]["amplitudes"]["disc"]
-    assert total["rms"] == pytest.approx(np.sqrt((both**2).sum(axis=0) / 2))
-    assert np.all(np.array(total["largest"]) <= both.sum(axis=0) * (1 + 1e-12))
-    assert np.all(np.array(total["largest"]) >= both.max(axis=0))
+    six = Harmonic(6.0, 8.0, -math.pi / 4)
+    two, four = Harmonic(2.0, 80.0), Harmonic(4.0, 25.0, math.pi / 2)
+    table = ("--torque", "engine.csv", "--sum")
+    for options, harmonics in (
+        (("--orders", "2,4.5"), [Harmonic(2.0), Harmonic(4.5)]),
+        (table, [two, four, six]), ((*table, "--orders", "4,2,4"), [four, two]),
+    ):  # fmt: skip
+        made = document("response", *AT, *options, *SPEED, text=GOOD)
+        [found], [expected] = made["gears"], response(loads(GOOD), "engine", harmonics, speeds)
+        assert (made["at"], found["speeds"]) == ("engine", expected.speeds.tolist())
+        assert set(found["speeds"]) == {*speeds, *(one["speed"] for one in found["resonances"])}
+        assert found["resonances"] == [one._asdict() for one in expected.resonances]
+        for told, one in zip(found["orders"], expected.orders, strict=True):
+            assert told["order"] == one.order
+            for key in ("amplitudes", "torques"):
+                sizes = {name: np.abs(own).tolist() for name, own in getattr(one, key).items()}
+                assert told[key] == sizes
+        total = expected.with_sum().sum
+        assert total is not None
+        assert ("sum" in found) == ("--sum" in options)
+        for part in ("largest", "rms") if "sum" in found else ():
+            own = getattr(total.amplitudes["disc"], part).tolist()
+            assert found["sum"]["amplitudes"]["disc"][part] == own
 
 
 def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:
+    """Each with the resonance between them."""
+
     def speeds(written: str) -> list[float]:
         made = document("response", *AT, "--orders", "2", "--speed", written, text=GOOD)
         told: list[float] = made["gears"][0]["speeds"]
@@ -91,7 +84,7 @@ def test_csv_is_one_table_with_a_line_for_each_value() -> None:
     call = ("response", *AT, "--orders", "2,4.5", *SPEED, "--sum")
     [gear] = document(*call, text=GOOD)["gears"]
     heading, *rows = csv.reader(io.StringIO(said(*call, "-f", "csv", text=GOOD).out))
-    assert heading == ["table", "gear", "order", "mode", "speed", "row", "value"]
+    assert heading == CSV
     found = {tuple(row[:6]): row[6] for row in rows}
     assert len(found) == len(rows)
     expected = {
@@ -111,23 +104,13 @@ def test_csv_is_one_table_with_a_line_for_each_value() -> None:
     assert found == {at: repr(value) for at, value in expected.items()}
 
 
-def test_csv_without_a_resonance_or_a_value_has_its_headings() -> None:
-    call = ("response", "--at", "mass", "--orders", "1", "--speed", repr(HIT), "-f", "csv")
-    heading, resonance, *rows = csv.reader(io.StringIO(said(*call, text=MASS).out))
-    assert heading == ["table", "gear", "order", "mode", "speed", "row", "value"]
-    assert resonance[:4] == ["resonance", "1", "1.0", "1"]
-    assert [row[-1] for row in rows] == ["", ""]
-    none = said(*call[:-3], "1000", "-f", "csv", text=MASS).out
-    assert "resonance" not in none
-    assert none.startswith("table,gear,order,mode,speed,row,value\n")
-
-
 def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
     call = ("response", *AT, "--orders", "2,4", *SPEED, "--sum")
     text = said(*call, text=GOOD).out
     assert "Gear direct: largest torques of components [N*m]\n" in text
     assert "Gear direct, all orders: torques of components [N*m]\n" in text
-    book = openpyxl.load_workbook(io.BytesIO(bytes_of(*call, text=GOOD)))
+    assert said(*call, "-o", "new.xlsx", text=GOOD).status == 0
+    book = openpyxl.load_workbook("new.xlsx")
     told = document(*call, text=GOOD)["gears"][0]
     cells = [cell for sheet in book for row in sheet.values for cell in row]
     numbers = {f"{cell:.9g}" for cell in cells if isinstance(cell, float)}
@@ -135,86 +118,46 @@ def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
     assert f"{max(told['sum']['torques']['damper']['rms']):.9g}" in numbers
 
 
-def test_resonances_within_the_speeds_and_that_there_are_none() -> None:
-    call = ("response", "--at", "mass", "--orders", "1,2", "--speed")
-    [gear] = document(*call, "100:400:2", text=MASS)["gears"]
-    assert [(one["order"], one["mode"]) for one in gear["resonances"]] == [(1, 1), (2, 1)]
-    assert [one["speed"] for one in gear["resonances"]] == pytest.approx([HIT, HIT / 2])
-    assert "Resonances\n" in said(*call, "100:400:2", text=MASS).out
+def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
+    call = ("response", "--at", "mass", "--orders", "1", "--speed")
+    damped = MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
+    told = said(*call, "100:400:4", text=MASS).err
+    assert f"note: gear 1: nothing damps the resonance at {HIT:.6g} rpm" in told
+    for text in (MASS, damped):
+        [gear] = document(*call, "100:400:4", text=text)["gears"]
+        assert gear["resonances"][0]["damped"] == (text is damped)
+    assert said(*call, "100:400:4", text=damped).err == ""
     assert "Resonances: none at these speeds\n" in said(*call, "1000", text=MASS).out
 
 
-def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
-    """Nearer and nearer the speed the amplitude grows without end, with any damping not."""
-    call = ("response", "--at", "mass", "--orders", "1", "--speed")
-    damped = MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
-    near = [f"{HIT * (1 + 10.0**-n)!r}" for n in (2, 4, 6)]
-    told = said(*call, f"100,{','.join(near)}", text=MASS).err
-    assert f"note: gear 1: nothing damps the resonance at {HIT:.6g} rpm" in told
-    for text, grows in ((MASS, True), (damped, False)):
-        [gear] = document(*call, f"100,{','.join(near)}", text=text)["gears"]
-        sizes = dict(zip(gear["speeds"], gear["orders"][0]["amplitudes"]["mass"], strict=True))
-        first, *_, last = (sizes[float(one)] for one in near)
-        assert (last > 1e3 * first) == grows == (not gear["resonances"][0]["damped"])
-    assert said(*call, "100:400:4", text=damped).err == ""
-
-
 def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
-    call = ("response", "--at", "mass", "--orders", "1", "--speed", f"{HIT!r},100", "--sum")
-    [gear] = document(*call, text=MASS)["gears"]
+    call = ("response", "--at", "mass", "--orders", "1", "--speed")
+    [gear] = document(*call, f"{HIT!r},100", "--sum", text=MASS)["gears"]
     assert gear["orders"][0]["amplitudes"]["mass"][0] is None
     assert gear["orders"][0]["torques"]["mount"][0] is None
     assert gear["sum"]["torques"]["mount"]["largest"][0] is None
     assert gear["orders"][0]["amplitudes"]["mass"][1] is not None
-    rows = tables(said(*call, "-f", "csv", text=MASS).out)
-    assert rows["amplitude"][1][-1] == ""
-    shown = said(*call[:-1], text=MASS).out
+    shown = said(*call, f"{HIT!r},100", text=MASS).out
     assert "100.0" in shown.partition("largest amplitudes")[2]
+    only_hit = said(*call, repr(HIT), text=MASS)
+    assert (only_hit.status, "mass        -           -\n" in only_hit.out) == (0, True)
+    heading = "Resonances\ngear  order  mode  speed [rpm]  participation\n"
+    assert f"{heading}1         1     1        382.0          1.000\n" in only_hit.out
+    rows = csv.reader(io.StringIO(said(*call, repr(HIT), "-f", "csv", text=MASS).out))
+    heads, resonance, *others = rows
+    assert heads == CSV
+    assert resonance[:4] == ["resonance", "1", "1.0", "1"]
+    assert [row[-1] for row in others] == ["", ""]
 
 
-def test_where_nothing_has_a_value_text_says_so() -> None:
-    call = ("response", "--at", "mass", "--orders", "1", "--speed", repr(HIT))
-    answer = said(*call, text=MASS)
-    assert answer.status == 0
-    assert "mass        -           -\n" in answer.out
-    assert (
-        "Resonances\ngear  order  mode  speed [rpm]  participation\n1         1     1        382.0          1.000\n"
-        in answer.out
-    )
-
-
-@pytest.mark.parametrize(
-    ("table", "words"),
-    [
-        ("", "engine.csv:1:1: error: the file is empty, expected a table of orders"),
-        (
-            "order,torque\n2,1\n",
-            "engine.csv:1:1: error: read the heading 'torque', expected `order`, `amplitude",
-        ),
-        ("order,amplitude\n2,1 kN*m\n", "engine.csv:2:1: error: amplitude: read '1 kN*m'"),
-        ("order,amplitude\n-2,1\n3,5\n", "engine.csv:2:1: error: order: read -2, expected"),
-        ("order,amplitude\n2,inf\n", "engine.csv:2:1: error: amplitude: read 'inf'"),
-        ("order,amplitude\n2,1\n2,1\n", "engine.csv:3:1: error: order 2 is given twice"),
-        ("order,amplitude\n", "engine.csv:1:1: error: read no row below"),
-    ],
-)
-def test_faults_of_a_table_are_told_at_their_lines(table: str, words: str) -> None:
-    Path("engine.csv").write_text(table, encoding="utf-8")
-    answer = said("response", *AT, "--torque", "engine.csv", *SPEED, "-o", "new.csv", text=GOOD)
-    assert answer.gives_nothing(words)
-    assert not Path("new.csv").exists()
-
-
-def test_a_table_in_bytes_of_no_text_is_told() -> None:
-    Path("engine.csv").write_bytes(b"\xff\xfe\0order")
-    answer = said("response", *AT, "--torque", "engine.csv", *SPEED, text=GOOD)
-    assert (answer.status, answer.err.startswith("engine.csv:")) == (1, True)
-
-
-def test_an_order_that_the_table_does_not_have_is_wrong_use() -> None:
-    call = ("response", *AT, "--torque", "engine.csv", "--orders", "2,3", *SPEED)
+def test_a_fault_of_a_table_is_told_at_its_line_and_writes_nothing() -> None:
+    call = ("response", *AT, "--torque", "engine.csv", *SPEED, "-o", "new.csv")
+    Path("engine.csv").write_text("order,amplitude\n2,1 kN*m\n", encoding="utf-8")
     answer = said(*call, text=GOOD)
-    assert answer.is_wrong_use("engine.csv has no order 3; it has 2, 4, 6")
+    assert answer.gives_nothing("engine.csv:2:1: error: amplitude: read '1 kN*m'")
+    Path("engine.csv").write_bytes(b"\xff\xfe\0order")
+    assert said(*call, text=GOOD).gives_nothing("engine.csv:")
+    assert not Path("new.csv").exists()
 
 
 def test_the_table_is_not_written_over_and_case_and_table_can_not_both_be_stdin() -> None:
@@ -223,6 +166,8 @@ def test_the_table_is_not_written_over_and_case_and_table_can_not_both_be_stdin(
     assert Path("engine.csv").read_text(encoding="utf-8") == TABLE
     answer = said("response", *AT, "--torque", "-", *SPEED, text=GOOD)
     assert answer.is_wrong_use("standard input (-) can be read once")
+    answer = said(*call, "--orders", "2,3", text=GOOD)
+    assert answer.is_wrong_use("engine.csv has no order 3; it has 2, 4, 6")
 
 
 def test_a_link_that_stands_still_has_no_response_and_others_are_named_that_have_one() -> None:
@@ -234,30 +179,28 @@ def test_a_link_that_stands_still_has_no_response_and_others_are_named_that_have
     assert said("response", "--at", other, "--orders", "2", *SPEED, text=text).status == 0
 
 
-ORDERS = ("", "0", "-2", "nan", "inf", "x", "2,", ",2", "2,,4", "2;4", "1:3:3")
-SPEEDS = (
-    *("", "-1", "nan", "inf", "x", "600,", "600:1000", "600:1000:5:2", "::", "a:b:5"),
-    *("-5:10:3", "1:nan:3", "1:inf:3", "1:2:0", "1:2:1", "1:2:-3", "1:2:2.5", "1:2:nan", "1:2:"),
-    *("1:2:999999999999", "1:2:1e3", "1:2:100001", "1:2:٣", "1 kg", "1 rpm,2 Hz"),
-)
+WRONG = {
+    "--orders": ("", "0", "-2", "nan", "inf", "x", "2,", ",2", "2,,4", "2;4", "1:3:3"),
+    "--speed": (
+        "", "-1", "nan", "inf", "x", "600,", "600:1000", "600:1000:5:2", "::", "a:b:5", "-5:10:3",
+        "1:nan:3", "1:inf:3", "1:2:0", "1:2:1", "1:2:-3", "1:2:2.5", "1:2:nan", "1:2:", "1:2:1e3",
+        "1:2:999999999999", "1:2:100001", "1:2:٣", "1 kg", "1 rpm,2 Hz",
+    ),
+    "--at": ("", "nobody", "housing"),
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "options",
-    [
-        (*AT, "--orders", "2"),
-        (*AT, *SPEED),
-        ("--at", "", "--orders", "2", *SPEED),
-        ("--at", "nobody", "--orders", "2", *SPEED),
-        ("--at", "housing", "--orders", "2", *SPEED),
-        *((*AT, *SPEED, "--orders", one) for one in ORDERS),
-        *((*AT, "--orders", "2", "--speed", one) for one in SPEEDS),
-    ],
-)
-def test_wrong_use(options: tuple[str, ...]) -> None:
-    answer = said("response", *options, text=GOOD)
-    assert answer.is_wrong_use()
-    assert len(answer.err) < 500
+@pytest.mark.parametrize("option", WRONG)
+def test_wrong_use(option: str) -> None:
+    right = {"--at": "engine", "--orders": "2", "--speed": "600:1000:5"}
+    for one in WRONG[option]:
+        words = [word for pair in {**right, option: one}.items() for word in pair]
+        answer = said("response", *words, text=GOOD)
+        assert answer.is_wrong_use(), one
+        assert len(answer.err) < 500
+    if option != "--at":
+        words = [word for key, one in right.items() if key != option for word in (key, one)]
+        assert said("response", *words, text=GOOD).is_wrong_use()
 
 
 def test_without_a_link_the_torque_acts_on_the_input() -> None:

@@ -17,58 +17,32 @@ load: {torque: 20 N*m}
 """
 """Play, 300 N*m/rad up to 30 N*m, then 600."""
 ASKED = {
-    "modes": (),
-    "reduce": ("--to", "engine"),
-    "simplify": ("--links", "1"),
-    "identify": ("--omega", "5"),
-    "damping": ("--decrements", "damper=.2"),
-}
-
-
-def omega(slope: float) -> float:
-    """Of 0.5 kg*m^2, and 2 kg*m^2 behind a ratio of 1.5."""
-    return math.sqrt(slope * (1 / 0.5 + 1.5**2 / 2))
+    "modes": (), "reduce": ("--to", "engine"), "simplify": ("--links", "1"),
+    "identify": ("--omega", "5"), "damping": ("--decrements", "damper=.2"),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("command", ASKED)
-@pytest.mark.parametrize(
-    ("options", "slope", "torque"),
-    [((), 300, 20), (("--torque", "45 N*m"), 600, 45), (("--torque", "-0.01 kN*m"), 300, -10)],
-)
-def test_commands_tell_the_slope_that_they_take(
-    command: str, options: tuple[str, ...], slope: float, torque: float
-) -> None:
-    made = said(command, *ASKED[command], *options, text=DAMPER)
-    note = f"note: springs.damper.points: gear 1: {slope} N*m/rad at {torque} N*m"
-    assert made.status == 0
-    assert note in made.err
+def test_commands_tell_the_slope_that_they_take(command: str) -> None:
+    for options, slope, torque in (
+        ((), 300, 20), (("--torque", "45 N*m"), 600, 45), (("--torque", "-0.01 kN*m"), 300, -10),
+    ):  # fmt: skip
+        made = said(command, *ASKED[command], *options, text=DAMPER)
+        note = f"note: springs.damper.points: gear 1: {slope} N*m/rad at {torque} N*m"
+        assert (made.status, note in made.err) == (0, True), options
 
 
-def test_modes_are_those_of_the_slope() -> None:
+def test_a_torque_is_that_of_the_slope_and_has_its_unit() -> None:
+    """0.5 kg*m^2, and 2 kg*m^2 behind a ratio of 1.5; in play the spring is open."""
     for torque, slope in (("20", 300.0), ("45", 600.0)):
         [gear] = document("modes", "--torque", torque, text=DAMPER)["gears"]
-        assert gear["modes"][0]["omega"] == pytest.approx(omega(slope))
+        omega = math.sqrt(slope * (1 / 0.5 + 1.5**2 / 2))
+        assert gear["modes"][0]["omega"] == pytest.approx(omega)
         assert gear["slopes"] == {"damper": pytest.approx(slope)}
-
-
-def test_the_resonance_is_that_of_the_slope_under_the_load() -> None:
-    asked = ("--at", "engine", "--orders", "1", "--speed", "100:1000:2")
-    [gear] = document("response", *asked, text=DAMPER)["gears"]
-    [met] = gear["resonances"]
-    assert met["speed"] * math.pi / 30 == pytest.approx(omega(300))
-
-
-def test_in_play_the_spring_is_open() -> None:
     made = said("modes", "--torque", "0", text=DAMPER)
     assert "gear 1: in play, so it is open, at 0 N*m" in made.err
-    [gear] = document("modes", "--torque", "0", text=DAMPER)["gears"]
-    assert (gear["rigid_modes"], gear["modes"]) == (2, [])
-
-
-def test_quiet_tells_no_slope_and_a_torque_has_its_unit() -> None:
     assert not said("modes", "-q", text=DAMPER).err
-    wrong = said("modes", "--torque", "5 rpm", text=DAMPER)
-    assert wrong.is_wrong_use("read '5 rpm'")
+    assert said("modes", "--torque", "5 rpm", text=DAMPER).is_wrong_use("read '5 rpm'")
 
 
 CONVERTER = """\
@@ -99,9 +73,8 @@ def test_a_damper_before_a_converter_carries_what_the_pump_takes(command: str) -
 
 def test_torque_and_speed_ratio_may_contradict_each_other() -> None:
     call = ("modes", "--torque", "500", "--speed-ratio", "TC=.95")
-    assert (
-        "at the speed ratio 0.95 and 1500 rpm takes 49.348 N*m" in said(*call, text=CONVERTER).err
-    )
+    told = said(*call, text=CONVERTER).err
+    assert "at the speed ratio 0.95 and 1500 rpm takes 49.348 N*m" in told
     [gear] = document("modes", "--speed-ratio", "TC=.95", text=CONVERTER)["gears"]
     root = math.sqrt(600 * (1 / 0.9 + 1 / 0.25))
     assert gear["modes"][0]["omega"] == pytest.approx(root)
@@ -112,9 +85,7 @@ def test_dry_friction_that_is_left_out_is_reported(command: str) -> None:
     """Once, and not where nothing is damped: compliances have no friction."""
     text = DAMPER.replace("[0.22, 90]]", "[0.22, 90]], friction: 4 N*m").replace("20 N*m", "8 N*m")
     made = said(command, *BY_WORKING_POINT[command], text=text)
-    assert (
-        made.err.count("springs.damper.friction: linear vibration omits the dry friction of damper")
-        == 1
-    )
+    told = "springs.damper.friction: linear vibration omits the dry friction of damper"
+    assert made.err.count(told) == 1
     assert "dry friction" not in said(command, *BY_WORKING_POINT[command], text=DAMPER).err
     assert "dry friction" not in said("reduce", "--to", "engine", text=text).err

@@ -15,7 +15,7 @@ from vstatics import ClutchDump, ReadError, Transmission, loads, solve
 from vstatics.core.writers import named
 from vstatics.core.writers.deck import lost
 
-CASE = """\
+WITHOUT = """\
 inertias: {engine: 0.14, disc: 0.0044, shaft: 0.01, wheels: 1.7, vehicle: 105}
 springs:
   half-shafts: {links: [shaft, wheels], compliance: 4e-3}
@@ -23,8 +23,13 @@ springs:
 mechanisms: {box: {first: disc, second: shaft, ratio: 3.75}}
 shift_elements: {clutch: [engine, disc]}
 gears: {I: [clutch]}
-dump: {J1: [engine], J2: [disc], J3: [shaft], J4: [wheels], J5: [vehicle], M_C0: 142, M_phi: 1.4 kN*m, omega1: 586, to: shaft}
+dump: {%s}
 """
+DUMP = (
+    "J1: [engine], J2: [disc], J3: [shaft], J4: [wheels], J5: [vehicle], "
+    "M_C0: 142, M_phi: 1.4 kN*m, omega1: 586, to: shaft"
+)
+CASE = WITHOUT % DUMP
 
 
 def test_a_dump_is_read_by_links() -> None:
@@ -35,8 +40,8 @@ def test_a_dump_is_read_by_links() -> None:
 
 
 def test_what_may_be_left_out() -> None:
-    dump = "dump: {J1: [engine], J2: [disc], J5: [vehicle], M_C0: 142, omega1: 5596 rpm}"
-    made = ClutchDump.of(loads(CASE[: CASE.index("dump")] + dump))
+    dump = "J1: [engine], J2: [disc], J5: [vehicle], M_C0: 142, omega1: 5596 rpm"
+    made = ClutchDump.of(loads(WITHOUT % dump))
     assert made is not None
     assert (made.J3, made.J4, made.M_phi, made.E, made.to) == ((), (), math.inf, None, None)
     assert made.omega1 == pytest.approx(586, rel=1e-3)
@@ -76,17 +81,13 @@ def test_no_result_depends_on_it_and_a_deck_tells_that_it_loses_it() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "at", "message"),
     [
+        (f"{{{DUMP}}}", "[1]", "[1]", "dump: read a list, expected a mapping with `J1`, `J2`"),
         ("[engine]", "[engin]", "engin]", "dump.J1[1]: read 'engin', expected the name of a link"),
         ("[engine]", "[housing]", "hous", "dump.J1[1]: read 0 (the housing), expected a link"),
         ("[engine]", "engine", "engine", "dump.J1: read 'engine', expected a list of links"),
         ("[engine]", "[]", "[]", "dump.J1: read no link, expected at least one"),
         ("[vehicle]", "[]", "[]", "dump.J5: read no link, expected at least one"),
-        (
-            "[shaft]",
-            "[shaft, disc]",
-            "disc], J4",
-            "dump.J3[2]: link disc is already in J2, expected",
-        ),
+        ("[shaft]", "[shaft, disc]", "disc], J4", "dump.J3[2]: link disc is already in J2, "),
         ("[shaft]", "[shaft, shaft]", "shaft], J4", "dump.J3[2]: link shaft is already in J3"),
         ("J1: [engine], ", "", "{J2", "`J1` is missing"),
         ("M_C0: 142, ", "", "{J1", "`M_C0` is missing"),
@@ -95,29 +96,14 @@ def test_no_result_depends_on_it_and_a_deck_tells_that_it_loses_it() -> None:
         ("142", "-1", "-1", "dump.M_C0: read -1, expected a number above 0"),
         ("142", ".nan", ".nan", "dump.M_C0: read '.nan', expected a torque in N*m"),
         ("142", ".inf", ".inf", "dump.M_C0: read '.inf', expected a torque in N*m"),
-        (
-            "142",
-            "142 rpm",
-            "142 rpm",
-            "dump.M_C0: read '142 rpm', expected a torque in N*m, bare or with its unit; this is a speed",
-        ),
+        ("142", "142 rpm", "142 rpm", "dump.M_C0: read '142 rpm', expected a torque in N*m, bare"),
         ("1.4 kN*m", "-.inf", "-.inf", "dump.M_phi: read '-.inf', expected a torque in N*m"),
         ("1.4 kN*m", "0", "0, omega1", "dump.M_phi: read 0, expected a number above 0"),
         ("586", "-5", "-5", "dump.omega1: read -5, expected a number above 0"),
         ("to: shaft", "to: shift", "shift", "dump.to: read 'shift', expected the name of a link"),
-        (
-            "to: shaft",
-            "to: 0",
-            "0}",
-            "dump.to: read 0 (the housing), expected a link number from 1",
-        ),
+        ("to: shaft", "to: 0", "0}", "dump.to: read 0 (the housing), expected a link number from"),
         ("to: shaft", "E: 0", "0}", "dump.E: read 0, expected a number above 0"),
-        (
-            "to: shaft",
-            "E: 1 N*m/rad",
-            "1 N",
-            "dump.E: read '1 N*m/rad', expected a compliance in rad/(N*m), bare or with its unit; this is a stiffness",
-        ),
+        ("to: shaft", "E: 1 N*m/rad", "1 N", "dump.E: read '1 N*m/rad', expected a compliance in"),
     ],
 )
 def test_what_is_wrong_is_told_with_its_place(old: str, new: str, at: str, message: str) -> None:
@@ -129,11 +115,6 @@ def test_what_is_wrong_is_told_with_its_place(old: str, new: str, at: str, messa
     assert message in str(problem)
     assert problem.place is not None
     assert problem.place.text[problem.place.column - 1 :].startswith(at)
-
-
-def test_a_dump_that_is_no_mapping() -> None:
-    with pytest.raises(ReadError, match="dump: read a list, expected a mapping with `J1`, `J2`"):
-        loads(CASE[: CASE.index("dump")] + "dump: [1]")
 
 
 def test_a_dump_in_a_drawn_case() -> None:

@@ -81,14 +81,11 @@ springs:
     assert between(case, "1", "2") == pytest.approx(1e-4, rel=1e-12)
 
 
-def test_what_nothing_joins_turns_freely() -> None:
+def test_what_nothing_joins_turns_freely_and_what_is_rigidly_joined_has_no_compliance() -> None:
     text = "springs: {a: {links: [1, 2], compliance: 1e-4}, b: {links: [3, 4], compliance: 1e-4}}"
     assert between(loads(text), "1", "4") is None
-
-
-def test_what_is_rigidly_joined_has_none() -> None:
-    text = "springs: {a: {links: [1, 2], compliance: 1e-4}}\nmechanisms: {m: {first: 2, second: 3, ratio: 2}}"
-    assert between(loads(text), "2", "3") == 0.0
+    joined = text + "\nmechanisms: {m: {first: 2, second: 3, ratio: 2}}"
+    assert between(loads(joined), "2", "3") == 0.0
 
 
 def test_links_that_turn_as_one_have_no_spring_between_them() -> None:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 
 from tests.chance import seeded
-from tests.torsion.systems import branched, chain, matrices, with_planetary_set
+from tests.torsion.systems import branched, chain, matrices, mounted, wheels, with_planetary_set
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.cycle import summed
@@ -22,8 +22,7 @@ SPEEDS = np.array([100.0, 300.0, 1000.0])
 
 
 def one_mass(damping: Damping | float) -> Transmission:
-    spring = Spring({1: 1}, stiffness=800.0, damping=damping, name="mount")
-    return Transmission(1, [], [], [], springs=[spring], inertias={1: 0.5})
+    return mounted(damping, 800.0, 0.5)
 
 
 @pytest.mark.parametrize(
@@ -41,16 +40,6 @@ def test_one_mass(damping: Damping | float, factor: object) -> None:
     np.testing.assert_allclose(order.torques["mount"], rate * expected, rtol=1e-13)
 
 
-def test_two_free_masses() -> None:
-    """``q_1 = (c - J2 w^2)/(w^2 (J1 J2 w^2 - c (J1 + J2)))``."""
-    j1, j2, c = 2.0, 8.0, 4e4
-    [gear] = response(chain([j1, j2], [c]), 1, [Harmonic(1.0)], SPEEDS)
-    w = RAD_PER_RPM * SPEEDS
-    expected = (c - j2 * w**2) / (w**2 * (j1 * j2 * w**2 - c * (j1 + j2)))
-    np.testing.assert_allclose(gear.orders[0].amplitudes["1"].real, expected, rtol=1e-11)
-    assert gear.resonances == []
-
-
 @given(branched(damped=True))
 def test_every_system_is_in_balance_and_reciprocal(case: Transmission) -> None:
     """``(K + i w D - w^2 M) q = e``, and q_b under a torque at a is q_a under one at b."""
@@ -58,12 +47,10 @@ def test_every_system_is_in_balance_and_reciprocal(case: Transmission) -> None:
     [first] = response(case, 1, [Harmonic(1.5)], SPEEDS)
     [last] = response(case, case.links, [Harmonic(1.5)], SPEEDS)
     q = np.array(list(first.orders[0].amplitudes.values()))
-    for index, speed in enumerate(first.speeds):
-        w = 1.5 * RAD_PER_RPM * speed
+    for w, column in zip(1.5 * RAD_PER_RPM * first.speeds, q.T, strict=True):
         dynamic = stiffness + 1j * w * resistance - w**2 * mass
-        force = dynamic @ q[:, index]
-        expected = np.eye(case.links)[0]
-        np.testing.assert_allclose(force, expected, atol=1e-7 * max(1, np.abs(dynamic).max()))
+        size = max(1, np.abs(dynamic).max())
+        np.testing.assert_allclose(dynamic @ column, np.eye(case.links)[0], atol=1e-7 * size)
     there = dict(zip(first.speeds, first.orders[0].amplitudes[str(case.links)], strict=True))
     here = dict(zip(last.speeds, last.orders[0].amplitudes["1"], strict=True))
     assert set(SPEEDS) <= there.keys() & here.keys()
@@ -96,27 +83,13 @@ def test_resonances_lie_where_an_order_meets_a_natural_frequency() -> None:
     assert [one[:4] for one in gear.resonances] == [pytest.approx(one) for one in expected]
 
 
-def symmetric() -> Transmission:
-    """Two equal wheels on equal half-shafts behind an engine."""
-    springs = [
-        Spring({1: 1, 2: -1}, stiffness=70.0, damping=0.02, name="propshaft"),
-        Spring({2: 1, 3: -1}, stiffness=50.0, damping=0.02, name="left"),
-        Spring({2: 1, 4: -1}, stiffness=50.0, damping=0.02, name="right"),
-    ]
-    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
-    return Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4)
-
-
 def test_a_link_that_stands_in_a_mode_does_not_excite_it() -> None:
-    """The wheels in antiphase, at 5 rad/s: from a wheel, but not from the engine."""
-    speeds = np.array([20.0, 60.0, 200.0])
-    [antiphase] = [
-        number
-        for number, mode in enumerate(modes(symmetric())[0].modes, 1)
-        if mode.omega == pytest.approx(5.0)
-    ]
+    """Two equal wheels on equal half-shafts in antiphase, at 5 rad/s: from a wheel only."""
+    case = wheels(damping=0.02)
+    omegas = [mode.omega for mode in modes(case)[0].modes]
+    [antiphase] = [number for number, one in enumerate(omegas, 1) if one == pytest.approx(5.0)]
     for link, excited in ((1, False), (2, False), (3, True)):
-        [gear] = response(symmetric(), link, [Harmonic(1.0)], speeds)
+        [gear] = response(case, link, [Harmonic(1.0)], np.array([20.0, 60.0, 200.0]))
         told = {one.mode: one.participation for one in gear.resonances}
         assert (antiphase in told) == excited
         assert ((np.abs(gear.speeds * RAD_PER_RPM - 5) < 1e-9).any()) == excited
@@ -175,16 +148,6 @@ def test_a_part_without_damping_that_is_hit_exactly_has_no_value() -> None:
         assert np.isnan(gear.orders[0].amplitudes["1"]).tolist() == [False, True]
 
 
-def test_a_mass_that_stands_still_at_its_own_frequency() -> None:
-    """An absorber: the mass on which the torque acts stands, at ``c = J w^2`` of the other."""
-    spring = Spring({1: 1, 2: -1}, stiffness=64.0, name="absorber")
-    case = Transmission(2, [], [], [], springs=[spring], inertias={1: 1.0, 2: 1.0})
-    [gear] = response(case, 1, [Harmonic(1.0)], [8.0 / RAD_PER_RPM])
-    assert abs(gear.orders[0].amplitudes["1"][0]) < 1e-15
-    assert gear.orders[0].amplitudes["2"][0] == pytest.approx(-1 / 64)
-    assert gear.orders[0].torques["absorber"][0] == pytest.approx(1.0)
-
-
 def test_a_link_that_nothing_resists_has_no_value_and_its_device_no_torque() -> None:
     case = Transmission(
         4, [], [Mechanism(3, 4, 0, 2.0, name="loose")], [], inertias={1: 1.0, 2: 2.0},
@@ -227,11 +190,6 @@ def test_an_order_so_small_that_no_speed_meets_a_mode_has_no_resonance() -> None
     assert gear.resonances == []
 
 
-def test_orders_far_apart_meet_in_every_phase() -> None:
-    found = summed([0.5, 2_000_000.5], [np.array([3.0 + 0j]), np.array([-4j])])
-    assert found.largest[0] == pytest.approx(7)
-
-
 def test_the_largest_value_of_several_orders() -> None:
     """Against two million points of the wave itself."""
     x = np.linspace(0, 2 * np.pi, 2_000_001)
@@ -240,15 +198,11 @@ def test_the_largest_value_of_several_orders() -> None:
         ([0.5, 1.0, 1.5], [1.0 + 1j, 0.3 - 2j, 0.7 + 0j]),
         ([2.0, 4.5], [1.0 + 0j, 1j]),
     ):
-        wave = sum(
-            (a * np.exp(1j * 2 * order * x)).real
-            for order, a in zip(orders, amplitudes, strict=True)
-        )
+        turning = np.exp(2j * np.outer(orders, x))
+        wave = (np.array(amplitudes)[:, np.newaxis] * turning).real.sum(axis=0)
         found = summed(orders, [np.array([a]) for a in amplitudes])
         assert found.largest[0] == pytest.approx(np.abs(wave).max(), rel=1e-9)
         assert found.rms[0] == pytest.approx(math.sqrt(np.mean(wave[:-1] ** 2)), rel=1e-9)
-    incommensurable = summed([1.0, math.sqrt(2)], [np.array([3.0 + 0j]), np.array([-4j])])
-    assert incommensurable.largest[0] == pytest.approx(7)
 
 
 def test_the_sum_of_one_order_is_that_order() -> None:
@@ -264,22 +218,16 @@ def test_the_sum_of_one_order_is_that_order() -> None:
         np.testing.assert_allclose(summed_up.rms, np.abs(alone) / math.sqrt(2), rtol=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("slow", "fast", "meet"),
-    [
-        (1 / 720, 1.0, False),
-        (1 / 721, 1.0, True),
-        (1.0, 300 * (1 + 0.5 * SAME_ORDER), False),
-        (1.0, 300 * (1 + 2 * SAME_ORDER), True),
-    ],
-)
-def test_orders_meet_in_every_phase_only_where_no_cycle_is_short(
-    slow: float, fast: float, meet: bool
-) -> None:
+def test_orders_meet_in_every_phase_only_where_no_cycle_is_short() -> None:
     """3 cos x - 4 sin k x: a peak of the sine is 90/k degrees from the nearest of the cosine."""
-    [largest] = summed([slow, fast], [np.array([3.0 + 0j]), np.array([4j])]).largest
-    apart = 0.0 if meet else math.pi / 2 * slow / fast
-    assert largest == pytest.approx(4 + 3 * math.cos(apart), rel=1e-9)
+    for slow, fast, meet in (
+        (1 / 720, 1.0, False), (1 / 721, 1.0, True), (1.0, math.sqrt(2), True),
+        (1.0, 300 * (1 + 0.5 * SAME_ORDER), False), (1.0, 300 * (1 + 2 * SAME_ORDER), True),
+        (0.5, 2_000_000.5, True),
+    ):  # fmt: skip
+        [largest] = summed([slow, fast], [np.array([3.0 + 0j]), np.array([4j])]).largest
+        apart = 0.0 if meet else math.pi / 2 * slow / fast
+        assert largest == pytest.approx(4 + 3 * math.cos(apart), rel=1e-9)
 
 
 def test_a_table_of_torques() -> None:
@@ -288,30 +236,26 @@ def test_a_table_of_torques() -> None:
     assert found == [Harmonic(2.0, 80.0, math.pi / 2), Harmonic(4.5, 20.0, 0.0)]
 
 
+HEADS = b"order,amplitude\n"
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (b"order\n2\n", "engine.csv:1:1: error: `amplitude [N*m]` is missing, expected a table"),
-        (
-            b"order,amplitude\n",
-            "engine.csv:1:1: error: read no row below the headings, expected a table of",
-        ),
-        (
-            b"order,amplitude\n2,x\n",
-            "engine.csv:2:1: error: amplitude: read 'x', expected a finite number",
-        ),
-        (
-            b"order,amplitude\n0,1\n",
-            "engine.csv:2:1: error: order: read 0, expected a number above",
-        ),
-        (b"order,amplitude\n2,nan\n", "engine.csv:2:1: error: amplitude: read 'nan'"),
-        (b"order,amplitude\n2,1\n2,3\n", "engine.csv:3:1: error: order 2 is given twice"),
-        (b"order,amplitude\n2,1,5\n", "engine.csv:2:1: error: read 3 cells, expected 2"),
-        (b"order,amplitude\n2," + b"1" * 140_000, "engine.csv:2:1: error: amplitude: read '1111"),
-        (b"", "engine.csv:1:1: error: the file is empty, expected a table of orders"),
+        (b"order\n2\n", "1:1: error: `amplitude [N*m]` is missing, expected a table"),
+        (b"order,torque\n", "1:1: error: read the heading 'torque', expected `order`, `amplitude"),
+        (HEADS, "1:1: error: read no row below the headings, expected a table of"),
+        (HEADS + b"2,x\n", "2:1: error: amplitude: read 'x', expected a finite number"),
+        (HEADS + b"0,1\n", "2:1: error: order: read 0, expected a number above"),
+        (HEADS + b"-2,1\n3,5\n", "2:1: error: order: read -2, expected a number above"),
+        (HEADS + b"2,nan\n", "2:1: error: amplitude: read 'nan'"),
+        (HEADS + b"2,1\n2,3\n", "3:1: error: order 2 is given twice"),
+        (HEADS + b"2,1,5\n", "2:1: error: read 3 cells, expected 2"),
+        (HEADS + b"2," + b"1" * 140_000, "2:1: error: amplitude: read '1111"),
+        (b"", "1:1: error: the file is empty, expected a table of orders"),
     ],
 )
-def test_what_is_wrong_in_a_table_is_told_with_its_line(text: bytes, message: str) -> None:
+def test_a_fault_of_a_table_is_told_with_its_line(text: bytes, message: str) -> None:
     with pytest.raises(ReadError) as caught:
         read_torque_table(text, "engine.csv")
-    assert any(str(one).startswith(message) for one in caught.value.problems)
+    assert any(str(one).startswith(f"engine.csv:{message}") for one in caught.value.problems)

@@ -11,7 +11,7 @@ from tests.commands import vstatics
 from vstatics import Results
 from vstatics.pictures import render
 from vstatics.pictures.drawing.style import Style
-from vstatics.pictures.drawing.svg import SVG, XLINK
+from vstatics.pictures.drawing.svg import SVG
 
 PAPER = Style()
 Data = dict[str, str]
@@ -25,22 +25,20 @@ class Mark(NamedTuple):
     element: ET.Element
 
     @property
-    def at(self) -> tuple[float, float]:
-        """The place of its only sign [pt]."""
+    def _use(self) -> dict[str, str]:
+        """Attributes of its only sign."""
         [use] = self.element.iter(f"{{{SVG}}}use")
-        return float(use.attrib["x"]), float(use.attrib["y"])
+        return use.attrib
 
     @property
-    def sign(self) -> str:
-        """The name of the shape of its only sign."""
-        [use] = self.element.iter(f"{{{SVG}}}use")
-        return use.attrib[f"{{{XLINK}}}href"]
+    def at(self) -> tuple[float, float]:
+        """The place of its only sign [pt]."""
+        return float(self._use["x"]), float(self._use["y"])
 
     @property
     def fill(self) -> str:
         """Of its only sign."""
-        [use] = self.element.iter(f"{{{SVG}}}use")
-        return use.attrib["fill"]
+        return self._use["fill"]
 
     @property
     def points(self) -> list[tuple[float, float]]:

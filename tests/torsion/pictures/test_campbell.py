@@ -10,16 +10,16 @@ from typing import Any
 import pytest
 
 from tests.chance import count, seeded
-from tests.commands import CASES, SHIPPED, json_answer, vstatics
+from tests.commands import CASES, json_answer, vstatics
 from tests.installed import needs
 from tests.pictures import drawn as said
 from tests.shipped import shipped_results
 from tests.torsion.pictures.marks import PAPER, Mark, drawn, marks, plotted, tree
+from tests.torsion.systems import wheels
 from vstatics import Gear, Load, Results, Spring, Transmission, load, solve
 from vstatics.core.model.parts import Damping
 from vstatics.pictures import picture
-from vstatics.pictures.drawing.style import PAGE_HEIGHT, Excitation, Style
-from vstatics.torsion.pictures.orders import campbell
+from vstatics.pictures.drawing.style import Excitation, Style
 from vstatics.torsion.pictures.orders.orders_and_speeds import ORDERS, running_speeds
 
 FASTEST = {
@@ -49,75 +49,40 @@ def resonances(svg: bytes) -> dict[tuple[str, int, float], Mark]:
     return dict(zip(keys, found, strict=True))
 
 
-def test_shipped_cases_with_modes_are_these() -> None:
-    heavy = [path for path in SHIPPED if load(path).heavy]
-    said = [json_answer("torsion", "modes", one) for one in heavy]
-    found = {
-        path.name
-        for path, one in zip(heavy, said, strict=True)
-        if any(gear.get("modes") for gear in one["gears"])
-    }
-    assert found == set(FASTEST)
-
-
 @pytest.mark.parametrize("name", FASTEST)
 def test_there_is_a_dot_for_each_resonance_of_the_modes(name: str, tmp_path: Path) -> None:
-    """Those of ``torsion modes`` in which the input moves, up to the end of the scale."""
+    """Those of ``torsion modes`` in which the input moves, up to the end of the scale.
+
+    Both scales are linear: speed and frequency by one factor each, from the corner.
+    """
     svg = plotted(tmp_path, CASES / name, "-k", "campbell")
-    orders = [float(one.data["order"]) for one in marks(svg, "order")]
-    assert orders == sorted(set(orders))
-    answer = json_answer("torsion", "modes", CASES / name)
+    lines = {float(one.data["order"]): one.points for one in marks(svg, "order")}
+    assert [*lines] == sorted(lines)
     case = load(CASES / name)
+    entry = case.link_name(case.input)
     expected = {
         (gear["name"], number, order): (60 * mode["frequency"] / order, abs(mode["shape"][entry]))
-        for gear in answer["gears"]
-        for entry in [case.link_name(case.input)]
+        for gear in json_answer("torsion", "modes", CASES / name)["gears"]
         for number, mode in enumerate(gear["modes"], 1)
-        for order in orders
+        for order in lines
         if 60 * mode["frequency"] / order <= FASTEST[name] and abs(mode["shape"][entry]) > 1e-9
     }
     found = resonances(svg)
     assert len(expected) > 10
     assert found.keys() == expected.keys()
+    [corner] = {line[0] for line in lines.values()}
+    [right] = {line[-1][0] for line in lines.values()}
+    top, highest = min(line[-1][1] for line in lines.values()), max(lines)
+    for (_, _, order), one in found.items():
+        across = (one.at[0] - corner[0]) / (right - corner[0])
+        up = (corner[1] - one.at[1]) / (corner[1] - top)
+        assert across == pytest.approx(float(one.data["rpm"]) / FASTEST[name], abs=1e-4)
+        assert up == pytest.approx(across * order / highest, abs=1e-4)
+        end = (corner[1] - lines[order][-1][1]) / (corner[1] - top)
+        assert end == pytest.approx(order / highest, abs=1e-4)
     for key, one in found.items():
         told = float(one.data["rpm"]), float(one.data["participation"])
         assert told == pytest.approx(expected[key], rel=1e-9)
-
-
-def test_they_are_those_that_the_response_lists(tmp_path: Path) -> None:
-    """``torsion response`` up to the same speed, by the same orders."""
-    file = CASES / "driveline-8hp70.yaml"
-    svg = plotted(tmp_path, file, "-k", "campbell", "--orders", "1,2.5")
-    listed = vstatics(
-        *("torsion", "response", file, "--at", "engine", "--orders", "1,2.5"),
-        *("--speed", "0:5000:2", "-f", "json"),
-    ).json
-    expected = {
-        (gear["name"], one["mode"], one["order"]): one["speed"]
-        for gear in listed["gears"]
-        for one in gear["resonances"]
-    }
-    found = {key: float(one.data["rpm"]) for key, one in resonances(svg).items()}
-    assert found == pytest.approx(expected, rel=1e-9)
-
-
-@pytest.mark.parametrize("name", FASTEST)
-def test_dots_lie_on_straight_orders_and_level_modes(name: str, tmp_path: Path) -> None:
-    """Both scales are linear: speed and frequency by one factor each, from the corner."""
-    svg = plotted(tmp_path, CASES / name, "-k", "campbell")
-    orders = {float(one.data["order"]): one.points for one in marks(svg, "order")}
-    [corner] = {line[0] for line in orders.values()}
-    [right] = {line[-1][0] for line in orders.values()}
-    top, highest = min(line[-1][1] for line in orders.values()), max(orders)
-    for order, (_, end) in orders.items():
-        assert (corner[1] - end[1]) / (corner[1] - top) == pytest.approx(order / highest, abs=1e-4)
-    for (_, _, order), one in resonances(svg).items():
-        speed = float(one.data["rpm"])
-        x, y = one.at
-        across = (x - corner[0]) / (right - corner[0])
-        up = (corner[1] - y) / (corner[1] - top)
-        assert across == pytest.approx(speed / FASTEST[name], abs=1e-4)
-        assert up == pytest.approx(across * order / highest, abs=1e-4)
 
 
 @pytest.mark.parametrize("cylinders", [1, 2, 3, 4, 5, 6, 8, 12])
@@ -132,39 +97,30 @@ def test_half_the_cylinders_fire_in_a_revolution_and_multiples(cylinders: int) -
     assert [float(one.data["order"]) for one in own] == list(asked.excited.orders)
 
 
-def test_without_cylinders_no_order_fires() -> None:
-    found = marks(drawn(of_frequency(30.0), "campbell"), "order")
-    assert [float(one.data["order"]) for one in found] == list(ORDERS)
-    assert {one.data["firing"] for one in found} == {"false"}
-
-
 def test_firing_orders_have_a_colour_and_width_of_their_own() -> None:
-    found = marks(drawn(of_frequency(30.0, cylinders=4), "campbell"), "order")
-    looks = [
-        {path.get("stroke", ""), path.get("stroke-width", "")}
-        for fires in ("true", "false")
-        for one in found
-        if one.data["firing"] == fires
-        for path in one.element.iter()
-        if path.get("d")
+    looks: dict[str, set[tuple[str | None, ...]]] = {"true": set(), "false": set()}
+    for one in marks(drawn(of_frequency(30.0, cylinders=4), "campbell"), "order"):
+        paths = [path for path in one.element.iter() if path.get("d")]
+        looks[one.data["firing"]] |= {
+            (path.get("stroke"), path.get("stroke-width")) for path in paths
+        }
+    [(colour, width)], [(other, thinner)] = looks["true"], looks["false"]
+    assert colour != other
+    assert width != thinner
+    bare = marks(drawn(of_frequency(30.0), "campbell"), "order")
+    assert [(float(one.data["order"]), one.data["firing"]) for one in bare] == [
+        (order, "false") for order in ORDERS
     ]
-    assert looks[:2] == [looks[0]] * 2
-    assert looks[2:] == [looks[2]] * 2
-    assert looks[0].isdisjoint(looks[2])
 
 
-def test_dots_are_larger_and_darker_where_the_input_takes_part_undamped() -> None:
+def test_dots_are_larger_where_the_input_takes_part() -> None:
     results = shipped_results("driveline-8hp70.yaml")
     figure = picture(results, "campbell", Style(excited=Excitation(orders=(1.0,))))
-    by_mode = {
-        (one.get_markersize(), text) for text, one in said.titled(figure) if "participation" in text
-    }
-    parts = sorted(
-        (float(text.split("participation ")[1].split(",")[0]), size, text) for size, text in by_mode
-    )
-    sizes = [size for _, size, _ in parts]
-    assert sizes == sorted(sizes)
-    assert sizes[0] < sizes[-1]
+    titled = [(text, one) for text, one in said.titled(figure) if "participation" in text]
+    parts = [float(text.split("participation ")[1].split(",")[0]) for text, _ in titled]
+    sizes = [one.get_markersize() for _, one in titled]
+    assert [size for _, size in sorted(zip(parts, sizes, strict=True))] == sorted(sizes)
+    assert min(sizes) < max(sizes)
 
 
 @pytest.mark.parametrize(("loss", "place"), [(0.0, 0), (0.02, 0), (0.1, 1), (0.4, 2)])
@@ -180,13 +136,7 @@ def test_the_fill_tells_the_damping(loss: float, place: int) -> None:
 @pytest.mark.parametrize(("link", "excited"), [(1, False), (3, True)])
 def test_a_mode_in_which_the_input_stands_has_no_resonance(link: int, excited: bool) -> None:
     """Two equal wheels on equal half-shafts, in antiphase at ``sqrt(c/J)``, 5 rad/s or 0.8 Hz."""
-    twists = [{1: 1, 2: -1}, {2: 1, 3: -1}, {2: 1, 4: -1}]
-    springs = [
-        Spring(twist, c, name=f"s{n}")
-        for n, (twist, c) in enumerate(zip(twists, (70.0, 50.0, 50.0), strict=True))
-    ]
-    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
-    case = Transmission(*(4, [], [], []), springs=springs, inertias=inertias, input=link, output=4)
+    case = wheels(input=link)
     svg = drawn(solve(case), "campbell")
     frequencies = {
         round(float(one.data["rpm"]) * float(one.data["order"]) / 60, 3)
@@ -216,56 +166,29 @@ def test_modes_of_gears_that_are_alike_are_one_line(tmp_path: Path) -> None:
     assert (3, [gear["name"] for gear in answer["gears"]]) in lines
 
 
-def numbers_of_table(results: Results, style: Style = PAPER) -> list[tuple[str, bool]]:
-    """The texts of the table, and whether they are bold: those below the words "Hz" and "rpm"."""
-    figure = picture(results, "campbell", style)
-    top = min(one.get_position()[1] for one in figure.texts if one.get_text() == "mode")
-    below = [one for one in figure.texts if one.get_position()[1] < top - 1]
-    return [(one.get_text(), one.get_fontweight() == "bold") for one in below]
-
-
-def test_the_table_has_the_speed_of_every_resonance() -> None:
-    results = shipped_results("moskvich-start.yaml")
-    found = [float(one.data["rpm"]) for one in marks(drawn(results, "campbell"), "resonance")]
-    table = [text for text, _ in numbers_of_table(results)]
-    assert len(found) > 20
-    for speed in found:
-        assert f"{speed:.0f}" in table
-
-
 @needs("vehicle")
-def test_resonances_within_the_range_of_the_engine_are_bold_in_the_table() -> None:
+def test_the_range_is_from_the_least_to_the_largest_speed_that_the_case_tells() -> None:
+    """Resonances within it are bold in the table."""
     from vstatics.vehicle.case.vehicle import Vehicle
 
     engine = [(100.0, 50.0), (400.0, 80.0)]  # rad/s: 955 to 3820 rpm
     results = of_frequency(40.0, vehicle=Vehicle(1000.0, 0.3, engine=engine))
-    table = dict(numbers_of_table(results))
-    assert {text: table[text] for text in ("2400", "1200", "800", "600")} == {
-        "2400": True,
-        "1200": True,
-        "800": False,
-        "600": False,
-    }
-
-
-@needs("vehicle")
-def test_the_range_is_from_the_least_to_the_largest_speed_that_the_case_tells() -> None:
-    from vstatics.vehicle.case.vehicle import Vehicle
-
-    engine = [(100.0, 50.0), (400.0, 80.0)]
+    figure = picture(results, "campbell", PAPER)
+    bold = {one.get_text(): one.get_fontweight() == "bold" for one in figure.texts}
+    expected = {"2400": True, "1200": True, "800": False, "600": False}
+    assert {text: bold[text] for text in expected} == expected
     gears = [Gear(load=Load(speed=700.0)), Gear(load=Load(speed=-4200.0))]
-    results = of_frequency(40.0, vehicle=Vehicle(1000.0, 0.3, engine=engine))
     case = results.case.replace(gears=gears)
     found = running_speeds(case, case.gears, Excitation())
     assert found == pytest.approx([700.0, 3000 / math.pi, 12000 / math.pi, 4200.0])
     svg = drawn(solve(case), "campbell")
-    [(band)] = marks(svg, "range")
+    [band] = marks(svg, "range")
     [order] = [one for one in marks(svg, "order") if one.data["order"] == "1"]
     (left, _), (right, _) = order.points
-    ends = {x for x, _ in band.points[:4]} if len(band.points) >= 4 else set()
     fastest = 4500.0  # 5 % above, rounded up
-    expected = [left + (right - left) * speed / fastest for speed in (700.0, 4200.0)]
-    assert sorted(ends) == pytest.approx(expected, abs=0.02)
+    ends = [left + (right - left) * speed / fastest for speed in (700.0, 4200.0)]
+    assert sorted({x for x, _ in band.points[:4]}) == pytest.approx(ends, abs=0.02)
+    assert marks(drawn(of_frequency(40.0), "campbell"), "range") == []
 
 
 @needs("simulation")
@@ -277,39 +200,12 @@ def test_a_scenario_tells_the_range_of_its_engine(tmp_path: Path) -> None:
     assert "the input runs, 764 to 6875 rpm" in said
 
 
-def test_where_nothing_tells_a_speed_there_is_no_range() -> None:
-    assert marks(drawn(of_frequency(40.0), "campbell"), "range") == []
-
-
 def test_modes_above_the_highest_order_are_named() -> None:
     """A fifth above 6 x 6000 rpm, 600 Hz."""
     figure = picture(of_frequency(720.0), "campbell", Style())
     texts = said.texts(figure)
     assert "no order meets mode 1 (720.0 Hz)" in texts
     assert any(one.startswith("1: 720.0 Hz") and "↑" in one for one in texts)
-
-
-def test_pages_take_what_does_not_fit_one() -> None:
-    """A chain of forty masses has more rows than a page; each row is on one of them."""
-    links = range(1, 41)
-    springs = [Spring({k: 1, k + 1: -1}, 3e4, name=f"s{k}") for k in links[:-1]]
-    inertias = {k: 0.1 * (1 + 0.01 * k) for k in links}
-    gears = [Gear(), Gear(load=Load(speed=6000.0))]
-    results = solve(Transmission(*(40, [], [], gears), springs=springs, inertias=inertias))
-    style = Style(height=PAGE_HEIGHT)
-    pages = campbell.draw(results, style)
-    [whole] = campbell.draw(results, Style())
-    assert len(pages) > 1
-    for one in pages:
-        wide, high = (72 * size for size in one.get_size_inches())
-        assert wide <= style.width + 0.01
-        assert high <= PAGE_HEIGHT + 0.01
-
-    def table(text: str) -> bool:
-        return text.replace(".", "").isdigit()
-
-    on_pages = sorted(text for one in pages for text in said.texts(one) if table(text))
-    assert {text for text in said.texts(whole) if table(text)} <= set(on_pages) | {"0"}
 
 
 def test_many_orders_make_several_tables_no_wider_than_the_page() -> None:
@@ -322,29 +218,17 @@ def test_many_orders_make_several_tables_no_wider_than_the_page() -> None:
     assert 72 * figure.get_size_inches()[0] <= style.width + 0.01
 
 
-def test_orders_are_wrong_use_elsewhere(tmp_path: Path) -> None:
-    for options, why in (
-        (("-k", "modes", "--orders", "2"), "only campbell and response have orders"),
-        (("-k", "campbell", "--at", "engine"), "only a response is that of a link"),
-        (("-k", "campbell", "--orders", "2,-1"), "expected an order above 0"),
+def test_wrong_use(tmp_path: Path) -> None:
+    spans = ("1500:500", "500", "-5:600", "500 Hz:900 Hz", "1:2:3")
+    for kind, *options, why in (
+        ("modes", "--orders", "2", "only campbell and response have orders"),
+        ("campbell", "--at", "engine", "only a response is that of a link"),
+        ("campbell", "--orders", "2,-1", "expected an order above 0"),
+        *(("campbell", "--speed", span, "--speed") for span in spans),
     ):
-        result = vstatics("plot", CASES / "moskvich412.yaml", *options, "-o", tmp_path / "a.svg")
-        assert (result.status, why in result.err) == (2, True), result.err
+        call = (CASES / "moskvich412.yaml", "-k", kind, *options, "-o", tmp_path / "a.svg")
+        assert vstatics("plot", *call).is_wrong_use(why), options
     assert list(tmp_path.iterdir()) == []
-
-
-def test_orders_and_links_are_asked_for_in_python_too() -> None:
-    from vstatics.pictures.plotting import plot
-
-    results = shipped_results("moskvich-start.yaml")
-    svg = plot(results, "campbell", orders=[3, 1.5])._repr_svg_().encode()
-    assert [one.data["order"] for one in marks(svg, "order")] == ["1.5", "3"]
-    svg = plot(results, "response", orders=[2], at="wheels")._repr_svg_().encode()
-    assert "amplitude of wheels" in "".join(tree(svg).itertext())
-    with pytest.raises(ValueError, match=r"read orders \[0\], expected numbers above 0"):
-        plot(results, "campbell", orders=[0])
-    with pytest.raises(ValueError, match="no link 'wheel'"):
-        plot(results, "response", at="wheel")
 
 
 @pytest.mark.parametrize("seed", range(count(4, 200)))
@@ -362,13 +246,3 @@ def test_a_range_of_speeds_has_the_resonances_within_it(seed: int) -> None:
     assert found.keys() == expected.keys()
     for order, speed in expected.items():
         assert float(found[order].data["rpm"]) == pytest.approx(speed)
-
-
-@pytest.mark.parametrize("text", ["1500:500", "500", "-5:600", "500 Hz:900 Hz", "1:2:3"])
-def test_a_range_of_speeds_that_is_none_is_wrong_use(text: str, tmp_path: Path) -> None:
-    to = tmp_path / "a.svg"
-    done = vstatics(
-        "plot", CASES / "moskvich412.yaml", "--kind", "campbell", "--speed", text, "-o", to
-    )
-    assert (done.status, to.exists()) == (2, False)
-    assert "--speed" in done.err

@@ -11,23 +11,13 @@ from tests.commands import CASES, json_answer, vstatics
 from tests.pictures import drawn as said
 from tests.shipped import shipped_results
 from tests.torsion.pictures.marks import drawn, marks, plotted
-from vstatics import Gear, Load, Results, Spring, Transmission, solve
+from vstatics import Gear, Load, Spring, Transmission, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Excitation, Style
 from vstatics.torsion.pictures.orders.response_lines import response_panels
 
 AT_WHEELS = Style(excited=Excitation(orders=(2.0, 4.0), at="wheels"))
 DRIVELINE = "driveline-8hp70.yaml"
-
-
-def answer(
-    file: Path, at: str, order: float, speeds: list[float], gear: str
-) -> tuple[list[float], list[float]]:
-    """Speeds and amplitudes of a link that `torsion response` tells [rpm, rad]."""
-    listed = ",".join(map(repr, speeds))
-    options = ("--at", at, "--orders", f"{order:g}", "--speed", listed, "--gear", gear)
-    [found] = json_answer("torsion", "response", file, *options)["gears"]
-    return found["speeds"], found["orders"][0]["amplitudes"][at]
 
 
 @pytest.mark.parametrize(
@@ -44,22 +34,18 @@ def test_lines_are_those_of_the_command(name: str, style: Style, gear: int, at: 
     assert panel.link == at
     for line in panel.lines:
         some = line.speeds[::7].tolist()
-        speeds, amplitudes = answer(
-            CASES / name, at, line.order.number, some, results.case.gears[gear - 1].name
-        )
-        expected = dict(zip(speeds, amplitudes, strict=True))
+        options = ("--at", at, "--orders", f"{line.order.number:g}", "--gear", f"#{gear}")
+        call = ("response", CASES / name, *options, "--speed", ",".join(map(repr, some)))
+        [found] = json_answer("torsion", *call)["gears"]
+        amplitudes = found["orders"][0]["amplitudes"][at]
+        expected = dict(zip(found["speeds"], amplitudes, strict=True))
         told = dict(zip(line.speeds.tolist(), line.amplitudes.tolist(), strict=True))
-        for speed in some:
-            assert told[speed] == pytest.approx(expected[speed], rel=1e-9)
-    peaks = {
-        round(one.order.speed(mode.frequency), 6)
-        for one in panel.lines
-        for order, mode in panel.peaks
-        if order == one.order
-    }
-    every = {round(speed, 6) for line in panel.lines for speed in line.speeds}
-    assert len(peaks) > 5
-    assert peaks <= every
+        assert [told[n] for n in some] == pytest.approx([expected[n] for n in some], rel=1e-9)
+        peaks = {
+            line.order.speed(mode.frequency) for order, mode in panel.peaks if order == line.order
+        }
+        assert {round(one, 6) for one in peaks} <= {round(one, 6) for one in line.speeds}
+    assert len(panel.peaks) > 5
 
 
 @pytest.mark.parametrize("gear", [2, 9])
@@ -74,9 +60,8 @@ def test_what_is_drawn_is_the_logarithm_over_the_speed(gear: int) -> None:
     for mark, line in zip(lines, panel.lines, strict=True):
         x, y = np.array(mark.points).T
         # paths are cut at the edges, and simplified: their points lie on the line
-        right = x.max()
-        ends.append((right, float(np.interp(right, x, y)), np.log10(line.amplitudes[-1])))
-    heights, logs = np.array(ends)[:, 1], np.array(ends)[:, 2]
+        ends.append((float(np.interp(x.max(), x, y)), np.log10(line.amplitudes[-1])))
+    heights, logs = np.array(ends).T
     slope, start = np.polyfit(logs[:3], heights[:3], 1)
     assert slope < 0
     assert heights[:3] == pytest.approx(slope * logs[:3] + start, abs=0.02)
@@ -89,57 +74,34 @@ def test_there_is_a_panel_for_each_gear_and_a_line_for_each_order(tmp_path: Path
     assert [one.data["order"] for one in marks(svg, "line")] == ["1.5", "3"] * 9
 
 
-def test_a_mass_on_a_spring_has_its_closed_form() -> None:
-    """2 kg*m^2 on 200 N*m/rad: ``1/|200 - 2 omega^2|`` rad under 1 N*m."""
-    spring = Spring({1: 1}, stiffness=200.0, name="mount")
-    results = solve(Transmission(1, [], [], [], springs=[spring], inertias={1: 2.0}))
-    _, [panel] = response_panels(results, Style(excited=Excitation(orders=(1.0,))))
-    [line] = panel.lines
-    omegas = line.speeds * np.pi / 30
-    with np.errstate(divide="ignore"):
-        expected = 1 / np.abs(200 - 2 * omegas**2)
-    known = np.isfinite(line.amplitudes)
-    assert known.sum() >= known.size - 1
-    assert line.amplitudes[known] == pytest.approx(expected[known], rel=1e-6)
-
-
-def twins() -> Results:
+def test_each_gear_is_excited_at_its_own_input() -> None:
     """Two gears alike, each with the input at a wheel of its own."""
     springs = [Spring({1: 1, 2: -1}, stiffness=3000.0, name="shaft")]
     gears = [Gear(), Gear(input=2, output=1, load=Load(speed=900.0))]
-    case = Transmission(*(2, [], [], gears), springs=springs, inertias={1: 0.1, 2: 0.3})
-    return solve(case)
-
-
-def test_each_gear_is_excited_at_its_own_input() -> None:
-    _, panels = response_panels(twins(), Style())
+    twins = solve(Transmission(2, [], [], gears, springs=springs, inertias={1: 0.1, 2: 0.3}))
+    _, panels = response_panels(twins, Style())
     assert [one.link for one in panels] == ["1", "2"]
-    heading = said.texts(picture(twins(), "response", Style()))[0]
+    heading = said.texts(picture(twins, "response", Style()))[0]
     assert heading == "Amplitude of the input by a torque of 1 N·m on it"
 
 
 def test_orders_of_another_link_do_not_fire() -> None:
     results = shipped_results("moskvich412.yaml")
     lines = marks(drawn(results, "response", AT_WHEELS, 1), "line")
-    assert [one.data for one in lines] == [
-        {"order": "2", "firing": "false"},
-        {"order": "4", "firing": "false"},
-    ]
+    assert [one.data for one in lines] == [{"order": n, "firing": "false"} for n in ("2", "4")]
 
 
-def test_another_link_must_be_one(tmp_path: Path) -> None:
-    file = CASES / "moskvich412.yaml"
-    result = vstatics("plot", file, "-k", "response", "--at", "wheel", "-o", tmp_path / "a.svg")
+def test_another_link_must_be_one_that_turns(tmp_path: Path) -> None:
+    options = ("-k", "response", "-o", tmp_path / "a.svg", "--at")
+    result = vstatics("plot", CASES / "moskvich412.yaml", *options, "wheel")
     assert result.is_wrong_use("no link 'wheel'; did you mean `wheels`?")
-
-
-def test_a_link_that_stands_has_no_response(tmp_path: Path) -> None:
-    file = tmp_path / "held.yaml"
-    file.write_text(
-        "links: [a, b, c]\ninput: a\noutput: b\ninertias: {a: 1, b: 1, c: 1}\n"
-        "springs: {s: {links: [a, b], stiffness: 100}}\n"
-        "shift_elements: {B: [c, housing]}\ngears: {one: [B]}\n",
-        encoding="utf-8",
-    )
-    result = vstatics("plot", file, "-k", "response", "--at", "c", "-o", tmp_path / "a.svg")
+    held = """\
+links: [a, b, c]
+output: b
+inertias: {a: 1, b: 1, c: 1}
+springs: {s: {links: [a, b], stiffness: 100}}
+shift_elements: {B: [c, housing]}
+gears: {one: [B]}
+"""
+    result = vstatics("plot", "-", *options, "c", stdin=held.encode())
     assert result.fails("error: no response in gear one: link c stands still")

@@ -6,8 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 
 from tests.torsion.book import TENTH, chain, scheme, table
+from tests.torsion.test_book_vehicles import PUBLISHED, truck
 from tests.torsion.test_simplification_tables import GEARS, cells_of_p1_2
 from tests.torsion.vibration.test_decrements import TABLE_P2_1
+from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics.torsion.reduction.chain import scheme_of
 from vstatics.torsion.reduction.scheme import natural_frequencies
 from vstatics.torsion.reduction.simplification import simplify
@@ -50,40 +52,29 @@ def moskvich() -> Iterator[Cell]:
         for name, inertias, rest in zip(GEARS[:4], printed["J"], printed["E"], strict=True):
             *chained, casing, wheels, vehicle = inertias
             to_wheels, springs, tyres = rest[2:]
-            yield from numbered(
-                "2.5",
-                f"{state} {name}",
-                axle(
-                    [*chained, wheels, vehicle, casing],
-                    [first, *rest[:2], to_wheels, tyres, springs],
-                ),
-            )
+            compliances = [first, *rest[:2], to_wheels, tyres, springs]
+            found = axle([*chained, wheels, vehicle, casing], compliances)
+            yield from numbered("2.5", f"{state} {name}", found)
     for state, first in links["damper"].items():
-        for gear, (inertias, rest) in enumerate(
-            zip(links["inertias"], links["compliances"], strict=True)
+        for name, inertias, rest in zip(
+            GEARS, links["inertias"], links["compliances"], strict=False
         ):
             given = scheme_of(chain(inertias, [first, *rest]))
-            yield ("2.6", f"{state} {GEARS[gear]}"), simplify(given, 1).steps[-1].omegas[0]
+            yield ("2.6", f"{state} {name}"), simplify(given, 1).steps[-1].omegas[0]
 
 
 def vehicles() -> Iterator[Cell]:
     """Table 2.10."""
-    casings = table("table_2_10")["vehicles"]
-    for name, of in table("table_2_8")["vehicles"].items():
-        for gear, _ in enumerate(casings[name]["J_p"]):
-            masses = [*(of[f"J{n}"][gear] for n in range(2, 7)), casings[name]["J_p"][gear]]
-            rest = [of[f"E{n}{n + 1}"][gear] for n in range(2, 6)]
-            compliances = [of["E12"][gear][1], *rest, casings[name]["E_p"][gear]]
-            omegas = axle([sum(of["J1"]), *masses], compliances)
-            yield from numbered("2.10", f"{name} {GEARS[gear]}", omegas)
+    for name, of in PUBLISHED.items():
+        for gear, _ in enumerate(of["J_p"]):
+            yield from numbered("2.10", f"{name} {GEARS[gear]}", omegas(only(truck(name, gear))))
     for letter, ((turbine, *behind), springs) in ALLISON.items():
         for state, first in (("locked", 6.42 + turbine), ("open", turbine)):
-            yield from numbered(
-                "2.10", f"Allison {state} {letter}", axle([first, *behind], springs)
-            )
+            found = axle([first, *behind], springs)
+            yield from numbered("2.10", f"Allison {state} {letter}", found)
     for roman, given in (("II", BELAZ_II), ("III", BELAZ_III)):
-        omegas = natural_frequencies(scheme_of(chain(*given)))
-        yield from numbered("2.10", f"BelAZ-540 open {roman}", omegas)
+        found = natural_frequencies(scheme_of(chain(*given)))
+        yield from numbered("2.10", f"BelAZ-540 open {roman}", found)
 
 
 def appendices() -> Iterator[Cell]:

@@ -71,17 +71,13 @@ def test_a_road_in_numbers() -> None:
         assert vstatics(*asked, "--input", "road.yaml", "-f", form).status == 0
 
 
-@pytest.mark.parametrize(
-    ("options", "status", "why"),
-    [
-        (("--at", "rod"), 2, "no link 'rod'; did you mean `road`"),
-        (("--at", "road", "--by", "angle"), 2, "'angle' is not one of"),
-        (("--at", "mass", "--speed-ratio", "TC=.6"), 2, "no converter 'TC'"),
-        (("--at", "mass", "--speed-ratio", "TC"), 2, "the name of a converter and a number"),
-        (("--at", "mass", "--omega", "x"), 2, "Invalid value for --omega"),
-    ],
-)
-def test_wrong_use(options: tuple[str, ...], status: int, why: str) -> None:
-    said = vstatics("torsion", "random", "case.yaml", "--input", "road.yaml", *options)
-    assert said.status == status
-    assert why in said.err
+def test_wrong_use() -> None:
+    for options, why in (
+        (("--at", "rod"), "no link 'rod'; did you mean `road`"),
+        (("--at", "road", "--by", "angle"), "'angle' is not one of"),
+        (("--at", "mass", "--speed-ratio", "TC=.6"), "no converter 'TC'"),
+        (("--at", "mass", "--speed-ratio", "TC"), "the name of a converter and a number"),
+        (("--at", "mass", "--omega", "x"), "Invalid value for --omega"),
+    ):
+        said = vstatics("torsion", "random", "case.yaml", "--input", "road.yaml", *options)
+        assert said.is_wrong_use(why), options

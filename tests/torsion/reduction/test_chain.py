@@ -36,20 +36,20 @@ def test_a_chain_begins_with_the_end_that_the_case_has_first() -> None:
     assert [spring.compliance for spring in one.springs] == [1, 3, 2]
 
 
-def test_the_housing_is_an_end() -> None:
+def test_the_housing_is_an_end_and_a_single_mass_a_chain() -> None:
     assert found(joined("ab", "ab", "b")).inertias == (1, 2, math.inf)
     assert found(joined("ab", "ab", "a")).inertias == (math.inf, 1, 2)
     assert found(joined("ab", "a", "ab", "b")).names == ("", "a", "b", "")
     assert found(joined("a", "a", "a")).names == ("a", "")
-
-
-def test_a_single_mass_is_a_chain() -> None:
     assert found(joined("a")) == Chain(("a",), (1.0,), ())
 
 
 def test_parallel_shafts_are_one() -> None:
     [spring] = found(joined("ab", "ab", "ba")).springs
     assert spring.compliance == pytest.approx(1 / (1 / 1 + 1 / 2))
+
+
+AXLE = TorsionScheme(tuple("abc"), (1, 1, 1), (SchemeSpring("axle", {0: 1, 1: -1, 2: -1}, 1.0),))
 
 
 @pytest.mark.parametrize(
@@ -61,11 +61,7 @@ def test_parallel_shafts_are_one() -> None:
         (joined("abcd", "ab", "cd"), "not all of its links are joined by springs"),
         (joined("ab"), "not all of its links are joined by springs"),
         (
-            TorsionScheme(
-                ("a", "b", "c"),
-                (1, 1, 1),
-                (SchemeSpring("axle", {0: 1, 1: -1, 2: -1}, 1.0),),
-            ),
+            AXLE,
             "`axle` is not a shaft between two links: "
             "it acts on a, b and c with coefficients 1, -1 and -1",
         ),
@@ -83,13 +79,10 @@ def test_the_scheme_of_a_chain_is_that_chain() -> None:
 
 
 def test_partial_systems_by_hand() -> None:
-    """sqrt((1/El + 1/Er)/J) and sqrt((1/Jl + 1/Jr)/E), (П1.3), with J*10 and E in 1."""
+    """sqrt((1/El + 1/Er)/J) and sqrt((1/Jl + 1/Jr)/E), (П1.3); at the housing no partner."""
     systems = partial_systems(chain([40, 10, 20], [1, 0.5], unit=1))
     assert [system.names for system in systems] == [("2",), ("1", "2"), ("2", "3")]
     expected = [(1 + 2) / 1, (1 / 4 + 1) / 1, (1 + 1 / 2) / 0.5]
     assert [system.frequency**2 for system in systems] == pytest.approx(expected)
-
-
-def test_at_the_housing_a_mass_has_two_springs_but_no_partner() -> None:
     systems = partial_systems(found(joined("ab", "a", "ab")))
     assert [system.names for system in systems] == [("a",), ("a", "b")]

@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 
 from tests.chance import seeded
-from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.reduction.condensation import tidied, without_massless
 from vstatics.torsion.reduction.scheme import (
     SchemeSpring,
     TorsionScheme,
     natural_frequencies,
     stiffness_matrix,
-)
+)  # fmt: skip
 
 Twist = dict[int, float]
 
@@ -27,31 +26,19 @@ def light(inertias: list[float], *springs: tuple[Twist, float]) -> TorsionScheme
     )
 
 
-def schur(scheme: TorsionScheme) -> Floats:
-    """K of the masses with inertia by static condensation."""
-    whole, heavy = stiffness_matrix(scheme), np.array(scheme.inertias) > 0
-    outer, mixed, inner = whole[heavy][:, heavy], whole[heavy][:, ~heavy], whole[~heavy][:, ~heavy]
-    left: Floats = outer - mixed @ np.linalg.solve(inner, mixed.T)
-    return left
+def test_differentials_and_shafts_in_a_row() -> None:
+    """Figure П1.6: the twist 1, -i, -(1 - i) stays, C = C1 C2/((1 - i)^2 C1 + C2).
 
-
-def test_a_differential_and_a_shaft() -> None:
-    """Figure П1.6: the twist 1, -i, -(1 - i) stays, C = C1 C2/((1 - i)^2 C1 + C2)."""
-    i, one, two = 2.5, 0.3, 0.7
-    given = light([1, 1, 1, 0], ({0: 1, 1: -i, 3: -(1 - i)}, one), ({2: -1, 3: 1}, two))
-    [spring] = without_massless(given).springs
-    assert spring.twist == pytest.approx({0: 1, 1: -i, 2: -(1 - i)})
-    assert 1 / spring.compliance == pytest.approx(1 / one / two / ((1 - i) ** 2 / one + 1 / two))
-
-
-def test_two_differentials_in_a_row() -> None:
-    """Figure П1.6: 1, -i1, -(1 - i1) i2, -(1 - i1)(1 - i2)."""
+    Two differentials are 1, -i1, -(1 - i1) i2, -(1 - i1)(1 - i2).
+    """
     i1, i2, one, two = 2.5, 0.4, 0.3, 0.7
-    given = light(
-        [1, 1, 1, 1, 0],
-        ({0: 1, 1: -i1, 4: -(1 - i1)}, one),
-        ({4: 1, 2: -i2, 3: -(1 - i2)}, two),
-    )
+    shaft: Twist = {2: -1, 3: 1}
+    given = light([1, 1, 1, 0], ({0: 1, 1: -i1, 3: -(1 - i1)}, one), (shaft, two))
+    [spring] = without_massless(given).springs
+    assert spring.twist == pytest.approx({0: 1, 1: -i1, 2: -(1 - i1)})
+    assert 1 / spring.compliance == pytest.approx(1 / one / two / ((1 - i1) ** 2 / one + 1 / two))
+    first: Twist = {0: 1, 1: -i1, 4: -(1 - i1)}
+    given = light([1, 1, 1, 1, 0], (first, one), ({4: 1, 2: -i2, 3: -(1 - i2)}, two))
     [spring] = without_massless(given).springs
     expected = {0: 1, 1: -i1, 2: -(1 - i1) * i2, 3: -(1 - i1) * (1 - i2)}
     assert spring.twist == pytest.approx(expected)
@@ -61,15 +48,11 @@ def test_two_differentials_in_a_row() -> None:
 def test_two_differentials_on_the_same_masses() -> None:
     """Figure П1.6: 1 - i2, -(i1 - i2), -(1 - i1), by its first coefficient."""
     i1, i2 = 2.5, 0.4
-    given = light(
-        [1, 1, 1, 0],
-        ({0: 1, 1: -i1, 3: -(1 - i1)}, 0.3),
-        ({2: 1, 1: -i2, 3: -(1 - i2)}, 0.7),
-    )
+    first: Twist = {0: 1, 1: -i1, 3: -(1 - i1)}
+    given = light([1, 1, 1, 0], (first, 0.3), ({2: 1, 1: -i2, 3: -(1 - i2)}, 0.7))
     [spring] = without_massless(given).springs
     expected = {0: 1 - i2, 1: -(i1 - i2), 2: -(1 - i1)}
     assert spring.twist == pytest.approx({mass: a / (1 - i2) for mass, a in expected.items()})
-    assert stiffness_matrix(without_massless(given)) == pytest.approx(schur(given))
 
 
 def random_scheme(seed: int) -> TorsionScheme:
@@ -86,18 +69,24 @@ def random_scheme(seed: int) -> TorsionScheme:
 
 @pytest.mark.parametrize("seed", range(20))
 def test_any_scheme_keeps_its_stiffness_and_frequencies(seed: int) -> None:
+    """K of the masses with inertia is its Schur complement (static condensation)."""
     given = random_scheme(seed)
     left = without_massless(given)
-    expected = schur(given)
+    whole, heavy = stiffness_matrix(given), np.array(given.inertias) > 0
+    outer, mixed, inner = whole[heavy][:, heavy], whole[heavy][:, ~heavy], whole[~heavy][:, ~heavy]
+    expected = outer - mixed @ np.linalg.solve(inner, mixed.T)
     assert len(left.springs) <= len(given.springs) - 3
     assert stiffness_matrix(left) == pytest.approx(expected, abs=1e-9 * abs(expected).max())
     assert natural_frequencies(left) == pytest.approx(natural_frequencies(given), rel=1e-9)
 
 
 def test_a_meeting_of_three_stays_where_the_shape_is_kept() -> None:
-    star = light([1, 1, 1, 0], ({0: 1, 3: -1}, 1.0), ({1: 1, 3: -1}, 1.0), ({2: 1, 3: -1}, 1.0))
+    star = light([1, 1, 1, 0], *(({n: 1.0, 3: -1.0}, 1.0) for n in range(3)))
     assert tidied(star) == star
-    assert len(without_massless(star).springs) == 2
+    springs = zip(star.springs, (9.0, 18.0, 27.0), strict=True)
+    damped = star._replace(springs=tuple(one._replace(damping=d) for one, d in springs))
+    found = without_massless(damped).springs  # a with b, then c with half of both, by (П1.14)
+    assert [one.damping for one in found] == pytest.approx([27 / 4, (27 / 9 + 27 * 4 / 9) / 4])
 
 
 def test_parallel_springs_are_one() -> None:
@@ -129,12 +118,8 @@ def test_damping_in_a_row_is_weighed_by_squares_of_compliances() -> None:
 def test_damping_of_a_differential_and_a_shaft() -> None:
     """Both in one torque M: each dissipates K (E M')^2, with M' its own torque for 1 of M."""
     i, first, second = 2.5, (0.3, 4.0), (0.7, 9.0)
-    springs = (
-        SchemeSpring("a", {0: 1, 1: -i, 3: -(1 - i)}, *first),
-        SchemeSpring("b", {2: -1, 3: 1}, *second),
-    )
-    given = TorsionScheme(tuple("abcd"), (1, 1, 1, 0), springs)
-    [spring] = tidied(given).springs
-    own, other = 1.0, abs(1 - i)
-    expected = first[1] * (first[0] * own) ** 2 + second[1] * (second[0] * other) ** 2
+    differential = SchemeSpring("a", {0: 1, 1: -i, 3: -(1 - i)}, *first)
+    springs = (differential, SchemeSpring("b", {2: -1, 3: 1}, *second))
+    [spring] = tidied(TorsionScheme(tuple("abcd"), (1, 1, 1, 0), springs)).springs
+    expected = first[1] * first[0] ** 2 + second[1] * (second[0] * (1 - i)) ** 2
     assert spring.damping * spring.compliance**2 == pytest.approx(expected)

@@ -18,14 +18,10 @@ POINTS = [(0, 0), (0.1, 0), (0.2, 30), (0.3, 90)]
 def driven(torque: float | None = None, efficiency: float = 1.0) -> Transmission:
     """A mass of 1 kg*m^2, a pair that turns it half as fast, the spring, a mass of 2 kg*m^2."""
     return Transmission(
-        3,
-        [],
-        [Mechanism(1, 2, 0, -2.0, efficiency)],
-        [],
-        inertias={1: 1.0, 3: 2.0},
+        3, [], [Mechanism(1, 2, 0, -2.0, efficiency)], [], inertias={1: 1.0, 3: 2.0},
         springs=[Spring({2: 1, 3: -1}, points=POINTS, name="S")],
         load=None if torque is None else Load(torque=torque),
-    )
+    )  # fmt: skip
 
 
 def carried(case: Transmission) -> tuple[float, float]:
@@ -67,28 +63,15 @@ def test_points_that_are_not_odd_have_each_side_its_slope() -> None:
         assert carried(case) == (torque, slope)
 
 
-def test_in_neutral_a_spring_carries_nothing() -> None:
+def test_each_gear_has_its_own_load_and_in_neutral_a_spring_carries_nothing() -> None:
     case = Transmission(
-        3,
-        [ShiftElement(1, 2, name="C")],
-        [],
-        [Gear([1]), Gear([])],
-        inertias={1: 1, 2: 1, 3: 2},
-        springs=[Spring({2: 1, 3: -1}, points=POINTS, name="S")],
-        load=Load(torque=20),
-    )
-    assert [gear.slopes["S"] for gear in modes(case)] == [pytest.approx(300), 0]
-
-
-def test_each_gear_has_its_own_load() -> None:
-    case = driven(10.0)
-    gears = [Gear(), Gear(load=Load(torque=20.0))]
-    assert [gear.slopes["S"] for gear in modes(case.replace(gears=gears))] == [
-        pytest.approx(300),
-        pytest.approx(600),
-    ]
-    case = case.replace(gears=gears).with_torque(3.0)
-    assert [gear.slopes["S"] for gear in modes(case)] == [pytest.approx(300)] * 2
+        3, [ShiftElement(1, 2, name="C")], [],
+        [Gear([1]), Gear([1], load=Load(torque=40.0)), Gear()], inertias={1: 1, 2: 1, 3: 2},
+        springs=[Spring({2: 1, 3: -1}, points=POINTS, name="S")], load=Load(torque=20),
+    )  # fmt: skip
+    assert [gear.slopes["S"] for gear in modes(case)] == pytest.approx([300, 600, 0])
+    slopes = [gear.slopes["S"] for gear in modes(case.with_torque(3.0))]
+    assert slopes == pytest.approx([300, 300, 0])
 
 
 def test_beside_another_spring_statics_does_not_know_what_it_carries() -> None:

@@ -62,14 +62,6 @@ def bent(random: Random) -> list[tuple[float, float]]:
 
 def train(random: Random) -> Train:
     """A random train with its numbers by hand, in which drag takes less than the converter."""
-    made = None
-    while made is None:
-        made = any_train(random)
-    return made
-
-
-def any_train(random: Random) -> Train | None:
-    """A train; None where both of its ends would drive, against the drag."""
     ratio, behind = (random.choice([-1, 1]) * 10 ** random.uniform(-0.5, 0.5) for _ in range(2))
     efficiency, drag = random.uniform(0.85, 1), random.choice([0.0, random.uniform(0, 30)])
     speed, at = random.uniform(500, 5000), random.uniform(0.05, 1.15)
@@ -81,21 +73,17 @@ def any_train(random: Random) -> Train | None:
     taken = float(np.interp(at, factors[0], factors[2])) * pump * abs(pump)
     given = float(np.interp(at, factors[0], factors[1])) * taken
     needed = taken + math.copysign(drag, pump)
-    if needed * taken <= 0:
-        return None
+    if needed * taken <= 0:  # both of its ends would drive, against the drag
+        return train(random)
     torque = needed / ratio / efficiency if needed * pump > 0 else needed / ratio * efficiency
     brought = given * behind * (efficiency if given * pump > 0 else 1 / efficiency)
-    slopes = [
-        slope_at(points, torque)
-        for points, torque in zip(curves, (torque, taken, brought), strict=True)
-    ]
+    torques = zip(curves, (torque, taken, brought), strict=True)
+    slopes = [slope_at(curve, one) for curve, one in torques]
 
     masses = [10 ** random.uniform(-1.5, 0.5) for _ in range(8)]
     ends = ({1: 1, 2: -1}, {3: 1, 4: -1}, {6: 1, 7: -1})
-    springs = [
-        Spring(form, points=curve, name=f"S{n}")
-        for n, (form, curve) in enumerate(zip(ends, curves, strict=True), 1)
-    ]
+    names = zip(ends, curves, ("S1", "S2", "S3"), strict=True)
+    springs = [Spring(form, points=curve, name=name) for form, curve, name in names]
     case = Transmission(
         8, [], [Mechanism(2, 3, 0, ratio, efficiency), Mechanism(5, 6, 0, behind, efficiency)],
         [Gear(speed_ratios={3: at}, drag={3: OfLoad(drag, 1.0)})],
@@ -133,29 +121,22 @@ def test_the_pump_sets_the_torques_of_all_springs() -> None:
         assert not gear.warnings
         agreeing = case.with_torque(one.torque)
         by_option = case.replace(gears=[case.gears[0]._replace(speed_ratios={})])
-        inside = case.replace(
-            converters=[],
-            mechanisms=[*case.mechanisms, case.converters[0].at_ratio(at)],
-        )
+        mechanisms = [*case.mechanisms, case.converters[0].at_ratio(at)]
+        inside = case.replace(converters=[], mechanisms=mechanisms)
         for other, ratios in ((agreeing, {}), (by_option, {"TC": at}), (inside, {})):
             [same] = modes(other, speed_ratios=ratios)
             assert same.slopes == pytest.approx(gear.slopes)
             assert not same.warnings
         found = frequencies(case, [], np.zeros((1, 0)), {0: range(4)}).omegas[0, 0]
         assert found == pytest.approx(expected, rel=1e-6)
-        linear = case.replace(
-            springs=[
-                Spring(spring.form, stiffness=slope, name=spring.name)
-                for spring, slope in zip(case.springs, [*one.slopes, 700.0], strict=True)
-            ]
+        pairs = zip(case.springs, [*one.slopes, 700.0], strict=True)
+        straight = [Spring(of.form, stiffness=slope, name=of.name) for of, slope in pairs]
+        linear, speeds = case.replace(springs=straight), [random.uniform(100, 3000)]
+        by_points, by_slopes = (
+            [response(of, 1, [Harmonic(1.0)], speeds), random_vibration(of, 1, White(1.0))]
+            for of in (case, linear)
         )
-        speeds = [random.uniform(100, 3000)]
-        for by_points, by_slopes in zip(
-            (response(case, 1, [Harmonic(1.0)], speeds), random_vibration(case, 1, White(1.0))),
-            (response(linear, 1, [Harmonic(1.0)], speeds), random_vibration(linear, 1, White(1.0))),
-            strict=True,
-        ):
-            assert repr(by_points) == repr(by_slopes)
+        assert repr(by_points) == repr(by_slopes)
     assert coasts
 
 

@@ -7,22 +7,11 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.installed import needs
-from tests.torsion.systems import Array, chain
+from tests.torsion.systems import Array, chain, wheels
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from tests.torsion.vibration.test_variants import system_of
-from vstatics import Spring, Transmission
+from vstatics import Transmission
 from vstatics.torsion.vibration.variants import variant_frequencies
-
-
-def wheels(propshaft: float) -> Transmission:
-    """Two equal wheels on equal half-shafts behind an engine; in antiphase at 5 rad/s."""
-    springs = [
-        Spring({1: 1, 2: -1}, stiffness=propshaft, name="propshaft"),
-        Spring({2: 1, 3: -1}, stiffness=50.0, name="left"),
-        Spring({2: 1, 4: -1}, stiffness=50.0, name="right"),
-    ]
-    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
-    return Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4)
 
 
 def test_wheels_in_antiphase_keep_their_number() -> None:
@@ -52,21 +41,13 @@ def test_a_sweep_takes_the_numbers_of_its_first_variant_in_every_piece() -> None
 
 def side_by_side(one: Transmission, other: Transmission) -> Transmission:
     """Two trains in one case."""
-    springs = [
-        spring._replace(
-            twist={link + one.links: part for link, part in spring.form.items()},
-            name=f"other {spring.name}",
-        )
-        for spring in other.springs
-    ]
-    inertias = {link + one.links: inertia for link, inertia in other.inertias.items()}
+    springs = [*one.springs]
+    for spring in other.springs:
+        twist = {link + one.links: part for link, part in spring.form.items()}
+        springs.append(spring._replace(twist=twist, name=f"other {spring.name}"))
+    inertias = {**one.inertias, **{link + one.links: j for link, j in other.inertias.items()}}
     links = one.links + other.links
-    return Transmission(
-        *(links, [], [], []),
-        springs=[*one.springs, *springs],
-        inertias={**one.inertias, **inertias},
-        output=links,
-    )
+    return Transmission(links, [], [], [], springs=springs, inertias=inertias, output=links)
 
 
 def random_chain(number: int) -> tuple[list[float], list[float]]:
@@ -98,10 +79,7 @@ def test_modes_of_two_trains_stay_with_their_train(number: int) -> None:
     for heavy, light in ((inertia, stiffness), (np.full(7, masses[1]), stiffness)):
         varied = {1: heavy} if heavy is inertia else {}
         found = variant_frequencies(
-            *(system_of(both), range(len(order))),
-            stiffnesses={0: light},
-            inertias=varied,
-            variants=7,
+            system_of(both), range(len(order)), stiffnesses={0: light}, inertias=varied, variants=7
         )
         expected = [by_train(c, j)[order] for c, j in zip(light, heavy, strict=True)]
         np.testing.assert_allclose(found, expected, rtol=1e-8)

@@ -28,11 +28,10 @@ def test_the_decrement_is_exact_also_on_a_mean_that_drifts(drift: float, decreme
     assert made.amplitudes == pytest.approx(expected)
 
 
-def test_a_record_of_40_and_120() -> None:
+def test_the_mean_line_of_a_record() -> None:
     """By hand: means of (160 - 2 51.148655 + 109.233977)/4 and so on."""
     made = decay([160, -51.148655, 109.233977, -12.588199, 79.944530, 9.659249], 0.1)
     assert made.mean_line == pytest.approx((41.734167, 38.682775, 41.000527, 39.240027), abs=1e-6)
-    assert made.decrement == pytest.approx(0.55, abs=1e-7)
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -62,23 +61,17 @@ def test_a_plateau_on_the_way_is_no_extreme() -> None:
     assert len(seen.amplitudes) == 5 - 2 + 1
 
 
-@pytest.mark.parametrize(
-    ("given", "message"),
-    [
+def test_what_is_no_vibration() -> None:
+    for given, message in (
         ([1, -1, 1, -1], "read 4 extremes of a vibration, expected 5 at least"),
         ([1, -1, 2, 3, -1, 2], "rise and fall in turn"),
         ([1, -1, 1, 1, -1], "rise and fall in turn"),
         ([1, -2, 3, -4, 5, -6], "expected extremes that decay"),
         ([1e308, -1e308, 1e308, -1e308, 1e307], "expected extremes that decay"),
         ([], "read 0 extremes"),
-    ],
-)
-def test_what_is_no_vibration(given: list[float], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        decay(given, 1.0)
-
-
-@pytest.mark.parametrize("values", [np.zeros(0), np.ones(9), np.arange(9.0)])
-def test_records_without_extremes(values: np.ndarray[tuple[int], np.dtype[np.float64]]) -> None:
-    with pytest.raises(ValueError, match="read 0 extremes"):
-        recorded_decay(np.arange(float(len(values))), values)
+    ):
+        with pytest.raises(ValueError, match=message):
+            decay(given, 1.0)
+    for values in (np.zeros(0), np.ones(9), np.arange(9.0)):
+        with pytest.raises(ValueError, match="read 0 extremes"):
+            recorded_decay(np.arange(float(len(values))), values)
