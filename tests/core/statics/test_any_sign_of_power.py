@@ -24,23 +24,6 @@ def pair(load: Load, **more: object) -> Transmission:
 
 
 @pytest.mark.parametrize("speed", [2000.0, -2000.0])
-def test_a_load_of_power_below_0_coasts(speed: float) -> None:
-    """300 N*m against the speed: the pair takes 300 2.5/.96 at its second link; drag acts there."""
-    torque = -math.copysign(300.0, speed)
-    results = solve(pair(Load(speed, torque)))
-    size = 300 * 2.5 / 0.96 + 3
-    assert results.lossy_output_torque_Nm == pytest.approx(
-        -2.5 * torque / 0.96 - math.copysign(3, torque)
-    )
-    assert abs(results.lossy_output_torque_Nm[0]) == pytest.approx(size)
-    assert results.efficiency == pytest.approx(300 * 2.5 / size)
-    assert (results.losses_kW > 0).all()
-    assert (results.drag_losses_kW > 0).all()
-    lost = results.losses_kW.sum() + results.drag_losses_kW[0]
-    assert results.input_power_kW - results.output_power_kW == pytest.approx(lost)
-
-
-@pytest.mark.parametrize("speed", [2000.0, -2000.0])
 @pytest.mark.parametrize("torque", [300.0, -300.0])
 def test_coast_turns_the_torque_whatever_its_sign(speed: float, torque: float) -> None:
     """True: against the speed, false: along it, left out: as it is."""

@@ -92,14 +92,6 @@ def test_arrays_of_efficiencies_leave_the_second_one_as_it_is() -> None:
     assert solve(worm(None), efficiencies=eta).efficiency[:, 1] == pytest.approx(eta[:, 0])
 
 
-def test_plans_of_one_worm_gear_are_not_taken_for_another() -> None:
-    u = np.linspace(10, 30, 20)[:, None]
-    for back in (0.7, None, 0.0, 0.6):
-        expected = 0.8 if back is None else back or np.nan
-        found = solve(worm(back), ratios=u).efficiency[:, 1]
-        assert found == pytest.approx(np.full(20, expected), nan_ok=True)
-
-
 def with_backs(rng: Random, case: Transmission) -> Transmission:
     """The train with other efficiencies for the way back, some of them 0."""
     choices = (None, None, 0.0, 1.0, 0.5, 0.8, 0.9, 0.95)

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tests.chance import count, generator
+from tests.chance import count
 from tests.trains import is_regular, no_losses, regular_trains, trains
 from vstatics import Results, Transmission, solve
 from vstatics.core.model.parts import SpeedOf
@@ -128,25 +128,3 @@ def test_deck_yaml_and_json_of_a_case_give_one_result(case: Transmission) -> Non
         assert results.messages == expected.messages
         for name in ARRAYS:
             np.testing.assert_array_equal(getattr(results, name), getattr(expected, name))
-
-
-@settings(max_examples=count(8, 48))
-@given(trains(gears=2), st.integers(0, 2**32 - 1))
-def test_variants_together_are_variants_one_by_one(case: Transmission, seed: int) -> None:
-    rng = generator(seed)
-    own = np.array([mechanism.ratio for mechanism in case.mechanisms])
-    ratios = own * np.where(own == 1, 1, rng.uniform(0.9, 1.1, (3, 2, own.size)))
-    efficiencies = rng.uniform(0.9, 1, (2, own.size))
-    together = solve(case, ratios=ratios, efficiencies=efficiencies)
-    assert together.speeds.shape == (3, 2, 2, case.links)
-    assert together.efficiency.shape == (3, 2, 2)
-    for place in np.ndindex(3, 2):
-        mechanisms = [
-            one._replace(ratio=float(u), efficiency=float(eta))
-            for one, u, eta in zip(
-                case.mechanisms, ratios[place], efficiencies[place[1]], strict=True
-            )
-        ]
-        alone = solve(replace(case, mechanisms=mechanisms))
-        for name in ARRAYS:
-            same(getattr(together, name)[place], getattr(alone, name), rtol=1e-11, atol=1e-11)

@@ -22,10 +22,8 @@ from vstatics import (
     distribution_matrix,
     solve,
 )
-from vstatics.core.model.parts import Load
 from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.tables.values import tables
 
 SHAFT = Transmission(
     4,
@@ -64,11 +62,6 @@ def assert_agree(with_springs: Transmission, with_mechanisms: Transmission) -> N
             same(np.array(ours[device]), np.array(theirs[device]))
 
 
-def test_a_shaft_is_a_mechanism_of_ratio_1() -> None:
-    pair = Mechanism(3, 4, 0, 1.0, name="shaft")
-    assert_agree(SHAFT, replace(SHAFT, springs=(), mechanisms=[*SHAFT.mechanisms, pair]))
-
-
 def test_a_spring_to_the_housing_is_a_support() -> None:
     """The axle turns its casing by (u - 1) of the torque of its pinion, as a held link does."""
     axle = Mechanism(1, 2, 3, 41 / 11, 0.97, name="axle")
@@ -100,17 +93,6 @@ def test_a_train_may_be_of_springs_alone(case: Transmission) -> None:
     assert_agree(on_springs(case), no_losses(case))
 
 
-def test_freewheels_find_their_state_beside_springs() -> None:
-    wheel = ShiftElement(2, 0, "F", "freewheel")
-    case = replace(
-        SHAFT, shift_elements=[wheel, SHAFT.shift_elements[1]], gears=[Gear(), Gear([2])]
-    )
-    pair = Mechanism(3, 4, 0, 1.0, name="shaft")
-    assert_agree(case, replace(case, springs=(), mechanisms=[*case.mechanisms, pair]))
-    assert solve(case).holds.tolist() == [[True, False], [False, True]]
-    assert solve(case).ratio == pytest.approx([3.5, 1])
-
-
 def test_coefficients_need_not_add_to_0() -> None:
     """Twist a + 2b - 3c - 4d of four links, of which b, c stand: w_d = w_a/4, M_d = -4 M."""
     held = [Mechanism(2, 0, 0, 1.0, name="b"), Mechanism(3, 0, 0, 1.0, name="c")]
@@ -135,17 +117,6 @@ def test_the_matrix_has_a_column_for_each_spring_behind_the_mechanisms() -> None
     ]
 
 
-def test_tables_have_a_row_for_each_spring() -> None:
-    case = replace(SHAFT, load=Load(2000.0, 300.0))
-    found = {table.quantity.name: table for table in tables(solve(case))}
-    assert list(found["torques"].rows) == ["B", "C", "set", "shaft", "Mx"]
-    assert found["torques_Nm"].values[3] == pytest.approx([1050, 300])
-    assert list(found["distribution_matrix"].columns) == ["B", "C", "set", "shaft"]
-    results = solve(case)
-    assert results["torques", "shaft"] == pytest.approx([3.5, 1])
-    assert "springs" in found["torques"].quantity.heading + str(found["torques"].quantity.members)
-
-
 def test_two_springs_between_the_same_links_share_a_torque_that_is_not_known() -> None:
     twins = [*SHAFT.springs, SHAFT.springs[0]._replace(name="other")]
     results = solve(replace(SHAFT, springs=twins))
@@ -167,20 +138,6 @@ def test_a_spring_that_ties_a_gear_up_is_named() -> None:
     assert str(results.messages[0]).endswith(
         "can twist in `vstatics torsion`, but not in statics [E452]"
     )
-
-
-def test_what_only_vibrates_changes_no_result() -> None:
-    stiff = replace(
-        SHAFT,
-        inertias={},
-        springs=[SHAFT.springs[0]._replace(stiffness=None, compliance=3.0, damping=0.0)],
-        mechanisms=[one._replace(stiffness=1e5, damping=3) for one in SHAFT.mechanisms],
-        shift_elements=[one._replace(stiffness=1e5, damping=3) for one in SHAFT.shift_elements],
-    )
-    one, other = solve(SHAFT), solve(stiff)
-    for name in Results._fields:
-        if name not in ("case", "messages", "points"):
-            assert np.array_equal(getattr(one, name), getattr(other, name), equal_nan=True)
 
 
 @pytest.mark.parametrize("seed", range(8))

@@ -37,12 +37,6 @@ def test_two_clutches_that_lock_the_train_leave_only_the_split_open() -> None:
     assert status(case) == 0
 
 
-def test_the_housing_takes_what_input_and_output_leave() -> None:
-    """Ring held, u = -2: Mx = 1 - u = 3, and 1 - 3 on the brake, its first link being the ring."""
-    results = solve(train([(2, 0)], Gear([1])))
-    assert results.torques[0] == pytest.approx([-2, 1, 3])
-
-
 def test_a_sum_may_be_determined_where_its_parts_are_not() -> None:
     """Two brakes on the ring share its 2; what each carries is open."""
     case = train([(2, 0), (2, 0)], Gear([1, 2]))

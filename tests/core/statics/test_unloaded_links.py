@@ -71,12 +71,6 @@ def test_a_single_drag_brings_a_free_race_to_rest(drag: str) -> None:
     assert sorted(ids(load + double)) == ["N420", "W412"]
 
 
-def test_a_set_that_hangs_on_the_input_lacks_a_shift_element() -> None:
-    """Direct drive without the second clutch: nothing says how fast ring and carrier turn."""
-    text = OVERDRIVE.replace("  E: [ring, input]\n", "  E: [sun, output]\n  K: [input, output]\n")
-    assert ids(text.replace("[E, O]", "[K]")) == ["W414"]
-
-
 def test_a_take_off_behind_an_open_clutch_is_free_on_purpose() -> None:
     text = """
 links: [engine, axle, stub, take-off]
@@ -91,18 +85,6 @@ gears: {field: [P], road: []}
         ("field", "W413"),
         ("road", "N420"),
     ]
-
-
-def test_a_free_link_under_torque_lacks_a_shift_element() -> None:
-    """Both halves of a differential reach the output by another one: their difference is free."""
-    text = """
-links: [input, left, right, output]
-mechanisms:
-  apart: {first: left, second: right, third: input, ratio: -1}
-  together: {first: left, second: right, third: output, ratio: -1}
-gears: {"1": []}
-"""
-    assert "W414" in ids(text)
 
 
 @pytest.mark.parametrize("links", ["[input, engine]", "[engine, input]"])

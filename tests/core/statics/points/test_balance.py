@@ -71,40 +71,6 @@ def test_an_input_split_is_balanced_as_by_hand() -> None:
     assert (np.abs(left) <= 1e-12 * found.input_power_kW).all()
 
 
-def test_one_case_is_balanced_too_and_its_state_has_the_torque() -> None:
-    results = solve(split())
-    [expected] = torque_of_mg2(*map(np.atleast_1d, (2000 / RPM, 80.0, 3000 / RPM, -2000.0)))
-    assert results.lossy_holding_torques_Nm[0, 3] == pytest.approx(expected, rel=1e-12)
-    assert results.gear(1).gear.torques[4] == pytest.approx(expected / 80, rel=1e-12)
-    assert results.messages == ()
-
-
-COUPLED = """\
-links: [MG1, axle, engine, MG2]
-input: engine
-output: axle
-load: {{speed: 2000 rpm, torque: 80 N*m}}
-mechanisms:
-  split: {{first: MG1, second: axle, third: engine, ratio: -2.6}}
-  pair: {{first: MG2, second: MG1, ratio: -2}}
-gears:
-  hold: {{speeds: {{MG1: 3000 rpm}}, balance: {{MG1: .9, MG2: .9, battery: {battery} W}}}}
-"""
-TAKEN = 80 / 3.6 * 3000 / RPM
-"""What both machines take together, as MG2 turns with MG1. [W]"""
-
-
-@pytest.mark.parametrize(("part", "said"), [(0.8, "two torques"), (0.95, "no torque")])
-def test_where_power_may_go_round_there_are_two_torques_or_none(part: float, said: str) -> None:
-    """Both get .9 of it where both generate; less where one drives the other, on either side."""
-    results = solve(loads(COUPLED.format(battery=part * TAKEN)))
-    assert np.isnan(results.lossy_torques).all()
-    assert np.isnan(results.lossy_holding_torques).all()
-    assert not results.consistent.any()
-    said_of = [one for one in results.messages if one.id == "W427"]
-    assert [one.text.split(" on ")[0] for one in said_of] == [f"balance: {said}"]
-
-
 def test_a_machine_that_stands_balances_nothing() -> None:
     """MG1 and engine turn such that the axle stands: w_axle = w_e + (w_e - w_1)/2.6 = 0."""
     text = SPLIT.replace("3000 rpm", f"{2000 * 3.6} rpm")
@@ -263,20 +229,3 @@ def test_a_series_hybrid_is_balanced_as_by_hand(given: str) -> None:
         assert torques[2] == pytest.approx(power / mgb, rel=1e-8), seed
         assert results.messages == (), seed
         assert results.power_balance[0] == pytest.approx(0, abs=1e-9)
-
-
-def test_the_series_mode_of_an_output_split_needs_no_torque_by_hand() -> None:
-    """Engine 16.755 kW, the battery at rest: MGB has 16.755 x .92 x .90 = 13.873 kW at 5000 rpm."""
-    text = """
-links: [engine, MGA, ring, MGB, out]
-input: engine
-output: out
-load: {speed: 2000 rpm, torque: 80 N*m}
-elements: {P: {kind: planetary, sun: MGB, ring: ring, carrier: out, teeth: {sun: 37, ring: 83}, efficiency: .98}}
-shift_elements: {C1: [ring, housing], C2: [MGA, ring], C3: [engine, MGA]}
-gears: {series: {engaged: [C1, C3], speeds: {MGB: 5000 rpm}, balance: {MGA: .92, MGB: .90}}}
-"""
-    results = solve(loads(text))
-    mgb = 80 * 2000 / 5000 * 0.92 * 0.9
-    np.testing.assert_allclose(results.lossy_holding_torques_Nm[0, [1, 3]], [-80, mgb], rtol=1e-12)
-    assert results.lossy_output_torque_Nm[0] == pytest.approx(mgb * (1 + 83 / 37 * 0.98), rel=1e-12)

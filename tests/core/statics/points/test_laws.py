@@ -47,27 +47,9 @@ def test_a_drag_by_a_formula_of_the_speed_of_its_link() -> None:
     np.testing.assert_allclose(at_output.drag_losses_kW[:, 0], lost, rtol=1e-12)
 
 
-def test_one_case_is_the_same_as_its_point() -> None:
-    case = pair(Load(200 * RPM, 80), drag={1: DragFormula("1.2 + 0.004*w")})
-    results = solve(case)
-    assert results.efficiency[0] == pytest.approx(1 - 2.0 / 80, rel=1e-14)
-    assert results.drag_losses_kW[0] == pytest.approx(0.4, rel=1e-14)
-    state = results.gear(1)
-    assert state.lossy_torques.on_first_link[-1] == pytest.approx(-2.5 * (1 - 2.0 / 80))
-    assert results.case == case
-
-
 def test_a_backward_speed_counts_as_its_magnitude() -> None:
     case = pair(Load(-200 * RPM, -80), drag={1: DragFormula("1.2 + 0.004*w")})
     assert solve(case).efficiency[0] == pytest.approx(1 - 2.0 / 80, rel=1e-14)
-
-
-def test_an_efficiency_over_speed_is_that_of_the_first_link_against_the_third() -> None:
-    law = PointLaw([(0, 0.95), (400, 0.985)])
-    speed = np.linspace(10, 600, 30)
-    found = solve(pair(efficiency=law), vary={"load.speed": speed})
-    expected = 0.95 + 0.035 * np.minimum(speed, 400) / 400
-    np.testing.assert_allclose(found.efficiency[:, 0], expected, rtol=1e-14)
 
 
 def quadratic(a: float, b: float, torque: float) -> float:
@@ -95,17 +77,6 @@ def test_an_efficiency_linear_in_torque_solves_a_quadratic(torque: float) -> Non
     assert results.messages == ()
 
 
-def test_the_balance_of_power_closes_at_every_point() -> None:
-    case = loads(EAXLE)
-    rng = np.random.default_rng(1)
-    vary = {"load.speed": rng.uniform(20, 1500, 300), "load.torque": rng.uniform(5, 300, 300)}
-    found = solve(case, vary=vary)
-    lost = found.losses_kW.sum(axis=-1) + found.drag_losses_kW
-    left = found.input_power_kW - found.output_power_kW - lost
-    assert found.consistent.all()
-    assert (np.abs(left) <= 1e-12 * found.input_power_kW).all()
-
-
 EAXLE = """\
 links: [engine, mid, out]
 load: {speed: 2000 rpm, torque: 80 N*m}
@@ -130,45 +101,6 @@ def test_points_together_are_what_they_are_alone() -> None:
         alone = solve(case.replace(load=Load(speed[point] * RPM, torque[point])))
         wrong = [n for n in ARRAYS if not alike(getattr(together, n)[point], getattr(alone, n))]
         assert not wrong
-
-
-@pytest.mark.parametrize("seed", range(12))
-def test_laws_of_random_trains_are_the_numbers_that_they_come_to(seed: int) -> None:
-    """The same case with the drags in N*m and the efficiencies of its speeds is solved alike."""
-    random = seeded(seed)
-    case = random_train(random).replace(load=Load(1500, 100))
-    link = random.randint(1, case.links)
-    first, *others = case.mechanisms
-    drag, law = DragFormula("1 + 0.002*w"), PointLaw([(0, 0.9), (500, 0.98)])
-    open_drag = PointLaw([(0, 0), (200, 6)])
-    elements = [one._replace(drag=open_drag) for one in case.shift_elements]
-    with_laws = case.replace(
-        mechanisms=[first._replace(efficiency=law), *others],
-        shift_elements=elements,
-        gears=[gear._replace(drag={link: drag}) for gear in case.gears],
-    )
-    results = solve(with_laws)
-    unit = 1500 / RPM
-    for index, gear in enumerate(case.gears):
-        speeds = np.nan_to_num([0, *results.speeds[index].tolist()]) * unit
-        slips = np.nan_to_num(np.abs(results.slip_speeds[index])) * unit
-        motion = abs(speeds[first.first] - speeds[first.third])
-        plain = case.replace(
-            mechanisms=[first._replace(efficiency=law.at(motion)), *others],
-            gears=[
-                gear._replace(
-                    drag={link: OfLoad(drag.at(abs(speeds[link])), 1.0)},
-                    open_drag={
-                        n: OfLoad(open_drag.at(slip), 1.0) for n, slip in enumerate(slips, 1)
-                    },
-                )
-            ],
-        )
-        alone = solve(plain)
-        for name in ("lossy_torques", "efficiency", "losses", "drag_losses", "power_sign"):
-            own, expected = getattr(results, name)[index], getattr(alone, name)[0]
-            size = max(1.0, float(np.abs(np.nan_to_num(expected)).max(initial=0)))
-            np.testing.assert_allclose(own, expected, rtol=1e-11, atol=1e-11 * size, err_msg=name)
 
 
 def test_outside_its_points_a_law_is_constant_and_a_note_says_so() -> None:
@@ -399,17 +331,6 @@ def test_freewheels_hold_as_the_drags_of_their_own_state_let_them(seed: int) -> 
         np.testing.assert_allclose(results.lossy_torques[index], expected, atol=1e-11 * size)
 
 
-def test_two_efficiencies_over_torque_in_a_row_solve_a_quadratic_each() -> None:
-    """The carrier of the second set gets what the sun of the first gives."""
-    law = PointLaw([(0, 0.9), (150, 0.975)], "torque")
-    sets = [Mechanism(3, 2, 1, -2.0, law, name="a"), Mechanism(4, 2, 3, -2.0, law, name="b")]
-    case = Transmission(4, [ShiftElement(2)], sets, [Gear([1])], load=Load(1000, 200), output=4)
-    results = solve(case)
-    expected = quadratic(0.9, 0.0005, quadratic(0.9, 0.0005, 200))
-    assert results.lossy_torques_Nm[0, -1] == pytest.approx(expected, rel=1e-12)
-    assert results.messages == ()
-
-
 def test_a_solution_at_the_least_efficiency_hides_no_other() -> None:
     """M = 60/(1 + 2/eta) is 10 at .4; it meets the fall from .95 to .3 about 14.5, too.
 
@@ -424,3 +345,57 @@ def test_a_solution_at_the_least_efficiency_hides_no_other() -> None:
     results = solve(loads(TORQUES.format(efficiency=law)))
     assert [one.id for one in results.messages if one.id != "N414"] == ["W426"]
     assert "more than one torque is consistent" in results.messages[-1].text
+
+
+def drive(pair: str, planetary: str, load: str = "{speed: 2000 rpm, torque: 100 N*m}") -> str:
+    """A pair of wheels, 20 and 40 teeth, then a set with its ring held, 30 and 78 teeth."""
+    return f"""\
+links: [a, b, c]
+output: c
+load: {load}
+elements:
+  G: {{kind: gear_pair, first: a, second: b, teeth: {{first: 20, second: 40}}, efficiency: {pair}}}
+  P: {{kind: planetary, sun: b, ring: housing, carrier: c, teeth: {{sun: 30, ring: 78}},
+      efficiency: {planetary}}}
+gears: {{drive: []}}
+"""
+
+
+OVER_TORQUE = drive(
+    "{over: torque, points: [[0, .9], [150, .975]]}",
+    "{over: torque, points: [[0, .9], [300, .98]]}",
+)
+
+
+def over_torque(torque: Fraction) -> Fraction:
+    """The pair has .9 + torque/2000 up to 150 N*m; the sun gets twice as much less its loss.
+
+    With the sun driving, the ring has 2.6 eta of its torque, the carrier 1 + 2.6 eta, of 3.6.
+    """
+    first = min(Fraction(9, 10) + torque / 2000, Fraction(975, 1000))
+    sun = 2 * torque * first
+    second = min(Fraction(9, 10) + Fraction(8, 100) * sun / 300, Fraction(98, 100))
+    return first * (1 + Fraction(26, 10) * second) / Fraction(36, 10)
+
+
+def test_over_torque_it_is_that_on_the_first_member() -> None:
+    torques = np.array([1.0, 40.0, 100.0, 149.0, 200.0, 900.0])
+    found = solve(loads(OVER_TORQUE), vary={"load.torque": torques})
+    expected = [float(over_torque(Fraction(int(torque)))) for torque in torques]
+    np.testing.assert_allclose(found.efficiency[:, 0], expected, rtol=1e-12)
+    assert (np.abs(found.power_balance) <= 1e-12).all()
+
+
+def test_over_speed_it_is_that_of_the_first_member_against_the_third() -> None:
+    points = "{over: speed, points: [[0, .9], [100, 1]]}"
+    results = solve(loads(drive("1", points, "{speed: 1200 rpm, torque: 10 N*m}")))
+    # the sun turns with 20 pi rad/s, the carrier with 1/3.6 of that
+    second = 0.9 + 0.001 * 20 * np.pi * (1 - 1 / 3.6)
+    assert results.efficiency[0] == pytest.approx((1 + 2.6 * second) / 3.6, rel=1e-13)
+
+
+def test_without_a_load_the_element_is_told() -> None:
+    with pytest.raises(CaseError, match="gear drive has no speed") as caught:
+        solve(loads(OVER_TORQUE.replace("{speed: 2000 rpm, torque: 100 N*m}", "{torque: 100 N*m}")))
+    path, _ = [problem.path for problem in caught.value.problems if problem.id == "E267"]
+    assert path == ("mechanisms", 1, "efficiency")
