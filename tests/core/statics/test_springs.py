@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tests.chance import count, generator, seeded
 from tests.core.statics.batches import disagreements
-from tests.trains import no_losses, on_springs, random_train, trains
+from tests.trains import on_springs, random_train, trains
 from vstatics import (
     Gear,
     Mechanism,
@@ -33,6 +33,10 @@ SHAFT = Transmission(
     springs=[Spring(between(3, 4), stiffness=9e4, damping=3, name="shaft")],
     inertias={1: 0.15, 4: 3},
 )
+ALIKE = (
+    *("speeds", "slip_speeds", "ratio", "holding_torques", "lossy_holding_torques", "efficiency"),
+    *("tied_up", "missing", "excess", "balanced", "holds", "conflict", "locked"),
+)
 
 
 def same(actual: Floats, expected: Floats) -> None:
@@ -42,12 +46,6 @@ def same(actual: Floats, expected: Floats) -> None:
 def by_device(results: Results, array: Floats) -> dict[str, list[float]]:
     rows = [*results.case.devices, "output"]
     return dict(zip(rows, array.T.tolist(), strict=True))
-
-
-ALIKE = (
-    *("speeds", "slip_speeds", "ratio", "holding_torques", "lossy_holding_torques", "efficiency"),
-    *("tied_up", "missing", "excess", "balanced", "holds", "conflict", "locked"),
-)
 
 
 def assert_agree(with_springs: Transmission, with_mechanisms: Transmission) -> None:
@@ -62,6 +60,24 @@ def assert_agree(with_springs: Transmission, with_mechanisms: Transmission) -> N
             same(np.array(ours[device]), np.array(theirs[device]))
 
 
+@settings(max_examples=count(24, 180))
+@given(trains(gears=2), st.data())
+def test_a_spring_of_any_row_is_the_loss_free_mechanism_of_that_row(
+    case: Transmission, data: st.DataObject
+) -> None:
+    """Some mechanisms become springs, or all of them."""
+    numbers = range(len(case.mechanisms))
+    chosen = data.draw(
+        st.one_of(st.just({*numbers}), st.sets(st.sampled_from(numbers), min_size=1))
+    )
+    bare = [
+        one._replace(efficiency=1.0, back_efficiency=None) if number in chosen else one
+        for number, one in enumerate(case.mechanisms)
+    ]
+    case = replace(case, mechanisms=bare)
+    assert_agree(on_springs(case, chosen), case)
+
+
 def test_a_spring_to_the_housing_is_a_support() -> None:
     """The axle turns its casing by (u - 1) of the torque of its pinion, as a held link does."""
     axle = Mechanism(1, 2, 3, 41 / 11, 0.97, name="axle")
@@ -72,25 +88,11 @@ def test_a_spring_to_the_housing_is_a_support() -> None:
     assert by_device(solve(sprung), solve(sprung).torques)["mount"] == pytest.approx([1 - 41 / 11])
 
 
-@settings(max_examples=count(12, 90))
-@given(trains(gears=2), st.data())
-def test_a_spring_of_any_row_is_the_loss_free_mechanism_of_that_row(
-    case: Transmission, data: st.DataObject
-) -> None:
-    numbers = range(len(case.mechanisms))
-    chosen = data.draw(st.sets(st.sampled_from(numbers), min_size=1))
-    bare = [
-        one._replace(efficiency=1.0, back_efficiency=None) if number in chosen else one
-        for number, one in enumerate(case.mechanisms)
-    ]
-    case = replace(case, mechanisms=bare)
-    assert_agree(on_springs(case, chosen), case)
-
-
-@settings(max_examples=count(12, 90))
-@given(trains(gears=2))
-def test_a_train_may_be_of_springs_alone(case: Transmission) -> None:
-    assert_agree(on_springs(case), no_losses(case))
+def test_freewheels_find_their_state_beside_springs() -> None:
+    elements = [ShiftElement(2, 0, "F", "freewheel"), SHAFT.shift_elements[1]]
+    results = solve(replace(SHAFT, shift_elements=elements, gears=[Gear(), Gear([2])]))
+    assert results.holds.tolist() == [[True, False], [False, True]]
+    assert results.ratio == pytest.approx([3.5, 1])
 
 
 def test_coefficients_need_not_add_to_0() -> None:
@@ -100,12 +102,8 @@ def test_coefficients_need_not_add_to_0() -> None:
     results = solve(Transmission(4, [], held, [Gear()], springs=[spring]))
     assert results.speeds.tolist() == [[1, 0, 0, 0.25]]
     assert results.ratio.tolist() == [4]
-    assert by_device(results, results.torques) == {
-        "b": [-2.0],
-        "c": [3.0],
-        "s": [1.0],
-        "output": [4.0],
-    }
+    expected = {"b": [-2.0], "c": [3.0], "s": [1.0], "output": [4.0]}
+    assert by_device(results, results.torques) == expected
 
 
 def test_the_matrix_has_a_column_for_each_spring_behind_the_mechanisms() -> None:
@@ -123,8 +121,7 @@ def test_two_springs_between_the_same_links_share_a_torque_that_is_not_known() -
     assert results.ratio == pytest.approx([3.5, 1])
     assert results.excess.tolist() == [1, 1]
     assert np.isnan(results.torques[:, 3:5]).all()
-    said = [str(message) for message in results.messages]
-    assert said[0] == (
+    assert str(results.messages[0]) == (
         "warning: gear low: shaft and other impose the same constraint on the speeds; "
         "the torque of shaft and other is indeterminate [W416]"
     )
@@ -147,5 +144,4 @@ def test_variants_together_are_variants_alone(seed: int) -> None:
     numbers = range(len(case.mechanisms))
     case = on_springs(case, set(rng.sample(numbers, rng.randint(1, len(numbers) - 1))))
     own = np.array([mechanism.ratio for mechanism in case.mechanisms])
-    spread = generator(seed).uniform(0.9, 1.1, (6, own.size))
-    assert not disagreements(case, own * spread)
+    assert not disagreements(case, own * generator(seed).uniform(0.9, 1.1, (6, own.size)))
