@@ -25,8 +25,7 @@ from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission, solve
 from vstatics.core.readers.named.reader import read_json, read_yaml
 from vstatics.core.statics.solve import distribution_matrix
-from vstatics.core.writers import deck, listing, named
-from vstatics.core.writers.result_json import document
+from vstatics.core.writers import deck, named
 
 D = 0.02
 
@@ -243,14 +242,6 @@ def test_what_is_written_is_read_again() -> None:
         "B": ["out", "housing"],
     }
     assert deck.lost(case) == ["drag of shift element C", "drag of gear 1", "open_drag of gear 1"]
-
-
-def test_the_table_stands_only_where_there_is_drag() -> None:
-    results = solve(pair({2: 0.1}))
-    assert document(results)["drag_losses"] == pytest.approx([0.025])
-    assert "DRAG(J),J=1,NP:\n   .025\n" in listing.write(results)
-    assert "drag_losses" not in document(solve(pair({})))
-    assert "DRAG" not in listing.write(solve(pair({})))
 
 
 FAULTS = (

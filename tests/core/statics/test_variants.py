@@ -119,51 +119,6 @@ def test_few_variants(count: int) -> None:
         assert not disagreements(case, u, efficiencies(rng, case, count, "any"), [0])
 
 
-GAPS = np.concatenate([1 + 10.0 ** -np.arange(0, 17), 1 - 10.0 ** -np.arange(0, 17) / 2])
-"""Factors ever closer to 1."""
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("place", [2, 4])
-def test_ratios_near_those_that_make_a_train_singular(place: int) -> None:
-    """Two sets on one pair of links: with equal ratios the output is held or free."""
-    elements = [ShiftElement(2), ShiftElement(4)]
-    sets = [Mechanism(1, 2, 3, -2.0, 0.97), Mechanism(1, 2, 3, -2.5, 0.96)]
-    loop = Transmission(3, [ShiftElement(2)], sets, [Gear(), Gear([1])])
-    split = [Mechanism(1, 2, 3, -2.0, 0.97), Mechanism(1, 2, 4, -2.5, 0.96)]
-    two = Transmission(4, elements, split, [Gear([1]), Gear([2])], output=3)
-    u = np.stack([np.full(GAPS.size, -2.0), -2.0 * GAPS], axis=1)
-    u[place::7, 1] = -2.0
-    for case in (loop, two):
-        assert not disagreements(case, u)
-        assert not disagreements(case, u[::-1])
-
-
-@pytest.mark.slow
-def test_ratios_near_1() -> None:
-    case = Transmission(
-        4,
-        [ShiftElement(2), ShiftElement(1, 3)],
-        [Mechanism(1, 2, 3, 1.5, 0.98), Mechanism(3, 0, 4, 1.25, 0.97)],
-        [Gear([1]), Gear([2])],
-    )
-    near = GAPS[GAPS != 1]
-    for other in (np.full(near.size, 1.0), np.full(near.size, 1 + 1e-10), near[::-1]):
-        assert not disagreements(case, np.stack([near, other], axis=1))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("excess", [1e-15, 1e-13, 1e-10, 1e-7])
-def test_what_turns_as_one_piece_beside_a_fixed_number(excess: float) -> None:
-    """(u - 1)/(u - 1) is 1 for all variants; how certain it is depends on u all the same."""
-    sets = [Mechanism(1, 2, 3, 1.01), Mechanism(1, 4, 0, 1 + excess)]
-    elements = [ShiftElement(1, 2), ShiftElement(3, 4)]
-    case = Transmission(4, elements, sets, [Gear([1]), Gear([1, 2])], output=3)
-    for first in (1.01, 1.5, 1.0001):
-        u = np.stack([np.linspace(first, first * 1.01, 8), np.full(8, 1 + excess)], axis=1)
-        assert not disagreements(case, u)
-
-
 # -- numbers at the ends -----------------------------------------------------------------
 
 
@@ -242,20 +197,6 @@ def test_numbers_of_other_types_are_those_of_floats() -> None:
         case = Transmission(4, [ShiftElement(2)], sets, [Gear([1])])
         u = np.stack([np.full(8, float(whole)), np.linspace(-2.5, -2.0, 8)], axis=1)
         assert not disagreements(case, u)
-
-
-def test_a_planetary_set_has_its_closed_form() -> None:
-    """Willis: 1 - u and (1 - u eta)/(1 - u) with the ring held; backward 1/(1 - u), x = -1."""
-    u, eta = np.linspace(-5, -0.2, 97), np.linspace(0.9, 1, 97)[::-1]
-    gears = [Gear([1]), Gear([2]), Gear([3], output=2), Gear([1], input=3, output=1)]
-    elements = [ShiftElement(2), ShiftElement(1, 2), ShiftElement(3)]
-    case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.0, 0.97)], gears)
-    results = solve(case, ratios=u[:, None], efficiencies=eta[:, None])
-    expected = np.stack([1 - u, np.ones(97), u, 1 / (1 - u)], axis=1)
-    np.testing.assert_allclose(results.ratio, expected, rtol=1e-14)
-    np.testing.assert_allclose(results.output_torque, expected, rtol=1e-14)
-    by_gear = [(1 - u * eta) / (1 - u), np.ones(97), eta, (1 - u) / (1 - u / eta)]
-    np.testing.assert_allclose(results.efficiency, np.stack(by_gear, axis=1), rtol=1e-14)
 
 
 # -- whatever came before -------------------------------------------------------------
