@@ -14,15 +14,15 @@ from hypothesis import strategies as st
 
 from tests.chance import count
 from tests.trains import is_regular, no_losses, regular_trains, trains
-from vstatics import Results, Transmission, solve
+from vstatics import Transmission, solve
 from vstatics.core.model.parts import SpeedOf
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import read
+from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.writers import deck, named
 
 RANDOM = settings(max_examples=count(8, 48))
 CLOSE = {"rtol": 1e-8, "atol": 1e-8}
-ARRAYS = [name for name in Results._fields if name not in ("case", "messages", "points")]
 
 
 def same(actual: Floats, expected: Floats, rtol: float = 1e-8, atol: float = 1e-8) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -142,14 +143,14 @@ def test_a_gear_without_its_lock_up_clutch_is_bypassed_no_more() -> None:
     assert [case.bypassed(gear) for gear in (*case.gears, Gear([1, 2]))] == [set(), {0}, set()]
 
 
-@pytest.mark.parametrize("wrong", [99, -7, 2.5])
-@pytest.mark.parametrize("part", ["element", "mechanism", "spring"])
-@pytest.mark.parametrize("gear", [Gear([1]), Gear([1], speed_ratios={1: 0.7})])
-def test_a_link_that_is_none_is_told_beside_a_converter(wrong: Any, part: str, gear: Gear) -> None:
+def test_a_link_that_is_none_is_told_beside_a_converter() -> None:
     """Whether the converter is bypassed is asked of links that are known to be some."""
-    first: dict[str, Any] = {"element": 2, "mechanism": 2, "spring": 2} | {part: wrong}
-    converter = Mechanism(1, first["mechanism"], 0, 0.8, kind="converter", points=POINTS)
-    spring = Spring({first["spring"]: 1, 1: -1}, stiffness=1.0)
-    with pytest.raises(CaseError) as caught:
-        Transmission(2, [ShiftElement(1, first["element"])], [converter], [gear], springs=[spring])
-    assert any(f"{wrong}" in one.message for one in caught.value.problems)
+    ends = {"element": 2, "mechanism": 2, "spring": 2}
+    for wrong, part, ratios in product((99, -7, 2.5), ends, ({}, {1: 0.7})):
+        own: dict[str, Any] = {**ends, part: wrong}
+        converter = Mechanism(1, own["mechanism"], 0, 0.8, kind="converter", points=POINTS)
+        spring = Spring({own["spring"]: 1, 1: -1}, stiffness=1.0)
+        elements, gears = [ShiftElement(1, own["element"])], [Gear([1], speed_ratios=ratios)]
+        with pytest.raises(CaseError) as caught:
+            Transmission(2, elements, [converter], gears, springs=[spring])
+        assert any(f"{wrong}" in one.message for one in caught.value.problems)
