@@ -35,7 +35,9 @@ def two_wheels(draw: st.DrawFn) -> Element:
     """A Ravigneaux set without one of its wheels."""
     teeth = draw(ravigneaux()).teeth
     left_out = draw(st.sampled_from(("small_sun", "large_sun", "ring")))
-    return element("ravigneaux", None, **{name: own for name, own in teeth.items() if name != left_out})
+    return element(
+        "ravigneaux", None, **{name: own for name, own in teeth.items() if name != left_out}
+    )
 
 
 KINDS = {

@@ -97,12 +97,3 @@ def test_engaged_are_the_elements_of_the_gear_and_the_freewheels_that_hold() -> 
     assert (list(direct.engaged), direct.holding) == ([2], [])
     assert low.ratio == pytest.approx(3)
     assert direct.slip_speeds == pytest.approx([1, 0])
-
-
-def test_ratios_with_losses_are_those_of_the_signs() -> None:
-    """Ring held, the sun drives: u eta; the carrier drives: u/eta."""
-    gears = [Gear([1]), Gear([1], input=3, output=1)]
-    case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.0, 0.97)], gears)
-    results = solve(case)
-    assert results.gear(1).lossy_ratios == pytest.approx([-2 * 0.97])
-    assert results.gear(2).lossy_ratios == pytest.approx([-2 / 0.97])
