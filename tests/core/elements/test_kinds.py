@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from itertools import permutations
 from typing import Any
 
 import pytest
@@ -53,12 +54,7 @@ EXAMPLES = settings(max_examples=4)
 def willis(internal: Mapping[str, Fraction], gear: Held) -> Fraction:
     """The ratio of a gear by Willis's equation.
 
-    Parameters
-    ----------
-    internal : mapping
-        Wheels, with their speed for a speed 1 of any one of them, the carrier `C` held.
-    gear : Held
-        Which link is held, which ones take power in and give it out.
+    `internal` are the speeds of the wheels for a speed 1 of any one of them, the carrier held.
     """
 
     def on_a_standing_carrier(first: str, second: str) -> Fraction:
@@ -78,13 +74,7 @@ def willis(internal: Mapping[str, Fraction], gear: Held) -> Fraction:
 
 def far_from_one(internal: Mapping[str, Fraction]) -> bool:
     """Whether no two wheels have nearly the same speed on a standing carrier."""
-    found = list(internal.values())
-    return all(
-        abs(1 - a / b) > FAR_FROM_ONE
-        for i, a in enumerate(found)
-        for j, b in enumerate(found)
-        if i != j
-    )
+    return all(abs(1 - a / b) > FAR_FROM_ONE for a, b in permutations(internal.values(), 2))
 
 
 def assert_turns_as_willis_says(
@@ -123,21 +113,17 @@ def _assert_power_is_conserved(document: Mapping[str, Any]) -> None:
     assert results.power_balance == pytest.approx(0, abs=1e-9)
 
 
+def wheels_of(kind: str, wheels: Sequence[str], teeth: Teeth) -> dict[str, Any]:
+    links = {wheel: LETTERS[wheel] for wheel in wheels}
+    return {"kind": kind, **links, "carrier": "C", "teeth": dict(teeth)}
+
+
 def planetary(teeth: Teeth) -> dict[str, Any]:
-    return {"kind": "planetary", "sun": "S", "ring": "R", "carrier": "C", "teeth": dict(teeth)}
+    return wheels_of("planetary", ("sun", "ring"), teeth)
 
 
 def double_planet(teeth: Teeth) -> dict[str, Any]:
-    return {"kind": "double_planet", "sun": "S", "ring": "R", "carrier": "C", "teeth": dict(teeth)}
-
-
-def wheels_of(kind: str, wheels: Sequence[str], teeth: Teeth) -> dict[str, Any]:
-    return {
-        "kind": kind,
-        **{wheel: LETTERS[wheel] for wheel in wheels},
-        "carrier": "C",
-        "teeth": dict(teeth),
-    }
+    return wheels_of("double_planet", ("sun", "ring"), teeth)
 
 
 @given(teeth=simple_teeth())
