@@ -104,6 +104,7 @@ def test_the_torque_that_is_proposed_for_a_further_output_takes_power(
     )
     results = solve(case)
     taken = solve(case.replace(gears=[Gear(torques={3: float(proposed(results))})]))
+    assert not any("takes no torque" in text for text in texts(taken))
     own = taken.output_torque_Nm[0] * taken.speeds_rpm[0, 1]  # above 0 where it takes power
     assert own < results.output_torque_Nm[0] * results.speeds_rpm[0, 1]
     assert (own < 0) == coast
