@@ -342,15 +342,6 @@ def test_another_drawing_may_have_more_links(more: int) -> None:
         assert replace(other, drawing=drawing) == case
 
 
-def test_other_teeth_change_a_case_with_planets_as_links() -> None:
-    case = loaded(AOD)
-    other = drawn_with(case, small_sun=32, short=16)
-    expected = loaded(
-        AOD.replace("small_sun: 30", "small_sun: 32").replace("short: 18", "short: 16")
-    )
-    assert case.replace(drawing=other) == replace(case, drawing=other) == expected
-
-
 def test_a_case_may_be_made_with_its_drawing_alone() -> None:
     drawing = drawing_of(loaded(SET))
     case = library.Transmission(

@@ -70,16 +70,14 @@ def test_a_speed_of_the_input_is_a_number() -> None:
     assert same[0].lossy_torques.tolist() == same[1].lossy_torques.tolist()
 
 
-@pytest.mark.parametrize(
-    ("speeds", "said"),
-    [
+def test_a_speed_of_no_other_link_is_refused() -> None:
+    refused: list[tuple[dict[int, float | SpeedOf], str]] = [
         ({5: SpeedOf(5)}, "the speed of link 5 is a multiple of itself"),
         ({5: SpeedOf(9)}, "read 9, expected a link number from 1 to 7"),
         ({5: SpeedOf(0)}, "read 0 (the housing), expected a link number from 1 to 7"),
         ({5: SpeedOf(4, 0.0)}, "read a factor of 0, expected a finite factor other than 0"),
         ({1: SpeedOf(4)}, "link 1 is the input, whose speed is 1"),
-    ],
-)
-def test_a_speed_of_no_other_link_is_refused(speeds: dict[int, float | SpeedOf], said: str) -> None:
-    with pytest.raises(CaseError, match=re.escape(said)):
-        four_wheels(speeds)
+    ]
+    for speeds, said in refused:
+        with pytest.raises(CaseError, match=re.escape(said)):
+            four_wheels(speeds)
