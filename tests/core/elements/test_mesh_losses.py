@@ -60,7 +60,9 @@ SET = """
 links: [sun, ring, carrier]
 input: sun
 output: carrier
-elements: {{P: {{kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {{sun: 24, ring: {ring}}}{more}}}}}
+elements:
+  P: {{kind: planetary, sun: sun, ring: ring, carrier: carrier,
+      teeth: {{sun: 24, ring: {ring}}}{more}}}
 shift_elements: {{B: [ring, housing]}}
 gears: {{"1": [B]}}
 mesh_efficiency: {{friction: 0.06{own}}}

@@ -47,7 +47,10 @@ def group(
     meshes: Sequence[tuple[str, str]] = (),
     planets: int | None = None,
 ) -> Element:
-    central = [CentralWheel(name, link, *rest) for link, (name, *rest) in enumerate(wheels, 1)]  # type: ignore[arg-type]
+    central = [
+        CentralWheel(name, link, teeth, is_internal, rim)
+        for link, (name, teeth, is_internal, rim) in enumerate(wheels, 1)
+    ]
     members = {"carrier": len(wheels) + 1}
     return Element(
         "E", "planet_group", members, {}, planets, rims=rims, wheels=central, meshes=meshes

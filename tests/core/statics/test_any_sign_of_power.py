@@ -19,8 +19,8 @@ from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
 PAIR = Mechanism(1, 2, 0, -2.5, 0.96)
 
 
-def pair(load: Load, **more: object) -> Transmission:
-    return Transmission(2, [], [PAIR], [Gear(drag={2: 0.01})], load=load, **more)  # type: ignore[arg-type]
+def pair(load: Load, coast: bool | None = None) -> Transmission:
+    return Transmission(2, [], [PAIR], [Gear(drag={2: 0.01})], load=load, coast=coast)
 
 
 @pytest.mark.parametrize("speed", [2000.0, -2000.0])

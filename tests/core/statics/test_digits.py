@@ -8,8 +8,7 @@ from fractions import Fraction
 
 import pytest
 
-from tests.chance import count, generator, seeded
-from tests.core.statics.batches import disagreements, ratios
+from tests.chance import count, seeded
 from tests.core.statics.test_against_oracle import _disagreements as differences
 from tests.oracle import gears as oracle
 from tests.oracle import linear, losses, systems
@@ -117,13 +116,6 @@ def test_every_number_is_that_of_exact_arithmetic(seeds: range) -> None:
     for seed in seeds:
         case = nearly_singular(seed)
         assert differences(case) == [], (seed, shown(case))
-
-
-def test_variants_are_what_each_is_alone() -> None:
-    for seed in range(3):
-        case, numbers = nearly_singular(seed), generator(seed)
-        for kind in ("near 1", "nearly the same"):
-            assert not disagreements(case, ratios(numbers, case, 30, kind), None, range(0, 30, 5))
 
 
 def test_equal_decimals_are_equal_whatever_their_floats_are() -> None:

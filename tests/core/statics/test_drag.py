@@ -71,23 +71,6 @@ def test_an_overrunning_freewheel_drags_and_one_that_holds_does_not() -> None:
     assert results.lossy_torques[:, 0] == pytest.approx([-1, D])
 
 
-@pytest.mark.parametrize(
-    ("loose", "x"), [(Mechanism(2, 3, 0, 2.0, 0.9), 1), (Mechanism(3, 2, 0, 0.5, 0.9), -1)]
-)
-def test_a_mechanism_that_carries_drag_alone_is_not_idle(loose: Mechanism, x: int) -> None:
-    """Pair 2 turns a loose gear, link 3, at 1/8: .9 of what it takes from link 2 arrives."""
-    case = Transmission(3, [], [Mechanism(1, 2, 0, 4, 0.95), loose], [Gear(drag={3: D})], output=2)
-    results = solve(case)
-    assert list(results.idle[0]) == [False, False]
-    assert list(results.power_sign[0]) == [1, x]
-    assert results.lossy_torques[0, -1] == pytest.approx(4 * 0.95 - D / 2 / 0.9)
-    assert results.losses[0, 1] == pytest.approx(D / 8 * (1 / 0.9 - 1))
-    assert solve(replace(case, gears=[Gear()])).idle[0, 1]
-    coasting = solve(case, coast=True)
-    assert coasting.lossy_torques[0, -1] == pytest.approx(4 / 0.95 + D / 2 / 0.9)
-    assert list(coasting.power_sign[0]) == [-1, x]
-
-
 def test_drag_at_a_speed_that_is_not_determined_is_left_out() -> None:
     """A direct clutch with a set that hangs on the input."""
     elements = [ShiftElement(1, 4), ShiftElement(2, 0, "B", drag=D)]

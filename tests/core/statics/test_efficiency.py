@@ -47,7 +47,8 @@ def test_a_self_locking_worm_gear_can_be_driven_by_the_worm_only() -> None:
     assert (list(results.locked), list(coasting.locked)) == ([False, True], [True, False])
     assert np.isnan(results.lossy_torques[1]).all()
     assert [str(message) for message in results.messages] == [
-        "warning: gear 2: self-locking: no direction of power flow is consistent with the losses [W421]"
+        "warning: gear 2: self-locking: no direction of power flow is consistent with the "
+        "losses [W421]"
     ]
 
 

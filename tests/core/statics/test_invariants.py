@@ -8,12 +8,11 @@ from random import Random
 from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
-from tests.trains import is_regular, no_losses, regular_trains, trains
+from tests.trains import trains
 from vstatics import Transmission, solve
 from vstatics.core.model.parts import SpeedOf
 from vstatics.core.numerics.arrays import Floats
@@ -27,43 +26,6 @@ CLOSE = {"rtol": 1e-8, "atol": 1e-8}
 
 def same(actual: Floats, expected: Floats, rtol: float = 1e-8, atol: float = 1e-8) -> None:
     np.testing.assert_allclose(actual, expected, rtol=rtol, atol=atol, equal_nan=True)
-
-
-@RANDOM
-@given(regular_trains(gears=2))
-def test_output_torque_times_output_speed_is_1_without_losses(case: Transmission) -> None:
-    results = solve(case)
-    for number, gear in enumerate(case.gears):
-        if is_regular(case, gear):
-            speed = results.speeds[number, case.gear_output(gear) - 1]
-            assert results.output_torque[number] * speed == pytest.approx(1)
-            assert results.ratio[number] == pytest.approx(results.output_torque[number])
-
-
-@RANDOM
-@given(trains(gears=2))
-def test_with_all_efficiencies_1_losses_change_nothing(case: Transmission) -> None:
-    results = solve(no_losses(case))
-    there = results.calculable
-    same(results.lossy_torques[there], results.torques[there], **CLOSE)
-    same(results.lossy_holding_torques[there], results.holding_torques[there], **CLOSE)
-    known = results.efficiency[there]
-    assert known[~np.isnan(known)] == pytest.approx(1)
-    assert not results.locked.any()
-    assert not np.nan_to_num(results.losses).any()
-
-
-@RANDOM
-@given(trains(gears=2))
-def test_power_is_balanced_and_losses_are_not_negative(case: Transmission) -> None:
-    """Coasting turns all flows, so in units of the input torque losses are below 0."""
-    results = solve(case)
-    there = results.consistent
-    size = 1 + np.nan_to_num(np.abs(results.lossy_torques[there])).max(axis=1, initial=0)
-    balance = results.power_balance[there] / size
-    assert np.nan_to_num(balance) == pytest.approx(0, abs=1e-7)
-    losses = np.nan_to_num(results.losses[there]) * (-1 if case.coast else 1)
-    assert (losses >= -1e-9 * size[:, None]).all()
 
 
 @RANDOM

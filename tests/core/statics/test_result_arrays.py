@@ -1,4 +1,4 @@
-"""The arrays of the results: in the order of the fields, with their rows, of drawn cases above all."""
+"""The arrays of the results: in the order of the fields, with their rows and their names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Results of a case or of an array of variants: axes, own numbers, ratios at the ends of numbers."""
+"""Results of a case or of an array of variants: axes, own numbers, extreme ratios."""
 
 from __future__ import annotations
 

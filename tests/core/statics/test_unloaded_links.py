@@ -67,7 +67,9 @@ def test_a_take_off_behind_an_open_clutch_is_free_on_purpose() -> None:
 links: [engine, axle, stub, take-off]
 output: axle
 outputs: [axle, take-off]
-mechanisms: {pair: {first: stub, second: take-off, ratio: -3}, axle: {first: engine, second: axle, ratio: -8}}
+mechanisms:
+  pair: {first: stub, second: take-off, ratio: -3}
+  axle: {first: engine, second: axle, ratio: -8}
 shift_elements: {P: [engine, stub]}
 gears: {field: [P], road: []}
 """

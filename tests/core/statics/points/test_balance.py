@@ -107,7 +107,9 @@ mechanisms:
   one: {{first: in, second: A, third: out, ratio: {u[0]!r}, efficiency: {eta[0]!r}}}
   two: {{first: B, second: A, third: out, ratio: {u[1]!r}, efficiency: {eta[1]!r}}}
 gears:
-  d: {{speeds: {{A: {held!r} rad/s}}, balance: {{A: {of[0]!r}, B: {of[1]!r}, battery: {battery!r} W}}}}
+  d:
+    speeds: {{A: {held!r} rad/s}}
+    balance: {{A: {of[0]!r}, B: {of[1]!r}, battery: {battery!r} W}}
 """
 """Two sets share A and the output, so power may go round by machines and battery."""
 
