@@ -58,41 +58,26 @@ def all_held(members: Sequence[str]) -> list[Held]:
 
 def set_case(element: Document, members: Sequence[str], **more: Any) -> dict[str, Any]:
     """A case of one set `P` with a brake on every link and a clutch on the first two."""
+    gears = {
+        one.name: {"engaged": [f"brake {one.held}"], "input": one.input, "output": one.output}
+        for one in all_held(members)
+    }
+    direct = {"engaged": ["clutch"], "input": members[0], "output": members[-1]}
+    brakes = {f"brake {link}": [link, "housing"] for link in members}
     return {
-        "name": "one set",
         "links": list(members),
         "elements": {"P": element},
-        "shift_elements": {
-            **{f"brake {link}": [link, "housing"] for link in members},
-            "clutch": list(members[:2]),
-        },
-        "gears": {
-            **{
-                gear.name: {
-                    "engaged": [f"brake {gear.held}"],
-                    "input": gear.input,
-                    "output": gear.output,
-                }
-                for gear in all_held(members)
-            },
-            "direct": {"engaged": ["clutch"], "input": members[0], "output": members[-1]},
-        },
+        "shift_elements": {**brakes, "clutch": list(members[:2])},
+        "gears": {**gears, "direct": direct},
         **more,
     }
 
 
 def pair_case(element: Document, first: str, second: str, **more: Any) -> dict[str, Any]:
     """A case of one pair `G` of wheels on fixed axes, driven from either side."""
-    return {
-        "name": "one pair",
-        "links": [first, second],
-        "elements": {"G": element},
-        "gears": {
-            "forth": {"input": first, "output": second},
-            "back": {"input": second, "output": first},
-        },
-        **more,
-    }
+    forth, back = {"input": first, "output": second}, {"input": second, "output": first}
+    gears = {"forth": forth, "back": back}
+    return {"links": [first, second], "elements": {"G": element}, "gears": gears, **more}
 
 
 def reading(document: Document) -> Reading:
@@ -138,14 +123,7 @@ def has_the_speeds_of_single_meshes(
 ) -> None:
     """Check every link of every gear, and the planets that are links, against fractions.
 
-    Parameters
-    ----------
-    document : mapping
-        The case.
-    results : Results
-        What was calculated of it.
-    held : mapping, optional
-        Gears, with the freewheels that hold in them.
+    `held` are the freewheels that hold in gears.
     """
     for gear in gear_names(results):
         exact = speeds(document, gear, (held or {}).get(gear, ()))
@@ -192,12 +170,9 @@ RAVIGNEAUX = (
 def stepped_teeth(wheels: Sequence[str]) -> st.SearchStrategy[dict[str, int]]:
     """Rims of any modules, so that no sum of teeth has to agree."""
     ranges = {
-        "sun": (14, 50),
-        "sun2": (14, 50),
-        "ring": (60, 120),
-        "ring2": (60, 120),
-        "planet": (14, 45),
-        "planet2": (14, 45),
+        **dict.fromkeys(("sun", "sun2"), (14, 50)),
+        **dict.fromkeys(("ring", "ring2"), (60, 120)),
+        **dict.fromkeys(("planet", "planet2"), (14, 45)),
     }
     return st.fixed_dictionaries(
         {wheel: st.integers(*ranges[wheel]) for wheel in ("planet", "planet2", *wheels)}

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import vstatics as library
-from tests.commands import CASES, vstatics
+from tests.commands import CASES
 from tests.core.elements.element_texts import AOD, SET, changed, loaded, problems
 from vstatics.core.cli.new import TEMPLATES, template
 from vstatics.core.elements import Drawing, Element, transmission
@@ -19,12 +19,6 @@ from vstatics.core.elements.kinds import KINDS
 from vstatics.core.errors import CaseError
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
 from vstatics.core.readers import read
-
-
-def test_links_are_the_names_that_elements_use() -> None:
-    case = loaded(SET)
-    assert list(case.link_names) == ["sun", "ring", "carrier"]
-    assert library.solve(case).ratio == pytest.approx([1 + 75 / 30, 1])
 
 
 def test_efficiency_of_a_set_is_the_product_of_its_meshes() -> None:
@@ -39,19 +33,7 @@ def test_efficiency_of_a_set_is_the_product_of_its_meshes() -> None:
     assert mechanism.efficiency == 0.96
 
 
-def test_a_gear_pair_an_idler_a_bevel_set_lose_at_each_mesh() -> None:
-    text = """
-input: a
-output: d
-elements:
-  pair: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 30}}
-  idler: {kind: idler, first: b, second: c, teeth: {first: 20, idler: 7, second: 30}}
-  ring: {kind: internal_pair, first: c, second: d, teeth: {first: 20, second: 60}}
-gears: {all: {}}
-"""
-    results = library.solve(loaded(text))
-    assert results.ratio == pytest.approx([-1.5 * 1.5 * 3])
-    assert results.efficiency == pytest.approx([0.98**3 * 0.99])
+def test_a_bevel_set_without_teeth_has_two_meshes() -> None:
     bevel = Element("B", "bevel", {"left": 1, "right": 2, "carrier": 3})
     case = transmission(Drawing(3, [bevel]), gears=[Gear([1])], shift_elements=[ShiftElement(3)])
     assert case.mechanisms[0].efficiency == pytest.approx(0.97**2)
@@ -70,21 +52,12 @@ def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
 
 def test_a_planet_and_a_link_of_one_name_are_told() -> None:
     text = AOD.replace("reverse sun", "set.long")
-    assert any(
-        "planet long has the name `set.long`, like a link" in told for told in problems(text)
-    )
+    assert "planet long has the name `set.long`, like a link" in " ".join(problems(text))
 
 
 def test_ratio_is_the_exact_fraction_rounded_once() -> None:
     text = changed("teeth: {sun: 30, ring: 75}", "teeth: {sun: 31, ring: 83}")
     assert loaded(text).mechanisms[0].ratio == float(Fraction(-83, 31))
-
-
-def test_a_held_link_is_one_with_the_housing() -> None:
-    text = changed("shift_elements:", "  H: {kind: held, link: ring}\nshift_elements:")
-    text = changed("low: {engaged: [B]}", "low: {}", changed("  B: [ring, housing]\n", "", text))
-    results = library.solve(loaded(changed("  direct: {engaged: [C]}\n", "", text)))
-    assert results.ratio == pytest.approx([3.5])
 
 
 def test_mechanisms_may_stand_beside_elements() -> None:
@@ -101,58 +74,56 @@ def test_every_kind_has_a_template_or_a_case() -> None:
     assert unused == {"internal_pair", "belt"}
 
 
-FAULTS = {
-    "a misspelt kind": ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
-    "a misspelt member": ("carrier: carrier", "carier: carrier", "did you mean `carrier`?"),
-    "a member missing": (", carrier: carrier", "", "`carrier` is missing"),
-    "no kind": ("kind: planetary, ", "", "`kind` is missing"),
-    "no teeth": (", teeth: {sun: 30, ring: 75}", "", "`teeth` is missing"),
-    "teeth of the ring": (", ring: 75}", "}", "teeth of `ring` missing"),
-    "broken teeth": ("ring: 75}", "ring: 75.5}", "read '75.5', expected a whole number"),
-    "no teeth at all": ("ring: 75}", "ring: 0}", "read '0', expected a whole number from 1"),
-    "a small ring": ("ring: 75}", "ring: 25}", "read 25, expected more teeth than the 30 of sun"),
-    "an efficiency": ("ring: 75}}", "ring: 75}, efficiency: 1.2}", "read 1.2, expected an eff"),
-    "a link twice": ("ring: ring", "ring: sun", "sun and ring are the same link"),
-    "no input": ("input: sun\n", "", "`input` is missing"),
-    "losses": ("input: sun", "losses: mesh\ninput: sun", "did you mean `meshes`?"),
-    "a load": ("input: sun", "load: {speed: 2100}\ninput: sun", "such as `2100 rpm`"),
-    "an angle": ("input: sun", "load: {speed: 35 Hz}\ninput: sun", "such as `2100 rpm`"),
-    "a torque": ("input: sun", "load: {torque: 9 rpm}\ninput: sun", "such as `1200 N*m`"),
-    "a comma": ("input: sun", "load: {speed: '1,5 rpm'}\ninput: sun", "such as `2100 rpm`"),
-    "drag": ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
-    "a unit": ("input: sun", "load: {torque: 300 KNM}\ninput: sun", "did you mean `kN*m`?"),
-    "powers of powers": ("input: sun", "load: {speed: 1 rpm*9^9^9}\ninput: sun", "such as `2100 "),
-    "negative drag": (
+FAULTS = (
+    ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
+    ("carrier: carrier", "carier: carrier", "did you mean `carrier`?"),
+    (", carrier: carrier", "", "`carrier` is missing"),
+    ("kind: planetary, ", "", "`kind` is missing"),
+    (", teeth: {sun: 30, ring: 75}", "", "`teeth` is missing"),
+    (", ring: 75}", "}", "teeth of `ring` missing"),
+    ("ring: 75}", "ring: 75.5}", "read '75.5', expected a whole number"),
+    ("ring: 75}", "ring: 0}", "read '0', expected a whole number from 1"),
+    ("ring: 75}", "ring: 25}", "read 25, expected more teeth than the 30 of sun"),
+    ("ring: 75}}", "ring: 75}, efficiency: 1.2}", "read 1.2, expected an eff"),
+    ("ring: ring", "ring: sun", "sun and ring are the same link"),
+    ("input: sun\n", "", "`input` is missing"),
+    ("input: sun", "losses: mesh\ninput: sun", "did you mean `meshes`?"),
+    ("input: sun", "load: {speed: 2100}\ninput: sun", "such as `2100 rpm`"),
+    ("input: sun", "load: {speed: '1,5 rpm'}\ninput: sun", "such as `2100 rpm`"),
+    ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
+    ("input: sun", "load: {torque: 300 KNM}\ninput: sun", "did you mean `kN*m`?"),
+    ("input: sun", "load: {speed: 1 rpm*9^9^9}\ninput: sun", "such as `2100 "),
+    (
         "input: sun",
         "load: {torque: 9 N*m}\ndrag: {ring: -3 N*m}\ninput: sun",
         ":3:8: error: drag.ring: read -3 N*m, expected a torque of 0 or more",
     ),
-    "drag of the housing": (
+    (
         "input: sun",
         "drag: {housing: .1}\ninput: sun",
         "drag.housing: the housing does not turn",
     ),
-    "no output": ("output: carrier\n", "", "`output` is missing"),
-    "nothing under elements": (
+    ("output: carrier\n", "", "`output` is missing"),
+    (
         SET[SET.index("  P1:") : SET.index("shift_el")],
         "",
         "elements: read nothing, expected a mapping: a name for each element",
     ),
-    "two efficiencies": (
+    (
         "ring: 75}}",
         "ring: 75}, efficiency: .97, mesh_efficiency: {internal: 1}}",
         "`efficiency` is the efficiency of the whole gear set",
     ),
-    "too many teeth": (
+    (
         "ring: 75}}",
         "ring: 9000000}}",
         "read 9e+06, expected a number above 0 and below 1e+06",
     ),
-    "a rim": ("kind: planetary", "kind: planet_group", "unknown key `sun`"),
-}
+    ("kind: planetary", "kind: planet_group", "unknown key `sun`"),
+)
 
 
-@pytest.mark.parametrize(("before", "after", "words"), FAULTS.values(), ids=FAULTS.keys())
+@pytest.mark.parametrize(("before", "after", "words"), FAULTS)
 def test_a_fault_is_told_with_its_place(before: str, after: str, words: str) -> None:
     found = problems(changed(before, after))
     assert any(words in problem for problem in found), found
@@ -174,34 +145,34 @@ gears: {all: {}}
 """
 
 
-@pytest.mark.parametrize(
-    ("before", "after", "words"),
-    [
-        (
-            "rim: A1}]\n    rings",
-            "rim: A3}]\n    rings",
-            "elements.G.suns[1].rim: read `A3`, expected the name of a planet gear: A1, A2, B1",
-        ),
-        (
-            "meshes: [[A2, B1]]",
-            "meshes: [[A2, B2]]",
-            "read `B2`, expected the name of a planet gear: A1, A2, B1",
-        ),
-        ("meshes: [[A2, B1]]", "meshes: [[A2, A1]]", "are on the same planet"),
-        ("meshes: [[A2, B1]]", "meshes: [[A2, B1], [A1, B1]]", "block each other"),
-        ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),
-        ("B: {B1: 20}", "B: {A1: 20}", "the name `A1` appears twice"),
-        ("meshes: [[A2, B1]]", "meshes: [A2, B1]", "expected two: [rim, rim]"),
-        ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several power paths"),
-        ("link: b, teeth: 70", "link: h, teeth: 70", "is on the link of the carrier"),
-        ("link: b, teeth: 70", "link: b, teeth: 30", "expected more teeth than the 30 of a"),
-        ("link: b, teeth: 70", "link: a, teeth: 70", "would block them"),
-        ("teeth: 80", "teeth: 80000000", "expected fewer than 1000000 teeth"),
-    ],
+GROUP_FAULTS = (
+    (
+        "rim: A1}]\n    rings",
+        "rim: A3}]\n    rings",
+        "elements.G.suns[1].rim: read `A3`, expected the name of a planet gear: A1, A2, B1",
+    ),
+    (
+        "meshes: [[A2, B1]]",
+        "meshes: [[A2, B2]]",
+        "read `B2`, expected the name of a planet gear: A1, A2, B1",
+    ),
+    ("meshes: [[A2, B1]]", "meshes: [[A2, A1]]", "are on the same planet"),
+    ("meshes: [[A2, B1]]", "meshes: [[A2, B1], [A1, B1]]", "block each other"),
+    ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),
+    ("B: {B1: 20}", "B: {A1: 20}", "the name `A1` appears twice"),
+    ("meshes: [[A2, B1]]", "meshes: [A2, B1]", "expected two: [rim, rim]"),
+    ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several power paths"),
+    ("link: b, teeth: 70", "link: h, teeth: 70", "is on the link of the carrier"),
+    ("link: b, teeth: 70", "link: b, teeth: 30", "expected more teeth than the 30 of a"),
+    ("link: b, teeth: 70", "link: a, teeth: 70", "would block them"),
+    ("teeth: 80", "teeth: 80000000", "expected fewer than 1000000 teeth"),
 )
-def test_a_fault_in_a_group_is_told(before: str, after: str, words: str) -> None:
-    found = problems(changed(before, after, GROUP))
-    assert any(words in problem for problem in found), found
+
+
+def test_a_fault_in_a_group_is_told() -> None:
+    for before, after, words in GROUP_FAULTS:
+        found = problems(changed(before, after, GROUP))
+        assert any(words in problem for problem in found), found
 
 
 NUMBERED = """
@@ -218,9 +189,8 @@ gears:
 """The planets are links 5 and 6 of the mechanisms, but no links of the case."""
 
 
-@pytest.mark.parametrize(
-    ("before", "after", "place"),
-    [
+def test_a_planet_has_no_link_number() -> None:
+    for before, after, place in (
         ("output: 3", "output: 6", "3:9: error: output"),
         ("carrier: 4", "carrier: 5", "6:70: error: elements.R.carrier"),
         ("B: [4, 0]", "B: [5, 0]", "8:22: error: shift_elements.B[1]"),
@@ -228,22 +198,20 @@ gears:
         ("drag: {2: 0.01}", "drag: {5: 0.01}", "10:44: error: gears.1.drag"),
         ("speeds: {2: 0}", "torques: {6: 1}", "10:31: error: gears.1.torques"),
         ("speeds: {2: 0}", "output: 6", "10:29: error: gears.1.output"),
-    ],
-)
-def test_a_planet_has_no_link_number(before: str, after: str, place: str) -> None:
-    [told] = problems(changed(before, after, NUMBERED))
-    assert told.startswith(f"case.yaml:{place}")
-    assert "expected a link number from 1 to 4" in told
+    ):
+        [told] = problems(changed(before, after, NUMBERED))
+        assert told.startswith(f"case.yaml:{place}")
+        assert "expected a link number from 1 to 4" in told
 
 
-@pytest.mark.parametrize("given", ["housing", "0"])
-@pytest.mark.parametrize(
-    "text",
-    [SET.replace("output: carrier", "output: X"), NUMBERED.replace("output: 3", "output: X")],
-)
-def test_the_housing_is_no_output(text: str, given: str) -> None:
-    told, *_ = problems(text.replace("output: X", f"output: {given}"))
-    assert "error: output: read the housing, expected the link that drives the load" in told
+def test_the_housing_is_no_output() -> None:
+    for text in (
+        changed("output: carrier", "output: X"),
+        changed("output: 3", "output: X", NUMBERED),
+    ):
+        for given in ("housing", "0"):
+            told, *_ = problems(text.replace("output: X", f"output: {given}"))
+            assert "error: output: read the housing, expected the link that drives the load" in told
 
 
 def test_a_wheel_of_a_group_beyond_the_links_is_told() -> None:
@@ -276,30 +244,26 @@ gears: {1: {}}
     )
 
 
-@pytest.mark.parametrize(
-    ("before", "after", "words"),
-    [
+def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more() -> None:
+    """Its links are known all the same, those of gears and ports too."""
+    members = "kind: planetary, sun: sun, ring: ring, carrier: carrier"
+    for before, after, words in (
         ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
         ("kind: planetary, ", "", "`kind` is missing; expected one of"),
         ("kind: planetary", "kind: [planetary]", "read a list, expected text"),
-        ("kind: planetary, sun: sun, ring: ring, carrier: carrier", "kind: planet", "expected"),
-    ],
-)
-def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more(
-    before: str, after: str, words: str
-) -> None:
-    """Its links are known all the same, those of gears and ports too."""
-    (told,) = problems(changed(before, after))
-    assert "elements.P" in told
-    assert words in told
+        (members, "kind: planet", "expected"),
+    ):
+        (told,) = problems(changed(before, after))
+        assert "elements.P" in told
+        assert words in told
 
 
-@pytest.mark.parametrize("links", ["[sun, ring, carrier]", "3", ""])
-def test_links_that_are_empty_and_given_again_are_given_twice(links: str) -> None:
-    told = problems(f"links:{SET}links: {links}\n")
-    assert [text.split(": ", 2)[2] for text in told if ": error: " in text] == [
-        "key `links` is given twice, the first is on line 1, column 1 [E192]"
-    ]
+def test_links_that_are_empty_and_given_again_are_given_twice() -> None:
+    for links in ("[sun, ring, carrier]", "3", ""):
+        told = problems(f"links:{SET}links: {links}\n")
+        assert [text.split(": ", 2)[2] for text in told if ": error: " in text] == [
+            "key `links` is given twice, the first is on line 1, column 1 [E192]"
+        ]
 
 
 def test_where_no_link_is_named_no_port_is_told() -> None:
@@ -315,18 +279,13 @@ def test_a_merge_key_is_told_where_it_brings_the_kind() -> None:
     assert "`kind` is missing" not in " ".join(told)
 
 
-def test_drag_below_0_is_told_as_it_was_read() -> None:
-    text = changed("{engaged: [B]}", '{engaged: [B], drag: {ring: "-100 N*m"}}')
-    told, *_ = problems(text + "load: {torque: -100 N*m}\n")
-    assert "drag.ring: read -100 N*m, expected a torque of 0 or more" in told
-
-
 def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
     text = changed("B: [ring, housing]", "B: [rign, housing]")
     told = read(text.encode(), "case.yaml").warnings
     assert [str(problem) for problem in told if problem.severity == "warning"] == [
-        "case.yaml:5:41: warning: link `ring` appears only once, so it is connected to nothing; did you mean `rign`? [W102]",
-        "case.yaml:7:7: warning: link `rign` appears only once, so it is connected to nothing; did you mean `ring`? [W102]",
+        f"case.yaml:{place}: warning: link `{name}` appears only once, so it is connected to "
+        f"nothing; did you mean `{near}`? [W102]"
+        for place, name, near in (("5:41", "ring", "rign"), ("7:7", "rign", "ring"))
     ]
 
 
@@ -365,16 +324,6 @@ def test_another_drawing_makes_another_case() -> None:
     assert back == other
 
 
-def test_another_drawing_may_have_other_planets_as_links() -> None:
-    case = loaded(AOD)
-    drawing = drawing_of(case)
-    assert drawing is not None
-    reduced = replace(case, drawing=replace(drawing, losses="reduced"))
-    assert reduced == loaded(f"losses: reduced\n{AOD}")
-    assert reduced.links == drawing.links < case.links
-    assert replace(reduced, drawing=drawing) == case
-
-
 @pytest.mark.parametrize("more", [1, 2, 4])
 def test_another_drawing_may_have_more_links(more: int) -> None:
     """Links of the case keep their names and numbers, planets come after the new ones."""
@@ -394,56 +343,11 @@ def test_another_drawing_may_have_more_links(more: int) -> None:
         assert replace(other, drawing=drawing) == case
 
 
-def test_links_of_another_drawing_may_have_names() -> None:
-    case = loaded(AOD)
-    drawing = drawing_of(case)
-    assert drawing is not None
-    longer = replace(drawing, links=6, mechanisms=[Mechanism(5, 6, 0, -2.0, name="final drive")])
-    names = ["input", "forward sun", "reverse sun", "carrier", "ring", "axle"]
-    other = case.replace(drawing=longer, link_names=names, output=6)
-    assert list(other.link_names) == [*names, "set.short", "set.long"]
-    assert library.solve(other).ratio == pytest.approx(-2 * library.solve(case).ratio)
-
-
-def test_a_planet_of_another_drawing_is_no_output() -> None:
-    """With fewer links a number of today would be that of a planet."""
-    case = loaded(AOD)
-    drawing = drawing_of(case)
-    assert drawing is not None
-    [element] = drawing.elements
-    members = {name: link for name, link in element.members.items() if link != case.output}
-    teeth = {name: count for name, count in element.teeth.items() if name != "ring"}
-    shorter = replace(element, members=members, teeth=teeth)
-    with pytest.raises(CaseError, match=r"output: read 5, expected a link number from 1 to 4"):
-        case.replace(drawing=replace(drawing, links=4, elements=[shorter], losses="meshes"))
-
-
-def test_other_teeth_change_a_case_with_planets_as_links() -> None:
-    case = loaded(AOD)
-    other = drawn_with(case, small_sun=32, short=16)
-    expected = loaded(
-        AOD.replace("small_sun: 30", "small_sun: 32").replace("short: 18", "short: 16")
-    )
-    assert case.replace(drawing=other) == replace(case, drawing=other) == expected
-
-
-def test_another_drawing_is_checked() -> None:
-    case = loaded(SET)
-    with pytest.raises(CaseError, match="expected more teeth than the 80 of sun"):
-        replace(case, drawing=drawn_with(case, sun=80))
-
-
 def test_a_case_may_be_made_with_its_drawing_alone() -> None:
     drawing = drawing_of(loaded(SET))
     case = library.Transmission(
         3, [ShiftElement(2)], [], [Gear([1])], link_names=["s", "r", "c"], drawing=drawing
     )
     assert library.solve(case).ratio == pytest.approx([3.5])
-    assert library.solve(pickle.loads(pickle.dumps(case))).ratio == pytest.approx([3.5])  # noqa: S301
-
-
-def test_an_equivalent_deck_gives_the_same_gears() -> None:
-    deck = vstatics("convert", CASES / "ravigneaux-aod.yaml", "-", "--to", "deck").out
-    here, there = library.solve(loaded(AOD)), library.solve(read(deck.encode(), "a.dat").case)
-    assert there.ratio == pytest.approx(here.ratio)
-    assert there.efficiency == pytest.approx(here.efficiency)
+    copied = pickle.loads(pickle.dumps(case))  # noqa: S301
+    assert library.solve(copied).ratio == pytest.approx([3.5])

@@ -40,16 +40,29 @@ def test_external_wheels_lose_what_friction_adds_up_to(one: int, other: int) -> 
 
 
 def test_tips_by_geometry() -> None:
-    """Of 20 teeth: (sqrt(11^2 - (10 cos 20)^2) - 10 sin 20)/(pi cos 20), by hand .778419."""
+    """Of 20 teeth: (sqrt(11^2 - (10 cos 20)^2) - 10 sin 20)/(pi cos 20), by hand .778419.
+
+    Of a ring of 72: (36 sin 20 - sqrt(35^2 - (36 cos 20)^2))/(pi cos 20), by hand 1.129623.
+    """
     assert tip_contact(20) == pytest.approx(0.778419, abs=1e-6)
+    assert tip_contact(72, is_ring=True) == pytest.approx(1.129623, abs=1e-6)
     assert mesh_efficiency(20, 40, 0.06, False) == pytest.approx(0.990036, abs=1e-6)
+
+
+def test_a_ring_slides_by_the_difference_of_curvatures() -> None:
+    """1 - pi mu (1/20 - 1/72)(1 - e1 - e2 + e1^2 + e2^2) with the tips above."""
+    e1, e2 = 0.778419, 1.129623
+    expected = 1 - math.pi * 0.06 * (1 / 20 - 1 / 72) * (1 - e1 - e2 + e1**2 + e2**2)
+    assert mesh_efficiency(20, 72, 0.06, True) == pytest.approx(expected, abs=1e-7)
 
 
 SET = """
 links: [sun, ring, carrier]
 input: sun
 output: carrier
-elements: {{P: {{kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {{sun: 24, ring: {ring}}}{more}}}}}
+elements:
+  P: {{kind: planetary, sun: sun, ring: ring, carrier: carrier,
+      teeth: {{sun: 24, ring: {ring}}}{more}}}
 shift_elements: {{B: [ring, housing]}}
 gears: {{"1": [B]}}
 mesh_efficiency: {{friction: 0.06{own}}}

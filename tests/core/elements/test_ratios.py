@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -23,8 +25,8 @@ def drawn(element: Element) -> Transmission:
 
 def of_ratios(small: float, large: float, **others: object) -> Transmission:
     ratios = {"small_sun": small, "large_sun": large}
-    own: dict[str, object] = {"efficiency": 0.97, **others}
-    return drawn(Element("R", "ravigneaux", MEMBERS, ratios=ratios, **own))  # type: ignore[arg-type]
+    own: dict[str, Any] = {"ratios": ratios, "efficiency": 0.97, **others}
+    return drawn(Element("R", "ravigneaux", MEMBERS, **own))
 
 
 def test_it_is_two_sets_of_one_carrier_and_ring() -> None:

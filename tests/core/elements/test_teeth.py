@@ -13,20 +13,6 @@ from vstatics.core.elements import Drawing, Element
 from vstatics.core.elements.checks import problems
 from vstatics.core.elements.kinds import KINDS, Planetary
 
-# Simulations
-
-
-# Assembly
-
-
-# One axis
-
-
-# Neighbours
-
-
-# Profiles, wear
-
 
 @pytest.mark.parametrize(
     "one",
@@ -44,9 +30,6 @@ from vstatics.core.elements.kinds import KINDS, Planetary
 )
 def test_there_is_nothing_to_say_about(one: Element) -> None:
     assert not found(one)
-
-
-# What would do
 
 
 def test_no_doubt_is_an_error_and_elements_count_from_1() -> None:

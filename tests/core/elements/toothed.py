@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
 
@@ -13,6 +13,7 @@ from hypothesis import assume, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
+from tests.oracle.phases import Contact, Group, Wheel, assembles
 from vstatics.core.elements import CentralWheel, Drawing, Element
 from vstatics.core.elements.teeth import doubts
 from vstatics.core.errors import Problem
@@ -27,9 +28,6 @@ MEMBERS = {
     "ravigneaux": ("small_sun", "large_sun", "ring"),
     "bevel": ("left", "right"),
 }
-
-
-HALF = Fraction(1, 2)
 
 
 Wheels = Sequence[tuple[str, int, bool, str]]
@@ -49,7 +47,10 @@ def group(
     meshes: Sequence[tuple[str, str]] = (),
     planets: int | None = None,
 ) -> Element:
-    central = [CentralWheel(name, link, *rest) for link, (name, *rest) in enumerate(wheels, 1)]  # type: ignore[arg-type]
+    central = [
+        CentralWheel(name, link, teeth, is_internal, rim)
+        for link, (name, teeth, is_internal, rim) in enumerate(wheels, 1)
+    ]
     members = {"carrier": len(wheels) + 1}
     return Element(
         "E", "planet_group", members, {}, planets, rims=rims, wheels=central, meshes=meshes
@@ -90,85 +91,19 @@ def is_assembled(one: Element) -> bool:
 def goes_in(one: Element, planets: int) -> bool:
     """Whether all planets find tooth spaces, tried tooth by tooth at each place.
 
-    Wheels stand still, the planets of the first place show where their teeth are.
+    The direction from one planet of a set to the next does not matter (`test_phases`).
     """
-    contacts = Contacts(*parts(one))
-    return all(contacts.fit(Fraction(k, planets)) for k in range(planets))
-
-
-class Contacts:
-    """Teeth where wheels and planets meet, angles in turns.
-
-    Where planets stand towards one another does not matter, so that is an angle of no meaning.
-    """
-
-    def __init__(
-        self,
-        wheels: Wheels,
-        rims: Mapping[str, Mapping[str, int]],
-        meshes: Sequence[tuple[str, str]],
-    ) -> None:
-        self.teeth = {rim: count for of in rims.values() for rim, count in of.items()}
-        self.planet_of = {rim: planet for planet, of in rims.items() for rim in of}
-        self.planets = set(rims)
-        self.contacts: list[tuple[str, ...]] = [(wheel[3],) for wheel in wheels] + [*meshes]
-        self.wheels = wheels
-
-    def offset(self, contact: int, at: Fraction, turned: Mapping[str, Fraction]) -> Fraction:
-        """How far tooth and space are apart, in teeth, up to a constant of the contact."""
-        rim, *others = self.contacts[contact]
-        if others:
-            towards = at + Fraction(1, 7)
-            other = others[0]
-            return self.phase(rim, towards, turned) + self.phase(other, towards + HALF, turned)
-        _, count, internal, _ = self.wheels[contact]
-        if internal:
-            return at * count - self.phase(rim, at, turned)
-        return at * count + self.phase(rim, at + HALF, turned)
-
-    def phase(self, rim: str, towards: Fraction, turned: Mapping[str, Fraction]) -> Fraction:
-        """Where in a tooth a rim is in a direction."""
-        return (towards - turned[self.planet_of[rim]]) * self.teeth[rim]
-
-    def planets_at(self, contact: int) -> set[str]:
-        """Which planets meet a wheel, or one another."""
-        return {self.planet_of[rim] for rim in self.contacts[contact]}
-
-    def fit(self, place: Fraction, turned: Mapping[str, Fraction] | None = None) -> bool:
-        """Whether planets can be turned so that they fit, those that are not turned yet."""
-        known = dict(turned or {})
-        for contact in range(len(self.contacts)):
-            new = self.planets_at(contact) - known.keys()
-            if len(new) == 1:
-                (planet,) = new
-                trials = (known | {planet: turn} for turn in self.turns(contact, place, known))
-                return any(
-                    self.matches(place, trial) and self.fit(place, trial) for trial in trials
-                )
-        return True
-
-    def turns(
-        self, contact: int, place: Fraction, known: Mapping[str, Fraction]
-    ) -> Iterator[Fraction]:
-        """Every way to turn a planet so that it fits at one contact, tooth by tooth."""
-        (planet,) = self.planets_at(contact) - known.keys()
-        still = self.offset(contact, place, {**known, planet: Fraction(0)})
-        once = self.offset(contact, place, {**known, planet: Fraction(1)})
-        wanted = self.offset(contact, Fraction(0), dict.fromkeys(self.planets, Fraction(0)))
-        for tooth in range(abs(int(once - still))):
-            yield (wanted + tooth - still) / (once - still)
-
-    def matches(self, place: Fraction, turned: Mapping[str, Fraction]) -> bool:
-        """Whether every contact of planets that are turned is as at the first place."""
-        at_rest = dict.fromkeys(self.planets, Fraction(0))
-        return all(
-            (
-                self.offset(contact, place, turned) - self.offset(contact, Fraction(0), at_rest)
-            ).denominator
-            == 1
-            for contact in range(len(self.contacts))
-            if self.planets_at(contact) <= turned.keys()
-        )
+    wheels, rims, meshes = parts(one)
+    line = Fraction(1, 7)
+    return assembles(
+        Group(
+            rims,
+            {planet: number * line for number, planet in enumerate(rims)},
+            [Wheel(count, rim, internal) for _, count, internal, rim in wheels],
+            [Contact(first, second, line) for first, second in meshes],
+        ),
+        planets,
+    )
 
 
 def parts(
@@ -177,26 +112,22 @@ def parts(
     """An element as wheels, rims and meshes, written down here once more."""
     if one.rims:
         return [(w.member, w.teeth, w.internal, w.rim) for w in one.wheels], one.rims, one.meshes
-    rims, planets, meshes = {
-        "planetary": ({"sun": "planet", "ring": "planet"}, [["planet"]], []),
-        "double_planet": (
-            {"sun": "inner", "ring": "outer"},
-            [["inner"], ["outer"]],
-            [("inner", "outer")],
-        ),
-        "stepped": (
-            {"sun": "planet", "ring": "planet", "sun2": "planet2", "ring2": "planet2"},
-            [["planet", "planet2"]],
-            [],
-        ),
-        "ravigneaux": (
-            {"small_sun": "short", "large_sun": "long", "ring": "long"},
-            [["short"], ["long"]],
-            [("short", "long")],
-        ),
-    }[one.kind]
+    planets: list[tuple[str, ...]]
+    meshes: list[tuple[str, str]] = []
+    match one.kind:
+        case "planetary":
+            places, planets = {"sun": "planet", "ring": "planet"}, [("planet",)]
+        case "double_planet":
+            places, planets = {"sun": "inner", "ring": "outer"}, [("inner",), ("outer",)]
+            meshes = [("inner", "outer")]
+        case "stepped":
+            places = {"sun": "planet", "ring": "planet", "sun2": "planet2", "ring2": "planet2"}
+            planets = [("planet", "planet2")]
+        case _:
+            places = {"small_sun": "short", "large_sun": "long", "ring": "long"}
+            planets, meshes = [("short",), ("long",)], [("short", "long")]
     teeth = {name: int(count) for name, count in one.teeth.items()}
-    wheels = [(n, teeth[n], "ring" in n, rim) for n, rim in rims.items() if n in teeth]
+    wheels = [(n, teeth[n], "ring" in n, rim) for n, rim in places.items() if n in teeth]
     return wheels, {p[0]: {rim: teeth[rim] for rim in p} for p in planets}, meshes
 
 

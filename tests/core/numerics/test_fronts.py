@@ -96,11 +96,3 @@ def test_points_of_which_none_is_better_are_all_kept(objectives: int) -> None:
     assert (len(of_plane), len(of_worse)) == (len(plane), 0)
     of_worse, of_plane = merged(worse, plane)
     assert (len(of_plane), len(of_worse)) == (len(plane), 0)
-
-
-@pytest.mark.parametrize("objectives", [1, 2, 3, 4])
-def test_equal_points_are_all_kept(objectives: int) -> None:
-    equal = np.ones((4 * fronts.BLOCK, objectives))
-    assert non_dominated(equal).tolist() == list(range(len(equal)))
-    of_first, of_second = merged(equal, equal)
-    assert len(of_first) == len(of_second) == len(equal)

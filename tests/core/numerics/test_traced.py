@@ -20,48 +20,29 @@ from vstatics.core.numerics.traced import (
 )
 
 
-def test_signs_cost_no_operation() -> None:
-    (a,) = traced(-2.5)
-    assert (-a).sign == 1
-    assert abs(a).sign == 1
-    assert abs(-a).magnitude is a.magnitude
-    assert a < 0 < -a
-    assert not noted(a)
-
-
 @pytest.mark.parametrize("value", [2.5, -2.5])
-def test_zeros_and_ones_cost_no_operation(value: float) -> None:
+def test_signs_zeros_and_ones_cost_no_operation(value: float) -> None:
     (a,) = traced(value)
+    assert (a < 0) == (value < 0)
     for zero in (a * 0.0, 0.0 * a, 0.0 / a, a - a):
         assert zero.__class__ is float
         assert zero == 0
     for itself in (a + 0.0, 0.0 + a, a - 0.0, a * 1.0, 1.0 * a, a / 1.0, (-1.0 * a) / -1.0, a * 1):
         assert (on_tape(itself).sign, on_tape(itself).magnitude) == (a.sign, a.magnitude)
-    for other in (0.0 - a, -1.0 * a, a / -1.0, a * -1):
+    for other in (-a, 0.0 - a, -1.0 * a, a / -1.0, a * -1):
         assert (on_tape(other).sign, on_tape(other).magnitude) == (-a.sign, a.magnitude)
-    assert a / a == 1.0
-    assert a / -a == -1.0
+    assert (abs(a).sign, abs(a).magnitude) == (1, a.magnitude)
+    assert (a / a, a / -a) == (1.0, -1.0)
     assert not noted(a)
 
 
-def test_with_nan_there_is_nothing_to_calculate() -> None:
-    (a,) = traced(2.0)
-    for number in (
-        a + math.nan,
-        math.nan + a,
-        a - math.nan,
-        math.nan - a,
-        a * math.nan,
-        math.nan / a,
-    ):
-        assert math.isnan(plain(number))
+def test_nan_and_infinity_are_compared_without_an_operation() -> None:
+    nan = math.nan
     compared = (operator.lt, operator.le, operator.gt, operator.ge, operator.eq)
-    assert not any(compare(a, math.nan) or compare(math.nan, a) for compare in compared)
-    assert not noted(a)
-
-
-def test_all_variants_lie_between_the_infinities() -> None:
     for a in traced(2.0, -2.0):
+        for number in (a + nan, nan + a, a - nan, nan - a, a * nan, nan / a):
+            assert math.isnan(plain(number))
+        assert not any(compare(a, nan) or compare(nan, a) for compare in compared)
         assert -math.inf < a < math.inf
         assert -math.inf <= a <= math.inf
         assert a not in (math.inf, -math.inf)
@@ -69,7 +50,7 @@ def test_all_variants_lie_between_the_infinities() -> None:
 
 
 @pytest.mark.parametrize("swapped", [False, True])
-def test_bounds_settle_a_comparison_without_a_guard(swapped: bool) -> None:
+def test_bounds_and_signs_settle_a_comparison_without_a_guard(swapped: bool) -> None:
     (a,) = traced(2.0, bounds=(1.5, 3.0))
     small, large = (1.0, 4.0) if not swapped else (-4.0, -1.0)
     a = -a if swapped else a
@@ -78,7 +59,15 @@ def test_bounds_settle_a_comparison_without_a_guard(swapped: bool) -> None:
     assert not any((a < small, a > large, a <= small, a >= large))
     assert a not in (small, large)
     assert -small > -a > -large
+    assert -a != a
     assert not noted(a)
+
+
+def test_bounds_settle_nothing_within_their_own_rounding() -> None:
+    (a,) = traced(2.0, bounds=(1.0, 3.0))
+    assert a < 3.0 + 1e-12
+    assert a > 1.0 - 1e-12
+    assert guards(a) == ["less", "less"]
 
 
 COMPARISONS: list[tuple[Callable[[Number, Number], bool], str, str]] = [
@@ -103,54 +92,27 @@ def test_what_bounds_do_not_settle_leaves_a_guard(
             assert guards(a) == [held if outcome else denied]
 
 
-def test_bounds_settle_nothing_within_their_own_rounding() -> None:
-    (a,) = traced(2.0, bounds=(1.0, 3.0))
-    assert a < 3.0 + 1e-12
-    assert a > 1.0 - 1e-12
-    assert guards(a) == ["less", "less"]
-
-
-def test_signs_settle_a_comparison() -> None:
-    a, b = traced(2.0, -3.0)
-    assert b < a
-    assert b <= 1.0
-    assert a >= 1.0
-    assert a != b
-    assert guards(a) == ["less_equal"]  # 1 <= a; the others need none
-
-
-def test_sums_of_one_sign_need_no_guard() -> None:
+def test_a_difference_is_guarded_to_keep_its_sign_and_a_sum_is_not() -> None:
+    a, b = traced(2.0, 3.0)
+    below, again = on_tape(a - b), on_tape(b - a)
+    assert (below.sign, again.sign) == (-1, 1)
+    assert noted(a) == [("not_equal", 1, 0), ("less", 0, 1), ("subtract", 1, 0)]
+    assert again.magnitude.operand == below.magnitude.operand
     a, b = traced(2.0, 3.0)
     for total, sign in ((a + b, 1), (-a - b, -1), (a - -b, 1), (-a + -3.0, -1)):
         assert on_tape(total).sign == sign
     assert not guards(a)
-
-
-def test_a_difference_is_guarded_to_keep_its_sign() -> None:
-    a, b = traced(2.0, 3.0)
-    below = on_tape(a - b)
-    assert below.sign == -1
-    assert noted(a) == [("not_equal", 1, 0), ("less", 0, 1), ("subtract", 1, 0)]
-    again = on_tape(b - a)
-    assert again.sign == 1
-    assert again.magnitude.operand == below.magnitude.operand
-
-
-def test_a_difference_within_bounds_needs_no_guard() -> None:
-    (a,) = traced(2.0, bounds=(1.5, 3.0))
-    left = on_tape(a - 1.0)
-    assert names(a) == ["subtract"]
-    assert left.magnitude.low == pytest.approx(0.5)
-    assert left.magnitude.high == pytest.approx(2.0)
-
-
-def test_equal_numbers_leave_zero_for_the_variants_in_which_they_are_equal() -> None:
     a, b = traced(2.0, 2.0)
     assert a - b == 0.0
     assert noted(a) == [("equal", 0, 1)]
 
 
-def test_a_difference_leaves_a_part_of_the_larger_number() -> None:
+def test_bounds_of_a_difference() -> None:
+    """From 1.5 to 3 less 1 is from .5 to 2; a part of the larger number is left if asked for."""
+    (a,) = traced(2.0, bounds=(1.5, 3.0))
+    left = on_tape(a - 1.0)
+    assert names(a) == ["subtract"]
+    assert (left.magnitude.low, left.magnitude.high) == pytest.approx((0.5, 2.0))
     a, b = traced(4.0, 2.0)
     left = on_tape(difference(a, -b, least=0.25))
     assert left.magnitude.low == pytest.approx(0.25 * a.magnitude.low)
@@ -164,8 +126,7 @@ def test_a_difference_is_guarded_also_where_no_bound_is_known() -> None:
     inverse = on_tape(1.0 / (a - b))
     assert inverse.magnitude.high == math.inf
     before = len(guards(a))
-    left = on_tape(inverse - c)
-    assert left.sign == 1
+    assert on_tape(inverse - c).sign == 1
     assert "less" in guards(a)[before:]
 
 
@@ -177,33 +138,21 @@ def test_numbers_are_the_same_within_a_part_or_the_tape_is_of_no_use() -> None:
     assert len(guards(a)) == 2
 
 
-@pytest.mark.parametrize("value", [HUGE * 1.01, 0.99 / HUGE, math.inf, math.nan, 5e-324, 1e308])
-def test_a_huge_or_tiny_first_variant_stands_for_no_other(value: float) -> None:
-    with pytest.raises(Untraceable):
-        traced(value)
-
-
-def test_results_may_become_huge_only_in_other_variants() -> None:
-    (a,) = traced(1e60)
-    with pytest.raises(Untraceable):
-        a * a
-    with pytest.raises(Untraceable):
-        1e-60 / a
-    with pytest.raises(Untraceable):
-        a + math.inf
-
-
-def test_a_number_by_zero_stands_for_no_other() -> None:
-    (a,) = traced(2.0)
-    for nothing in (0.0, math.nan):
+def test_a_huge_or_tiny_first_variant_stands_for_no_other() -> None:
+    for value in (HUGE * 1.01, 0.99 / HUGE, math.inf, math.nan, 5e-324, 1e308):
         with pytest.raises(Untraceable):
-            a / nothing
-
-
-def of_one(number: Number | Residual) -> float:
-    """A sum that turned out to be a plain number."""
-    assert not isinstance(number, Residual)
-    return plain(number)
+            traced(value)
+    (a,) = traced(1e60)
+    operations: list[Callable[[], Number]] = [
+        lambda: a * a,
+        lambda: 1e-60 / a,
+        lambda: a + math.inf,
+        lambda: a / 0.0,
+        lambda: a / math.nan,
+    ]
+    for operation in operations:
+        with pytest.raises(Untraceable):
+            operation()
 
 
 def left_over(*numbers: Number) -> Residual:
@@ -215,8 +164,7 @@ def left_over(*numbers: Number) -> Residual:
 
 def test_a_rest_is_added_up_from_left_to_right() -> None:
     a, b = traced(2.0, 3.0)
-    left = residual([0.0, -a, 0.5, 0.0, b, -1.5])
-    assert isinstance(left, Residual)
+    left = left_over(0.0, -a, 0.5, 0.0, b, -1.5)
     assert left.value == 0.0
     assert noted(a) == [
         ("subtract", Plain(0.0), 0),
@@ -226,14 +174,10 @@ def test_a_rest_is_added_up_from_left_to_right() -> None:
     ]
     with pytest.raises(Untraceable):
         left - 1.0
-
-
-def test_a_rest_of_plain_numbers_is_one() -> None:
     assert residual([]) == 0.0
     assert residual([0.1, 0.2, -0.3]) == 0.1 + 0.2 - 0.3
-    (a,) = traced(2.0)
-    assert math.isnan(of_one(residual([a, math.nan, a])))
-    assert math.isnan(of_one(residual([math.nan, a])))
+    for number in (residual([a, math.nan, a]), residual([math.nan, a])):
+        assert math.isnan(plain(number))
 
 
 def test_what_lies_outside_in_the_first_variant_stands_for_no_other() -> None:
@@ -242,7 +186,6 @@ def test_what_lies_outside_in_the_first_variant_stands_for_no_other() -> None:
     guard_within(left_over(b, -a), 0.5, 1.0)
     assert guards(a) == ["less_equal"] * 4
     for low, high in ((2.5, 3.0), (1.0, 1.5)):
-        with pytest.raises(Untraceable):
-            guard_within(a, low, high)
-        with pytest.raises(Untraceable):
-            guard_within(left_over(a), low, high)
+        for number in (a, left_over(a)):
+            with pytest.raises(Untraceable):
+                guard_within(number, low, high)

@@ -16,11 +16,12 @@ from tests.chance import generator, seeded
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics import result_arrays
 from vstatics.core.statics import variants as solver
 
 Array = np.ndarray[Any, Any]
 
-ARRAYS = [name for name in Results._fields if name not in ("case", "messages", "points")]
+ARRAYS = [*result_arrays.ARRAYS]
 
 
 def ratios(rng: np.random.Generator, case: Transmission, count: int, kind: str) -> Floats:

@@ -1,4 +1,4 @@
-"""A differential of ratio -2 with links 1 (sun), 2 (ring) and 3 (carrier), and what is said of it."""
+"""A differential of ratio -2 with links 1 (sun), 2 (ring) and 3 (carrier), and its messages."""
 
 from __future__ import annotations
 

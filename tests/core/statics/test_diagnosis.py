@@ -12,12 +12,18 @@ from random import Random
 
 import numpy as np
 import pytest
+from hypothesis import given
 
 from tests.chance import count, seeded
 from tests.core.statics.differential import status, texts, train
+from tests.core.statics.test_status import FAULTY
+from tests.shipped import shipped_results
+from tests.strategies import transmissions
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.model.parts import Load, SpeedOf
 from vstatics.core.readers import from_dict, loads
+from vstatics.core.statics import diagnosis
+from vstatics.core.statics.diagnosis import is_uncertain, regular_gears
 from vstatics.core.statics.results import Results
 
 
@@ -32,12 +38,9 @@ def test_neutral_counts_what_is_missing_and_names_the_free_links() -> None:
     assert results.speeds[0, 0] == 1
     assert np.isnan([*results.speeds[0, 1:], *results.ratio, *results.efficiency]).all()
     assert status(case) == 0
-
-
-def test_two_conditions_may_be_missing() -> None:
-    case = train([(3, 4)], Gear(), links=4, output=4)
-    assert texts(solve(case))[0].startswith("warning: neutral: 2 more shift elements must")
-    assert "(links 2, 3 and 4 can still turn freely)" in texts(solve(case))[0]
+    two = texts(solve(train([(3, 4)], Gear(), links=4, output=4)))[0]
+    assert two.startswith("warning: neutral: 2 more shift elements must")
+    assert "(links 2, 3 and 4 can still turn freely)" in two
 
 
 def test_brakes_that_hold_the_input_tie_the_gear_up() -> None:
@@ -82,6 +85,12 @@ def test_only_torques_that_are_not_held_are_told() -> None:
     assert texts(solve(case))[-1].endswith("equilibrium: nothing supports the torque of 4")
 
 
+def proposed(results: Results) -> str:
+    """The torque that is proposed for the further output, link 3."""
+    [said] = [text for text in texts(results) if "takes no torque" in text]
+    return said.rpartition("3: ")[2].partition("}")[0]
+
+
 @pytest.mark.parametrize("coast", [False, True])
 @pytest.mark.parametrize("speed", [1000.0, -1000.0])
 @pytest.mark.parametrize("ratio", [2.0, -2.0])
@@ -94,9 +103,8 @@ def test_the_torque_that_is_proposed_for_a_further_output_takes_power(
         3, [], pairs, [Gear()], output=2, outputs=[2, 3], load=Load(speed, 100.0), coast=coast
     )
     results = solve(case)
-    [said] = [text for text in texts(results) if "takes no torque" in text]
-    proposed = float(said.rpartition("3: ")[2].partition("}")[0])
-    taken = solve(case.replace(gears=[Gear(torques={3: proposed})]))
+    taken = solve(case.replace(gears=[Gear(torques={3: float(proposed(results))})]))
+    assert not any("takes no torque" in text for text in texts(taken))
     own = taken.output_torque_Nm[0] * taken.speeds_rpm[0, 1]  # above 0 where it takes power
     assert own < results.output_torque_Nm[0] * results.speeds_rpm[0, 1]
     assert (own < 0) == coast
@@ -110,11 +118,9 @@ def test_beside_no_torque_the_one_that_is_proposed_has_a_unit(speed: str, *, coa
     made = {name: {"first": 1, "second": n, "ratio": u} for name, (n, u) in pairs.items()}
     data = {"links": 3, "outputs": [2, 3], "mechanisms": made, "coast": coast}
     data["load"] = {"speed": speed, "torque": "0 N*m"}
-    [said] = [
-        text for text in texts(solve(from_dict(data | {"gears": {"1": {}}}))) if "N*m" in text
-    ]
-    proposed = said.rpartition("3: ")[2].partition("}")[0]
-    results = solve(from_dict(data | {"gears": {"1": {"torques": {3: proposed}}}}))
+    torque = proposed(solve(from_dict(data | {"gears": {"1": {}}})))
+    assert torque.endswith("N*m")
+    results = solve(from_dict(data | {"gears": {"1": {"torques": {3: torque}}}}))
     assert results.input_power_kW[0] == pytest.approx(20 * 500 * math.pi / 30e3)
     assert results.output_torque_Nm[0] * results.speeds_rpm[0, 1] < 0  # where it enters
 
@@ -129,27 +135,21 @@ def test_a_singular_train_of_the_right_count_is_told_both() -> None:
     assert first.startswith("warning: A and B impose the same constraint")
     assert second.startswith("warning: one more shift element must be engaged")
     assert "(links 4 and 5 can still turn freely)" in second
-    assert results.ratio == pytest.approx(3)
-    assert results.output_torque == pytest.approx(3)
+    assert [*results.ratio, *results.output_torque] == pytest.approx([3, 3])
 
 
 def test_an_output_that_stands_still_has_no_ratio() -> None:
     case = train([(3, 0)], Gear([1]))
-    results = solve(case)
-    assert results.speeds[0] == pytest.approx([1, -0.5, 0])
-    assert np.isnan(results.ratio).all()
-    assert "warning: the output, link 3, is at rest, so the gear has no ratio" in texts(results)
+    assert "warning: the output, link 3, is at rest, so the gear has no ratio" in texts(solve(case))
     assert status(case) == 0
 
 
 def test_an_output_of_which_nothing_is_given_is_told() -> None:
     """Where its speed is determined, by a brake here, only a torque can be given."""
-    case = Transmission(
-        3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
-        [Gear([1]), Gear(speeds={2: SpeedOf(3)}), Gear()],
-        outputs=[3, 2],
-    )  # fmt: skip
-    told = [message for message in solve(case).messages if "takes no torque" in message.text]
+    gears = [Gear([1]), Gear(speeds={2: SpeedOf(3)}), Gear()]
+    sets = [Mechanism(1, 2, 3, -2.5)]
+    results = solve(Transmission(3, [ShiftElement(2)], sets, gears, outputs=[3, 2]))
+    told = [message for message in results.messages if "takes no torque" in message.text]
     assert [(one.severity, one.gear) for one in told] == [("warning", "1"), ("warning", "3")]
     assert "expected a torque, below 0 if the output takes power, such as `torques:" in told[0].text
     assert "expected a speed or a torque, such as `speeds: {2: link 3}`" in told[1].text
@@ -157,22 +157,23 @@ def test_an_output_of_which_nothing_is_given_is_told() -> None:
 
 def vectoring_axle(chance: Random) -> str:
     """A differential with sets for torque vectoring, whose open brakes drag."""
-    aux = [f"aux{n}" for n in range(chance.randint(1, 3))]
+    numbers = range(chance.randint(1, 3))
     sets = "".join(
         f"  tv{n}: {{first: {chance.choice(('left', 'right'))}, second: aux{n}, third: cage, "
         f"ratio: {chance.choice((0.85, 0.9, 1.15, -1.0, 1.3))}, efficiency: 0.97}}\n"
-        for n in range(len(aux))
+        for n in numbers
     )
-    brakes = ", ".join(
-        f"B{n}: {{links: [aux{n}, housing], drag: {chance.uniform(0.5, 4):.3f} N*m}}"
-        for n in range(len(aux))
-    )
-    return (
-        f"links: [cage, left, right, {', '.join(aux)}]\noutputs: [left, right]\n"
-        "load: {speed: 1000 rpm, torque: 400 N*m}\n"
-        "mechanisms:\n  diff: {first: left, second: right, third: cage, ratio: -1, efficiency: .96}\n"
-        f"{sets}shift_elements: {{{brakes}}}\ngears: {{straight: {{speeds: {{right: left}}}}}}\n"
-    )
+    drags = [f"drag: {chance.uniform(0.5, 4):.3f} N*m" for _ in numbers]
+    brakes = ", ".join(f"B{n}: {{links: [aux{n}, housing], {drags[n]}}}" for n in numbers)
+    return f"""
+links: [cage, left, right, {", ".join(f"aux{n}" for n in numbers)}]
+outputs: [left, right]
+load: {{speed: 1000 rpm, torque: 400 N*m}}
+mechanisms:
+  diff: {{first: left, second: right, third: cage, ratio: -1, efficiency: .96}}
+{sets}shift_elements: {{{brakes}}}
+gears: {{straight: {{speeds: {{right: left}}}}}}
+"""
 
 
 def test_straight_ahead_with_sets_that_drag_is_a_note() -> None:
@@ -198,3 +199,32 @@ def test_a_freewheel_that_cannot_support_the_input_is_no_reason() -> None:
     assert told[-1] == (
         "warning: no torques are in equilibrium: nothing supports the torque of the input"
     )
+
+
+# -- usual gears ---------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@given(transmissions())
+def test_of_a_usual_gear_nothing_else_is_said(case: Transmission) -> None:
+    results = solve(case)
+    for number, is_usual in enumerate(regular_gears(results)):
+        if is_usual:
+            assert not list(diagnosis._of_irregular_gear(results, number, case.gears[number], ()))
+
+
+def test_gears_are_usual_but_for_faults_and_torques_that_statics_leaves_open() -> None:
+    """Two brakes that hold the ring share its torque in an unknown way."""
+    for name, (case, number) in FAULTY.items():
+        assert not list(regular_gears(solve(case)))[number - 1], name
+    assert all(regular_gears(shipped_results("mzkt7922.dat")))
+    for engaged, is_usual in (([1, 2], False), ([1], True)):
+        results = solve(train([(2, 0), (2, 0)], Gear(engaged)))
+        assert list(regular_gears(results)) == [is_usual]
+
+
+def test_speeds_and_torques_of_a_pair_check_one_another() -> None:
+    """Without losses the output torque is the ratio; with a given torque nothing follows."""
+    assert not is_uncertain(Gear(), -0.4, -2.5)
+    assert is_uncertain(Gear(), -0.4, -2.6)
+    assert not is_uncertain(Gear(torques={1: 0.5}), -0.4, -2.6)

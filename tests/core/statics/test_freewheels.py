@@ -12,9 +12,7 @@ import numpy as np
 import pytest
 
 from tests.chance import count, generator, seeded
-from tests.commands import vstatics
 from tests.core.statics.batches import (
-    ARRAYS,
     KINDS,
     disagreements,
     efficiencies,
@@ -29,8 +27,7 @@ from vstatics import solve as solved
 from vstatics.core.model.checks import hints
 from vstatics.core.model.parts import Load
 from vstatics.core.readers.named.reader import read_json, read_yaml
-from vstatics.core.writers import deck, listing, named
-from vstatics.core.writers.result_json import document
+from vstatics.core.writers import deck, named
 
 U = -73 / 35
 SIMPSON = """\
@@ -61,57 +58,27 @@ def texts(results: Results, gear: str) -> list[str]:
     return [f"{m.severity}: {m.text}" for m in results.messages if m.gear == gear]
 
 
-def test_first_gear_holds_and_second_overruns() -> None:
-    results = solved(simpson())
-    assert results.ratio[:3] == pytest.approx([2 - 1 / U, 1 - 1 / U, 1])
-    assert list(results.holds[:, 3]) == [True, False, False, False, False]
-    assert list(results.holds[0]) == [True, False, False, True, False]
-    # the housing takes what input and output leave: 1 - ratio, without losses and with
-    assert results.torques[0, 3] == pytest.approx(1 / U - 1)
-    assert results.lossy_torques[0, 3] == pytest.approx(1 - results.lossy_torques[0, -1])
-    assert results.slip_speeds[1, 3] == pytest.approx((U / (U - 1)) ** 2)
-    assert results.slip_speeds[2, 3] == pytest.approx(1)
-    assert texts(results, "1") == []
-    assert texts(results, "2") == []
-    assert not results.failed
-
-
-def test_coasting_in_first_gear_is_a_neutral() -> None:
-    results = solved(simpson(), coast=True)
-    assert not results.holds[0, 3]
-    assert np.isnan([results.ratio[0], results.efficiency[0], results.slip_speeds[0, 3]]).all()
-    assert texts(results, "1")[0].startswith(
-        "warning: neutral, because freewheel D overruns: one more shift element must be engaged"
-    )
-    assert results.ratio[1] == pytest.approx(1 - 1 / U)
-    assert not results.failed
-
-
-def test_reverse_needs_a_brake_but_when_coasting() -> None:
-    """The reaction on carrier 2 is 1 - u, in the direction in which the freewheel is free."""
-    driving, coasting = solved(simpson()), solved(simpson(), coast=True)
-    assert np.isnan(driving.ratio[3])
-    assert "freewheel D overruns" in texts(driving, "R")[0]
-    assert coasting.holds[3, 3]
-    assert coasting.ratio[3] == pytest.approx(U)
-    assert coasting.torques[3, 3] == pytest.approx(1 - U)
-
-
 @pytest.mark.parametrize("coast", [False, True])
-def test_a_brake_beside_the_freewheel_takes_the_torque(coast: bool) -> None:
+def test_the_freewheel_holds_in_first_gear_and_coasting_in_reverse(coast: bool) -> None:
+    """The housing takes 1 - ratio; in reverse that is 1 - u, where the freewheel is free."""
     results = solved(simpson(), coast=coast)
-    assert results.ratio[4] == pytest.approx(2 - 1 / U)
-    assert list(results.holds[4]) == [True, False, False, False, True]
+    first, reverse = (np.nan, U) if coast else (2 - 1 / U, np.nan)
+    expected = [first, 1 - 1 / U, 1, reverse, 2 - 1 / U]
+    assert results.ratio == pytest.approx(expected, nan_ok=True)
+    assert results.holds[:, 3].tolist() == [not coast, False, False, coast, False]
+    assert results.holds[4].tolist() == [True, False, False, False, True]
+    held = 3 if coast else 0
+    assert results.torques[held, 3] == pytest.approx(1 - expected[held])
+    assert results.lossy_torques[held, 3] == pytest.approx(1 - results.lossy_torques[held, -1])
+    assert results.slip_speeds[1:3, 3] == pytest.approx([(U / (U - 1)) ** 2, 1])
     assert results.slip_speeds[4, 3] == 0
-    assert results.torques[4, 3:5] == pytest.approx([0, 1 / U - 1])
-
-
-def test_it_is_the_gear_with_the_freewheel_engaged() -> None:
-    """The same train with a brake for D, engaged in first gear only."""
-    brake = simpson(SIMPSON.replace("kind: freewheel", "kind: brake"))
-    gears = [brake.gears[0]._replace(engaged=(1, 4)), *brake.gears[1:]]
-    expected, found = solved(replace(brake, gears=gears)), solved(simpson())
-    assert all(same(getattr(found, name), getattr(expected, name)) for name in ARRAYS)
+    assert results.torques[4, 3:5] == pytest.approx([0, 1 / U - 1])  # the brake takes it all
+    assert not results.failed
+    [said] = [one for one in results.messages if "neutral" in one.text]
+    assert said.gear == ("1" if coast else "R")
+    assert str(said.text).startswith(
+        "neutral, because freewheel D overruns: one more shift element must be engaged"
+    )
 
 
 TWO = SIMPSON.replace("A: [input, ring 1]", "A: {kind: freewheel, links: [ring 1, input]}")
@@ -122,36 +89,10 @@ def test_two_freewheels() -> None:
     """A drives ring 1: it keeps it from falling behind the input. In first gear both hold."""
     results = solved(simpson(TWO))
     assert results.ratio[:3] == pytest.approx([2 - 1 / U, 1 - 1 / U, 1])
-    assert [list(gear[[0, 3]]) for gear in results.holds[:3]] == [
-        [True, True],
-        [True, False],
-        [True, False],
-    ]
-    assert results.torques[:2, 0] == pytest.approx([-1, -1])
-    assert texts(results, "1") == []
+    assert results.holds[:3, [0, 3]].tolist() == [[True, True], [True, False], [True, False]]
     coasting = solved(simpson(TWO), coast=True)
     assert not coasting.holds[0, [0, 3]].any()
     assert "because freewheels A and D overrun" in texts(coasting, "1")[0]
-
-
-def test_one_of_two_freewheels_takes_over_from_the_other() -> None:
-    """A two-speed axle: link 2 follows link 1 by freewheel L1, or a clutch drives it faster.
-
-    The gear pair (3, 2) of ratio .5 would drive link 2 at 2; then L1 overruns by 1.
-    """
-    case = Transmission(
-        3,
-        [ShiftElement(2, 1, kind="freewheel"), ShiftElement(1, 3)],
-        [Mechanism(3, 2, 0, 0.5)],
-        [Gear(), Gear([2])],
-        output=2,
-    )
-    results = solved(case)
-    assert results.ratio == pytest.approx([1, 0.5])
-    assert [element.name for element in results.case.shift_elements] == ["L1", "F2"]
-    assert list(results.holds[:, 0]) == [True, False]
-    assert results.slip_speeds[:, 0] == pytest.approx([0, 1])
-    assert results.torques[0] == pytest.approx([-1, 0, 0, 1])
 
 
 def pair(ratio: float = -1.0, first: int = 2, second: int = 0) -> Transmission:
@@ -174,9 +115,17 @@ def test_a_freewheel_that_is_driven_backward_is_a_conflict() -> None:
         "the links of the freewheel if its direction is wrong"
     ]
     turned = solved(pair(first=0, second=2))
-    assert turned.ratio == pytest.approx(-1)
     assert turned.slip_speeds == pytest.approx(np.array([[1]]))
     assert not turned.failed
+    (text,) = texts(solved(backward(pair(2.0))), "1")
+    assert "(its slip would be 0.5, above 0, with an input that turns backward)" in text
+
+
+def test_a_gear_that_is_tied_up_is_none_of_the_freewheels_fault() -> None:
+    results = solved(simpson(SIMPSON.replace("[A, E]", "[A, C, E]")))
+    assert results.tied_up[4]
+    assert not results.conflict[4]
+    assert [text[:14] for text in texts(results, "1 manual")] == ["error: tied up"]
 
 
 def test_freewheels_that_could_hold_in_place_of_each_other_are_told() -> None:
@@ -189,7 +138,6 @@ def test_freewheels_that_could_hold_in_place_of_each_other_are_told() -> None:
         "warning: freewheel F2 could hold instead of F1, so their torques are indeterminate; "
         "the torques with F1 are shown"
     ]
-    assert texts(solved(simpson()), "1") == []
 
 
 TWO_MOTORS = """\
@@ -213,22 +161,13 @@ def test_the_set_that_holds_is_one_whose_torques_balance() -> None:
     out = 3 * 0.98 - 2 / 0.97
     assert results.ratio == pytest.approx([-3])
     assert results.lossy_torques[0, -1] == pytest.approx(-out)
-    assert results.lossy_torques[0, -1] == pytest.approx(-0.878, abs=5e-4)
     assert results.efficiency == pytest.approx([2 / 3 + out / 3])
-    assert results.efficiency == pytest.approx([0.959], abs=5e-4)
     assert results.torques[0, 0] == pytest.approx(-3)
     assert texts(results, "both") == []
-    braked = simpson(TWO_MOTORS.replace("freewheel", "brake").replace("{tor", "{engaged: [F], tor"))
-    assert all(same(getattr(solved(braked), name), getattr(results, name)) for name in ARRAYS)
-
-
-def test_a_gear_that_no_freewheel_holds_says_so() -> None:
-    """m2 pushes the carrier the other way, in which it is free."""
-    results = solved(simpson(TWO_MOTORS.replace("{m2: -1}", "{m2: 1}")))
-    assert not results.holds.any()
+    other_way = solved(simpson(TWO_MOTORS.replace("{m2: -1}", "{m2: 1}")))
+    assert not other_way.holds.any()
     said = "nothing supports the torque of m2, because freewheel F overruns"
-    assert said in texts(results, "both")[-1]
-    assert results.ratio == pytest.approx([-3])
+    assert said in texts(other_way, "both")[-1]
 
 
 # -- the input turns backward --------------------------------------------------------------
@@ -250,34 +189,28 @@ def test_an_input_that_turns_backward_is_a_train_with_its_freewheels_the_other_w
         for one in case.shift_elements
     ]
     expected, found = solved(replace(case, shift_elements=turned)), solved(backward(case))
-    assert same(found.speeds, expected.speeds)
     assert same(found.lossy_torques[:, -1], expected.lossy_torques[:, -1])
-    assert same(found.efficiency, expected.efficiency)
-    assert same(found.holds, expected.holds)
-    assert same(found.conflict, expected.conflict)
+    for name in ("speeds", "efficiency", "holds", "conflict"):
+        assert same(getattr(found, name), getattr(expected, name)), name
     assert not same(found.holds, solved(case).holds)
 
 
-def test_a_motor_that_drives_backward_needs_the_freewheel() -> None:
-    """m2 alone against the carrier, which reacts with 1 - u = 3."""
-    case = simpson(TWO_MOTORS.replace("torques: {m2: -1}", "input: m2"))
-    assert np.isnan(solved(case).ratio).all()
-    results = solved(backward(case))
-    assert results.ratio == pytest.approx([-2])
-    assert results.torques[0, 0] == pytest.approx(3)
+M2 = TWO_MOTORS.replace("torques: {m2: -1}", "input: m2")
+"""Motor 2 alone against the carrier, which reacts with 1 - u = 3: it has to drive backward."""
 
 
-def test_a_load_says_which_way_the_input_turns() -> None:
-    case = simpson(TWO_MOTORS.replace("torques: {m2: -1}", "input: m2"))
-    expected = solved(backward(case)).holds
+def test_the_operating_point_gives_the_direction_of_the_input() -> None:
+    assert np.isnan(solved(simpson(M2)).ratio).all()
+    expected = solved(backward(simpson(M2)))
+    assert expected.ratio == pytest.approx([-2])
+    assert expected.torques[0, 0] == pytest.approx(3)
     for load in ("{speed: -900 rpm, torque: -30 N*m}", "{speed: -900 rpm}", "{torque: -30 N*m}"):
-        own = TWO_MOTORS.replace("torques: {m2: -1}", f"input: m2, load: {load}")
-        common = TWO_MOTORS.replace("torques: {m2: -1}", "input: m2") + f"load: {load}\n"
-        assert same(solved(simpson(own)).holds, expected)
-        assert same(solved(simpson(common)).holds, expected)
+        own, common = M2.replace("input: m2", f"input: m2, load: {load}"), f"{M2}load: {load}\n"
+        assert same(solved(simpson(own)).holds, expected.holds)
+        assert same(solved(simpson(common)).holds, expected.holds)
 
 
-def test_a_load_that_contradicts_the_gear_is_refused() -> None:
+def test_an_operating_point_that_contradicts_the_gear_is_refused() -> None:
     text = TWO_MOTORS.replace("torques: {m2: -1}", "input_turns: backward")
     with pytest.raises(ReadError) as refused:
         simpson(text + "load: {speed: 900 rpm}\n")
@@ -289,121 +222,40 @@ def test_a_load_that_contradicts_the_gear_is_refused() -> None:
     assert problem.place is not None
     assert problem.place[1] == 7
     simpson(text + "load: {speed: -900 rpm}\n")
-
-
-def test_a_way_that_is_none_is_refused() -> None:
     with pytest.raises(ReadError, match="did you mean `backward`"):
-        simpson(TWO_MOTORS.replace("torques: {m2: -1}", "input_turns: backwards"))
+        simpson(text.replace("backward", "backwards"))
     with pytest.raises(CaseError, match="expected `forward` or `backward`"):
         replace(simpson(), gears=[Gear(input_turns="up")])  # type: ignore[arg-type]
 
 
-def test_an_input_of_a_gears_own_that_says_neither_gets_a_note() -> None:
-    def notes(given: str, text: str = TWO_MOTORS) -> list[str]:
-        return [one.message for one in hints(simpson(text.replace("torques: {m2: -1}", given)))]
-
-    assert notes("input: m2") == [
+def test_a_note_says_that_the_own_input_of_a_gear_is_assumed_to_turn_forward() -> None:
+    note = (
         "the input, link m2, is assumed to turn forward, which affects the freewheels; write "
         "`input_turns: forward` or `backward`"
-    ]
-    for given in (
-        *("input: m1", "torques: {m2: 1}", "input: m2, load: {torque: 3 N*m}"),
-        *("input: m2, input_turns: forward", "input: m2, input_turns: backward"),
-    ):
-        assert notes(given) == []
-    assert notes("input: m2", TWO_MOTORS.replace("freewheel", "brake")) == []
-    checked = vstatics(
-        "check", "-", stdin=TWO_MOTORS.replace("torques: {m2: -1}", "input: m2").encode()
     )
-    assert "7:3: note: gears.both: the input, link m2, is assumed to turn forward" in checked.err
-
-
-def test_a_conflict_of_a_backward_input_says_so() -> None:
-    (text,) = texts(solved(backward(pair(2.0))), "1")
-    assert "(its slip would be 0.5, above 0, with an input that turns backward)" in text
-
-
-def test_the_way_of_the_input_is_written_and_told_as_lost() -> None:
-    case = backward(simpson())
-    assert read_yaml(named.write_yaml(case).encode(), "").case == case
-    assert read_json(named.write_json(case).encode(), "").case == case
-    assert "input_turns of gear R" in deck.lost(case)
+    for text, expected in (
+        (M2, [note]),
+        (M2.replace("freewheel", "brake"), []),
+        (M2.replace("input: m2", "input: m1"), []),
+        (M2.replace("input: m2", "torques: {m2: 1}"), []),
+        (M2.replace("input: m2", "input: m2, load: {torque: 3 N*m}"), []),
+        (M2.replace("input: m2", "input: m2, input_turns: forward"), []),
+        (M2.replace("input: m2", "input: m2, input_turns: backward"), []),
+    ):
+        assert [one.message for one in hints(simpson(text))] == expected, text
 
 
 def test_plans_know_which_way_the_input_turns() -> None:
     """The same numbers, again and again, for gears that differ in this only."""
-    case = simpson(TWO_MOTORS.replace("torques: {m2: -1}", "input: m2"))
+    case = simpson(M2)
     u = np.array([[-3.0, -2.0 - 0.01 * n] for n in range(20)])
     for _ in range(2):
         assert np.isnan(solved(case, ratios=u).ratio).all()
-        assert solved(backward(case), ratios=u).ratio[:, 0] == pytest.approx(u[:, 1])
-        load = Load(-900.0)
-        assert solved(replace(case, load=load), ratios=u).ratio[:, 0] == pytest.approx(u[:, 1])
+        for other in (backward(case), replace(case, load=Load(-900.0))):
+            assert solved(other, ratios=u).ratio[:, 0] == pytest.approx(u[:, 1])
 
 
-def test_a_gear_that_is_tied_up_is_none_of_the_freewheels_fault() -> None:
-    case = simpson(SIMPSON.replace("[A, E]", "[A, C, E]"))
-    results = solved(case)
-    assert results.tied_up[4]
-    assert not results.conflict[4]
-    assert [text[:14] for text in texts(results, "1 manual")] == ["error: tied up"]
-
-
-def test_the_command_line_fails_for_a_conflict() -> None:
-    written = named.write_yaml(pair()).encode()
-    said = vstatics("run", "-", "--from", "yaml", stdin=written)
-    assert said.fails("gear 1: conflict: freewheel L can neither")
-    checked = vstatics("check", "-", "--from", "yaml", stdin=written)
-    assert checked.status == 1
-    assert "freewheels in conflict" in checked.out
-    assert (
-        "3 of 3 constraints: ok (engaged: A D)"
-        in vstatics("check", "-", stdin=SIMPSON.encode()).out
-    )
-
-
-def test_a_dog_clutch_is_engaged_like_any_other() -> None:
-    made = [ShiftElement(1, 2, kind="dog_clutch"), ShiftElement(2, 0, kind="dog_clutch")]
-    case = Transmission(3, made, [Mechanism(1, 2, 3, -2.0)], [Gear([1]), Gear([2])])
-    assert solved(case).ratio == pytest.approx([1, 3])
-    assert [element.name for element in case.shift_elements] == ["F1", "T2"]
-
-
-# -- arrays of variants ------------------------------------------------------------------
-
-
-def test_the_state_differs_from_variant_to_variant() -> None:
-    """Link 2 turns at 1/u: forward it overruns, backward it is a conflict."""
-    u = np.array([[-3.0], [2.0], [-1.0], [0.5], [4.0], [-0.2], [1.0], [3.0]])
-    results = solved(pair(), ratios=u)
-    assert list(results.conflict[:, 0]) == list(u[:, 0] < 0)
-    assert results.ratio[u > 0] == pytest.approx(u[u > 0])
-    assert not disagreements(pair(), u)
-
-
-def test_who_holds_differs_from_variant_to_variant() -> None:
-    """L1 brakes the ring, L2 the input's way round: the reaction on the ring is u."""
-    made = [ShiftElement(2, 0, kind="freewheel"), ShiftElement(0, 2, kind="freewheel")]
-    case = Transmission(3, made, [Mechanism(1, 2, 3, -2.0, 0.98)], [Gear()])
-    u = np.array([[-3.0], [2.0], [-1.0], [0.5], [4.0], [-0.2], [1.5], [3.0]] * 3)
-    u[8:] *= 1 + 1e-3 * np.arange(16)[:, None]
-    results = solved(case, ratios=u)
-    assert results.ratio[:, 0] == pytest.approx(1 - u[:, 0])
-    assert list(results.holds[:, 0, 0]) == list(u[:, 0] < 0)
-    assert list(results.holds[:, 0, 1]) == list(u[:, 0] > 0)
-    assert not disagreements(case, u)
-    assert not disagreements(replace(case, coast=True), u)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("coast", [False, True])
-@pytest.mark.parametrize("text", [SIMPSON, TWO])
-def test_variants_of_the_simpson_train(text: str, coast: bool) -> None:
-    case = replace(simpson(text), coast=coast)
-    rng = generator(1)
-    for kind in KINDS:
-        u = ratios(rng, case, 6, kind)
-        assert not disagreements(case, u, efficiencies(rng, case, 6, "any")), kind
+# -- random trains ----------------------------------------------------------------------
 
 
 def with_freewheels(seed: int) -> Transmission:
@@ -459,57 +311,43 @@ def drives(one: Results) -> bool:
     return bool(one.balanced[0] and not np.isnan(one.speeds[0, output]))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("coast", [False, True])
-def test_random_trains_with_given_torques_do_without_a_balance_only_if_they_must(
-    coast: bool,
-) -> None:
+def check_state(case: Transmission, results: Results, number: int) -> None:
+    """The state of a gear is one of those found by trying them all."""
+    gear, possible = case.gears[number], states(case, number)
+    if results.tied_up[number] or results.conflict[number]:
+        assert not possible
+        return
+    speeds = results.speeds[number]
+    driving = [one for one in possible if drives(one)]
+    if driving:
+        assert results.balanced[number]
+        assert results.holds[number].sum() == min(one.holds.sum() for one in driving)
+    same_state = [one for one in possible if same(one.speeds[0], speeds)]
+    output = case.gear_output(gear) - 1
+    if np.isnan(speeds[output]):
+        assert all(np.isnan(one.speeds[0, output]) for one in possible)
+    names = ("lossy_torques", "efficiency", "losses", "locked", "holds")
+    assert any(
+        all(same(getattr(one, name)[0], getattr(results, name)[number]) for name in names)
+        for one in same_state
+    )
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(6), pytest.param(range(6, count(120, 400)), marks=pytest.mark.slow)]
+)
+def test_the_state_of_random_trains_is_one_that_trying_them_all_finds(seeds: range) -> None:
     """About one of 300 has a set of freewheels that turns the output, but can't balance it."""
-    seen = 0
-    for seed in range(count(200, 400)):
-        case = replace(with_freewheels(seed), coast=coast)
-        loaded = [gear for gear in case.gears if gear.torques and gear.output not in gear.speeds]
-        for gear in loaded if case.freewheels else ():
-            one = replace(case, gears=[gear])
-            results, possible = plainly(one), states(one, 0)
-            driving = [state for state in possible if drives(state)]
-            if not driving:
-                continue
-            assert results.balanced[0], seed
-            held = min(state.holds.sum() for state in driving)
-            assert results.holds.sum() == held, seed
-            assert any(same(state.torques, results.torques) for state in driving), seed
-            assert not abs(results.power_balance[0]) > 1e-9, seed
-            seen += any(not drives(state) and state.holds.sum() < held for state in possible)
-    assert seen > 1
+    for seed in seeds:
+        case = with_freewheels(seed)
+        results = plainly(case)
+        for number in range(len(case.gears)):
+            check_state(case, results, number)
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_random_trains(seed: int) -> None:
-    """The state is one of those found by trying them all, and variants are as alone."""
+def test_variants_hold_as_each_alone(seed: int) -> None:
     case, numbers = with_freewheels(seed), generator(seed)
-    results = plainly(case)
-    for number, gear in enumerate(case.gears):
-        possible = states(case, number)
-        if results.tied_up[number] or results.conflict[number]:
-            assert not possible
-            continue
-        speeds = results.speeds[number]
-        driving = [one for one in possible if drives(one)]
-        if driving:
-            assert results.balanced[number]
-            held = results.holds[number].sum() - len(gear.engaged)
-            assert held == min(one.holds.sum() for one in driving) - len(gear.engaged)
-        same_state = [one for one in possible if same(one.speeds[0], speeds)]
-        assert same_state
-        output = case.gear_output(gear) - 1
-        if np.isnan(speeds[output]):
-            assert all(np.isnan(one.speeds[0, output]) for one in possible)
-        names = ("lossy_torques", "efficiency", "losses", "locked", "holds")
-        assert any(
-            all(same(getattr(one, name)[0], getattr(results, name)[number]) for name in names)
-            for one in same_state
-        )
     u = ratios(numbers, case, 12, KINDS[seed % len(KINDS)])
     assert not disagreements(case, u, None, range(4))
     assert not disagreements(case, u, efficiencies(numbers, case, 12, "any"), range(4))
@@ -518,8 +356,8 @@ def test_random_trains(seed: int) -> None:
 # -- reading, writing, checking ----------------------------------------------------------
 
 
-def test_what_is_written_is_read_again() -> None:
-    case = simpson()
+def test_yaml_and_json_keep_freewheels_and_a_deck_cannot() -> None:
+    case = backward(simpson())
     assert case.shift_elements[3:] == (
         ShiftElement(4, 0, "D", "freewheel"),
         ShiftElement(4, 0, "E", "brake"),
@@ -529,48 +367,38 @@ def test_what_is_written_is_read_again() -> None:
     written = named.mapping(case)["shift_elements"]
     assert written["A"] == ["input", "ring 1"]
     assert written["D"] == {"kind": "freewheel", "links": ["carrier 2", "housing"]}
-    assert deck.lost(case) == ["that D is a freewheel; it is engaged where it holds"]
+    assert deck.lost(simpson()) == ["that D is a freewheel; it is engaged where it holds"]
+    assert "input_turns of gear R" in deck.lost(case)
 
 
-def test_the_table_stands_only_where_there_are_freewheels() -> None:
-    results = solved(simpson())
-    assert document(results)["holds"][3] == [True, False, False, False, False]
-    assert "(HOLDS(I,J),J=1,NP),I=1,KL:\n  1   1   1   0   1\n" in listing.write(results)
-    without = solved(simpson(SIMPSON.replace("kind: freewheel", "kind: brake")))
-    assert "holds" not in document(without)
-    assert "HOLDS" not in listing.write(without)
+def test_names_of_shift_elements_tell_their_kind() -> None:
+    """A dog clutch is named as a clutch or a brake, a freewheel by L."""
+    made = [ShiftElement(1, 2, kind="dog_clutch"), ShiftElement(2, 0, kind="dog_clutch")]
+    made += [ShiftElement(1, 3, kind="freewheel")]
+    case = Transmission(3, made, [Mechanism(1, 2, 3, -2.0)], [Gear([1]), Gear([2])])
+    assert [element.name for element in case.shift_elements] == ["F1", "T2", "L3"]
 
 
-@pytest.mark.parametrize(
-    ("before", "after", "line", "words"),
-    [
-        ('"1": {engaged: [A]}', '"1": {engaged: [A, D]}', 12, "remove it from the gear"),
-        (
-            "{kind: brake, links: [carrier 2]}",
-            "{kind: brake, links: [sun, output]}",
-            7,
-            "against the",
-        ),
-        (
-            "{kind: brake, links: [carrier 2]}",
-            "{kind: clutch, links: [sun]}",
-            7,
-            "expected `brake`",
-        ),
-        ("kind: brake", "kind: break", 7, "did you mean `brake`"),
-        ("[carrier 2]", "[]", 7, "or one: [first]"),
-        ("[carrier 2]", "[carrier 2, sun, input]", 7, "read a list of 3"),
-        ("[carrier 2]", "[carrier]", 7, "links[1]: read"),
-        ("[carrier 2]", "[sun, sun]", 7, "to itself"),
-        ("{kind: brake, links: [carrier 2]}", "{kind: brake}", 7, "`links` is missing"),
-        ("{kind: brake, links: [carrier 2]}", "brake", 7, "expected two links"),
-    ],
+BRAKE = "{kind: brake, links: [carrier 2]}"
+FAULTS = (
+    ('"1": {engaged: [A]}', '"1": {engaged: [A, D]}', 12, "remove it from the gear"),
+    (BRAKE, "{kind: brake, links: [sun, output]}", 7, "against the"),
+    (BRAKE, "{kind: clutch, links: [sun]}", 7, "expected `brake`"),
+    ("kind: brake", "kind: break", 7, "did you mean `brake`"),
+    ("[carrier 2]", "[]", 7, "or one: [first]"),
+    ("[carrier 2]", "[carrier 2, sun, input]", 7, "read a list of 3"),
+    ("[carrier 2]", "[carrier]", 7, "links[1]: read"),
+    ("[carrier 2]", "[sun, sun]", 7, "to itself"),
+    (BRAKE, "{kind: brake}", 7, "`links` is missing"),
+    (BRAKE, "brake", 7, "expected two links"),
 )
-def test_faults_are_located(before: str, after: str, line: int, words: str) -> None:
-    assert SIMPSON.count(before) == 1
-    with pytest.raises(ReadError) as caught:
-        simpson(SIMPSON.replace(before, after))
-    (problem,) = caught.value.problems
-    assert problem.place is not None
-    assert problem.place[1] == line
-    assert words in problem.message
+
+
+def test_faults_are_located() -> None:
+    for before, after, line, words in FAULTS:
+        assert SIMPSON.count(before) == 1
+        with pytest.raises(ReadError) as caught:
+            simpson(SIMPSON.replace(before, after))
+        (problem,) = caught.value.problems
+        assert problem.place is not None
+        assert (problem.place[1], words in problem.message) == (line, True), after

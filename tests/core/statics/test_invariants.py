@@ -8,62 +8,24 @@ from random import Random
 from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tests.chance import count, generator
-from tests.trains import is_regular, no_losses, regular_trains, trains
-from vstatics import Results, Transmission, solve
+from tests.chance import count
+from tests.trains import trains
+from vstatics import Transmission, solve
 from vstatics.core.model.parts import SpeedOf
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import read
+from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.writers import deck, named
 
 RANDOM = settings(max_examples=count(8, 48))
 CLOSE = {"rtol": 1e-8, "atol": 1e-8}
-ARRAYS = [name for name in Results._fields if name not in ("case", "messages", "points")]
 
 
 def same(actual: Floats, expected: Floats, rtol: float = 1e-8, atol: float = 1e-8) -> None:
     np.testing.assert_allclose(actual, expected, rtol=rtol, atol=atol, equal_nan=True)
-
-
-@RANDOM
-@given(regular_trains(gears=2))
-def test_output_torque_times_output_speed_is_1_without_losses(case: Transmission) -> None:
-    results = solve(case)
-    for number, gear in enumerate(case.gears):
-        if is_regular(case, gear):
-            speed = results.speeds[number, case.gear_output(gear) - 1]
-            assert results.output_torque[number] * speed == pytest.approx(1)
-            assert results.ratio[number] == pytest.approx(results.output_torque[number])
-
-
-@RANDOM
-@given(trains(gears=2))
-def test_with_all_efficiencies_1_losses_change_nothing(case: Transmission) -> None:
-    results = solve(no_losses(case))
-    there = results.calculable
-    same(results.lossy_torques[there], results.torques[there], **CLOSE)
-    same(results.lossy_holding_torques[there], results.holding_torques[there], **CLOSE)
-    known = results.efficiency[there]
-    assert known[~np.isnan(known)] == pytest.approx(1)
-    assert not results.locked.any()
-    assert not np.nan_to_num(results.losses).any()
-
-
-@RANDOM
-@given(trains(gears=2))
-def test_power_is_balanced_and_losses_are_not_negative(case: Transmission) -> None:
-    """Coasting turns all flows, so in units of the input torque losses are below 0."""
-    results = solve(case)
-    there = results.consistent
-    size = 1 + np.nan_to_num(np.abs(results.lossy_torques[there])).max(axis=1, initial=0)
-    balance = results.power_balance[there] / size
-    assert np.nan_to_num(balance) == pytest.approx(0, abs=1e-7)
-    losses = np.nan_to_num(results.losses[there]) * (-1 if case.coast else 1)
-    assert (losses >= -1e-9 * size[:, None]).all()
 
 
 @RANDOM
@@ -128,25 +90,3 @@ def test_deck_yaml_and_json_of_a_case_give_one_result(case: Transmission) -> Non
         assert results.messages == expected.messages
         for name in ARRAYS:
             np.testing.assert_array_equal(getattr(results, name), getattr(expected, name))
-
-
-@settings(max_examples=count(8, 48))
-@given(trains(gears=2), st.integers(0, 2**32 - 1))
-def test_variants_together_are_variants_one_by_one(case: Transmission, seed: int) -> None:
-    rng = generator(seed)
-    own = np.array([mechanism.ratio for mechanism in case.mechanisms])
-    ratios = own * np.where(own == 1, 1, rng.uniform(0.9, 1.1, (3, 2, own.size)))
-    efficiencies = rng.uniform(0.9, 1, (2, own.size))
-    together = solve(case, ratios=ratios, efficiencies=efficiencies)
-    assert together.speeds.shape == (3, 2, 2, case.links)
-    assert together.efficiency.shape == (3, 2, 2)
-    for place in np.ndindex(3, 2):
-        mechanisms = [
-            one._replace(ratio=float(u), efficiency=float(eta))
-            for one, u, eta in zip(
-                case.mechanisms, ratios[place], efficiencies[place[1]], strict=True
-            )
-        ]
-        alone = solve(replace(case, mechanisms=mechanisms))
-        for name in ARRAYS:
-            same(getattr(together, name)[place], getattr(alone, name), rtol=1e-11, atol=1e-11)

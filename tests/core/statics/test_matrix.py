@@ -10,8 +10,15 @@ from tests.commands import MZKT
 from tests.core.statics.differential import SET, train
 from tests.shipped import PRINTED
 from tests.trains import random_train
-from vstatics import Gear, Mechanism, distribution_matrix, load
-from vstatics.core.statics.matrix import column, columns, speed_row_names, speed_rows, torque_rows
+from vstatics import Gear, Mechanism, Transmission, distribution_matrix, load
+from vstatics.core.statics.matrix import (
+    column,
+    columns,
+    speed_row_names,
+    speed_rows,
+    torque_rows,
+    variant_of,
+)
 
 
 def test_a_column_is_in_equilibrium_and_turns_as_one_piece() -> None:
@@ -67,3 +74,17 @@ def test_a_ratio_for_each_mechanism_is_asked_for() -> None:
     assert Mechanism(1, 2, 3, -2.0).links == (1, 2, 3)
     with pytest.raises(ValueError, match="expected a last axis of 1"):
         distribution_matrix(case, [[-2.0, 1.0]])
+
+
+PAIR = Transmission(2, [], [Mechanism(1, 2, 0, -4.0, 0.98)], [Gear()])
+
+
+def test_numbers_that_are_not_given_are_those_of_the_case() -> None:
+    assert variant_of(PAIR).ratios == [-4.0]
+    assert variant_of(PAIR).efficiencies[0].forward == 0.98
+
+
+@pytest.mark.parametrize("ratio", [-4.0, 2.5])
+def test_columns_are_those_of_the_ratios(ratio: float) -> None:
+    """docs/method.md: 1 on the first link, -u on the second; the housing has no row."""
+    assert list(variant_of(PAIR, [ratio]).columns[0].values()) == [1, -ratio]

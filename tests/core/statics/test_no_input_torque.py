@@ -10,7 +10,7 @@ import pytest
 from tests.chance import seeded, with_marked
 from tests.commands import json_answer, vstatics
 from tests.core.statics.batches import with_numbers
-from tests.trains import no_losses, random_train
+from tests.trains import random_train
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, loads, solve
 from vstatics.core.flow.power import flows
 from vstatics.core.model.parts import OfLoad
@@ -34,8 +34,7 @@ OUT = -2 * 2 / 0.97 - 5
 def test_the_output_gives_all_drag() -> None:
     said = json_answer("run", "-", "--from", "yaml", stdin=CASE)
     assert (said["dragged"], said["efficiency"], said["power_balance"]) == ([True], [None], [None])
-    assert said["lossy_torques"] == [[None]] * 3
-    assert said["losses"] == [[None]] * 2
+    assert (said["lossy_torques"], said["losses"]) == ([[None]] * 3, [[None]] * 2)
     assert [row[0] for row in said["lossy_torques_Nm"]] == pytest.approx([0, 2, OUT])
     lost = sum(row[0] for row in said["losses_kW"]) + said["drag_losses_kW"][0]
     assert said["input_power_kW"][0] - said["output_power_kW"][0] == pytest.approx(lost)
@@ -44,49 +43,38 @@ def test_the_output_gives_all_drag() -> None:
     assert {row.split(",", 2)[2] for row in rows} == {f"dragged,{OUT:.12g},,"}
 
 
-def two_gears() -> Transmission:
-    """A gear by the load of the case, and one that coasts freely."""
-    pair = Mechanism(1, 2, 0, -2.5, 0.96)
-    gears = [Gear(drag={2: 3.0}), Gear(drag={2: 3.0}, load=Load(torque=0))]
-    return Transmission(2, [], [pair], gears, load=Load(2000, 300))
+PAIR = Mechanism(1, 2, 0, -2.5, 0.96)
+TWO_GEARS = Transmission(
+    *(2, [], [PAIR], [Gear(drag={2: 3.0}), Gear(drag={2: 3.0}, load=Load(torque=0))]),
+    load=Load(2000, 300),
+)
+"""A gear by the load of the case, and one that coasts freely."""
 
 
-def test_a_bare_number_is_a_part_of_nothing() -> None:
-    """A drag of 3 times the input torque is none, and nobody is dragged."""
-    results = solve(two_gears())
+def test_what_is_relative_to_no_torque_does_not_exist() -> None:
+    """A drag of 3 times the input torque is none then, and nobody is dragged."""
+    results = solve(TWO_GEARS)
     assert results.lossy_output_torque_Nm.tolist() == [300 * (-2.5 * 0.96 + 3), 0]
     assert results.dragged.tolist() == [True, False]
     assert results.consistent.all()
-    assert np.isnan(results.efficiency).all()
+    varied = solve(TWO_GEARS, ratios=[[-2.0], [-2.5]])
+    assert {*ARRAYS} >= {*RELATIVE_TO_INPUT}
+    for name in (*RELATIVE_TO_INPUT, "lossy_output_torque"):
+        assert np.isnan(getattr(varied, name)[:, 1]).all(), name
+    assert not np.isnan(varied.torques[:, 0]).any()
+    assert varied.speeds_rpm[0, 1].tolist() == [2000, -1000]
 
 
-def test_arrays_in_python_are_relative_to_the_input_or_do_not_exist() -> None:
-    results = solve(two_gears(), ratios=[[-2.0], [-2.5]])
-    for name in RELATIVE_TO_INPUT:
-        assert np.isnan(getattr(results, name)[:, 1]).all(), name
-        assert name in ARRAYS
-    known = results.torques, results.output_torque
-    assert not any(np.isnan(one[:, 0]).any() for one in known)
-    assert np.isnan(results.lossy_output_torque[:, 1]).all()
-    assert results.speeds_rpm[0, 1].tolist() == [2000, -1000]
-
-
-def test_answers_beside_have_no_relative_torque() -> None:
-    case = replace(two_gears(), gears=[Gear(drag={2: OfLoad(3.0, 1.0)})], load=Load(2000, 0))
-    results = solve(case)
-    output = flows(results)[0].ports.ports[1]
+def test_what_acts_from_outside_is_in_newton_metres() -> None:
+    """3 N*m at the output, which turns backward; 4 N*m on a clutch of 10 N*m."""
+    case = replace(TWO_GEARS, gears=[Gear(drag={2: OfLoad(3.0, 1.0)})], load=Load(2000, 0))
+    output = flows(solve(case))[0].ports.ports[1]
     assert np.isnan([output.torque, output.power]).all()
-    assert output.torque_Nm == pytest.approx(3)  # and it turns backward
-    assert summarize(results).sensitivities.tolist() == [[1]]
-
-
-def test_what_a_clutch_carries_is_measured_by_its_capacity() -> None:
-    """Clutch 2 holds a torque of 4 N*m from outside, with 10 N*m of capacity."""
+    assert output.torque_Nm == pytest.approx(3)
     clutch = ShiftElement(1, 2, capacity=OfLoad(10.0, 1.0))
     gear = Gear([1], torques={1: OfLoad(4.0, 1.0)})
     case = Transmission(3, [clutch], [Mechanism(2, 3, 0, 2)], [gear], load=Load(1000, 0))
-    summary = summarize(solve(case))
-    assert [one.least for one in summary.margins] == pytest.approx([2.5])
+    assert [one.least for one in summarize(solve(case)).margins] == pytest.approx([2.5])
 
 
 def test_a_standing_input_stays_an_error() -> None:
@@ -94,22 +82,7 @@ def test_a_standing_input_stays_an_error() -> None:
         Transmission(2, [], [Mechanism(1, 2, 0, 2)], [Gear()], load=Load(0, 10))
 
 
-@pytest.mark.parametrize("seed", range(12))
-def test_without_mesh_losses_torques_go_in_line_with_the_load(seed: int) -> None:
-    """At 0 N*m they are twice those at 50 less those at 100 N*m: equilibrium is linear."""
-    rng = seeded(seed)
-    case = no_losses(random_train(rng, regular=True, coast=False))
-    drag = {n: OfLoad(rng.choice((1.0, 4.0)), 1.0) for n in range(1, case.links, 2)}
-    gears = [gear._replace(drag=drag) for gear in case.gears]
-    at = {
-        torque: solve(case.replace(gears=gears, load=Load(1000, torque))) for torque in (0, 50, 100)
-    }
-    for name in ("lossy_torques_Nm", "drag_losses_kW", "torques_Nm"):
-        none, half, whole = (getattr(one, name) for one in at.values())
-        assert none == pytest.approx(2 * half - whole, abs=1e-9 * (1 + np.nanmax(np.abs(whole))))
-
-
-@pytest.mark.parametrize("seed", with_marked(range(4), range(4, 12), pytest.mark.slow))
+@pytest.mark.parametrize("seed", with_marked(range(6), range(6, 12), pytest.mark.slow))
 def test_next_to_nothing_is_nearly_nothing(seed: int) -> None:
     """And plans for arrays do as each variant alone."""
     rng = seeded(seed)
@@ -146,18 +119,17 @@ gears: {g: {torques: {x: 5 N*m}}}
             assert powers == pytest.approx(alone.port_powers_kW[0], rel=1e-12)
 
 
-HELD = b"""\
+def test_the_torque_that_holds_a_speed_is_told() -> None:
+    """The motor turns itself against its drag: nothing goes through the set."""
+    results = solve(
+        loads("""
 links: [engine, motor, out]
 mechanisms: {set: {first: engine, second: out, third: motor, ratio: -2, efficiency: 0.98}}
 load: {speed: 3000 rpm, torque: 0 N*m}
-gears:
-  free: {speeds: {motor: 500 rpm}, drag: {motor: 2 N*m}}
-"""
-
-
-def test_the_torque_that_holds_a_speed_is_told() -> None:
-    """The motor turns itself against its drag: nothing goes through the set."""
-    said = json_answer("run", "-", "--from", "yaml", stdin=HELD)
-    assert said["lossy_holding_torques_Nm"] == [[None], [2], [None]]
-    assert said["holding_torques_Nm"] == [[None], [0], [None]]
-    assert said["lossy_holding_torques"] == said["holding_torques"] == [[None]] * 3
+gears: {free: {speeds: {motor: 500 rpm}, drag: {motor: 2 N*m}}}
+""")
+    )
+    assert results.lossy_holding_torques_Nm[0, 1] == 2
+    assert results.holding_torques_Nm[0, 1] == 0
+    assert np.isnan(results.lossy_holding_torques).all()
+    assert np.isnan(results.holding_torques).all()

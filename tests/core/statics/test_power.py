@@ -33,27 +33,15 @@ def states(path: Path) -> list[GearState]:
 
 
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
-def test_powers_of_ports_sum_to_nothing_without_losses(path: Path) -> None:
-    """Conservation of power; what enters is below 0."""
+def test_powers_of_shipped_cases_close(path: Path) -> None:
+    """What enters is below 0; torques on a link balance, so the powers that it gives sum to 0."""
     for state in states(path):
-        assert total(state.powers(lossy=False), "port") == pytest.approx(0, abs=1e-9)
-
-
-@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
-def test_what_ports_lack_with_losses_is_the_losses(path: Path) -> None:
-    for state in states(path):
-        entering = -total(state.powers(), "port")
         lost = sum(plain(one) for one in state.mechanism_losses)
-        assert entering == pytest.approx(lost, abs=1e-9)
-
-
-@pytest.mark.parametrize("lossy", [False, True])
-@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
-def test_a_link_gives_what_it_takes(path: Path, lossy: bool) -> None:
-    """Torques on a link balance, so the powers that it gives sum to 0."""
-    for state in states(path):
-        powers = state.powers(lossy=lossy)
-        if not any(math.isnan(plain(one.power)) for one in powers):
+        for lossy, expected in ((False, 0), (True, -lost)):
+            powers = state.powers(lossy=lossy)
+            assert total(powers, "port") == pytest.approx(expected, abs=1e-9)
+            if any(math.isnan(plain(one.power)) for one in powers):
+                continue
             for link in range(1, state.case.own_links + 1):
                 given = sum(plain(one.power) for one in powers if one.link == link)
                 assert given == pytest.approx(0, abs=1e-9)

@@ -2,59 +2,75 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from tests.core.statics.differential import SET, train
-from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-from vstatics.core.model.transmission import IdleConvention
+from tests.core.statics.batches import chain
+from tests.core.statics.differential import texts, train
+from tests.oracle import gears as oracle
+from tests.oracle.cases import NASTY
+from tests.shipped import shipped_results
+from vstatics import Gear, solve
 from vstatics.core.numerics.traced import is_nan
 from vstatics.core.statics.signs import ideal_signs
-
-
-@pytest.mark.parametrize("coast", [False, True])
-def test_a_convention_does_not_lock_what_turns_as_one_piece(*, coast: bool) -> None:
-    """By the published convention u * eta = 1 here, which passes no torque to the output."""
-    mechanisms = [Mechanism(1, 2, 3, 2.0, 0.5)]
-    case = Transmission(3, [ShiftElement(1, 2)], mechanisms, [Gear([1])], idle="published")
-    results = solve(replace(case, coast=coast))
-    assert not results.locked[0]
-    assert results.efficiency[0] == pytest.approx(1)
-
-
-def test_power_enters_by_the_sun_or_leaves_by_it() -> None:
-    """Equation (5), sign(M (w_f - w_h)): ring held, M = 1 on the sun: 1 - 1/3 of speed."""
-    case = train([(2, 0)], Gear([1]))
-    assert solve(case).power_sign[0] == [1]
-    reverse = replace(case, gears=[Gear([1], input=3, output=1)])
-    assert solve(reverse).power_sign[0] == [-1]
-
-
-def test_coasting_turns_the_signs() -> None:
-    case = train([(2, 0)], Gear([1]))
-    assert solve(case, coast=True).power_sign[0] == [-1]
-
-
-def test_conventions_differ_for_what_is_idle() -> None:
-    """docs/method.md, idle mechanisms: 0; or +1 without torque, sign(u) as one piece."""
-    unloaded = train([(1, 4)], Gear([1]), links=4, output=4)
-    one_piece = train([(1, 2)], Gear([1]))
-    for case, published in ((unloaded, 1), (one_piece, -1)):
-        assert solve(case, idle="exact").power_sign[0] == [0]
-        assert solve(case, idle="published").power_sign[0] == [published]
-        assert solve(case).idle.all()
-
-
-@pytest.mark.parametrize(("idle", "x"), [("exact", 0), ("published", -1)])
-def test_the_convention_decides_how_a_clutch_and_a_set_share(idle: IdleConvention, x: int) -> None:
-    """One piece: the set carries 1/(1 - u eta**x) of the output torque, the clutch the rest."""
-    results = solve(train([(1, 2)], Gear([1])), idle=idle)
-    shared = 1 / (1 - SET.ratio * SET.efficiency**x)
-    assert results.lossy_torques[0] == pytest.approx([1 - shared, shared, 1])
 
 
 def test_a_gear_without_motion_has_no_signs() -> None:
     signs = ideal_signs(solve(train([(2, 0)], Gear())).gear(1).ideal, moving=False)
     assert all(is_nan(x) for x in signs.signs)
     assert signs.idle == [False]
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["turned", pytest.param("turned, idle convention crosses u = 1", marks=pytest.mark.slow)],
+)
+def test_a_sign_is_turned_also_in_a_train_too_large_to_try_all_signs(name: str) -> None:
+    """Eleven pairs before a train of three: its efficiency times .97**11."""
+    case = replace(NASTY[name], gears=[Gear()], input=NASTY[name].gear_input(NASTY[name].gears[0]))
+    case = replace(case, output=NASTY[name].gear_output(NASTY[name].gears[0]))
+    (exact,) = oracle.solve(case)
+    assert exact.efficiency is not None
+    results = solve(chain(11, case))
+    assert results.efficiency == pytest.approx(0.97**11 * float(exact.efficiency))
+    assert results.turned.any()
+    assert results.consistent.all()
+
+
+def test_a_gear_locked_by_friction_keeps_its_ideal_numbers() -> None:
+    """A train of u = 1.004 driven from its slow end; without losses u/(u - 1) = 251."""
+    results = shipped_results("self-locking.yaml")
+    assert results.ratio == pytest.approx([251, 1 / 251])
+    assert results.efficiency[0] == pytest.approx(1 / 6)
+    assert list(results.locked) == [False, True]
+    assert list(results.consistent) == [True, False]
+    assert np.isnan([results.efficiency[1], *results.lossy_torques[1]]).all()
+    assert results.power_sign[1] == [1]
+    assert texts(results) == [
+        "warning: self-locking: no direction of power flow is consistent with the losses"
+    ]
+    coasting = shipped_results("self-locking.yaml", coast=True)
+    assert coasting.locked[0]
+    assert "self-locking when coasting" in texts(coasting)[0]
+
+
+@pytest.mark.parametrize("name", [name for name in NASTY if name.startswith("turned")])
+def test_a_flow_that_losses_turn_is_told(name: str) -> None:
+    results = solve(NASTY[name])
+    (exact,) = oracle.solve(NASTY[name])
+    assert exact.efficiency is not None
+    assert results.efficiency[0] == pytest.approx(float(exact.efficiency))
+    names = " and ".join(f"D{number + 1}" for number in np.nonzero(results.turned[0])[0])
+    assert f"note: losses reverse the power flow through {names}" in texts(results)
+
+
+@pytest.mark.parametrize("name", [name for name in NASTY if name.startswith("several")])
+def test_several_admissible_sets_of_signs_are_told(name: str) -> None:
+    results = solve(NASTY[name])
+    (exact,) = oracle.solve(NASTY[name])
+    assert exact.several
+    told = [text for text in texts(results) if "the largest efficiency is shown" in text]
+    assert re.match(r"note: [2-9]\d* sets of power directions are", told[0])

@@ -13,15 +13,6 @@ from vstatics.core.statics.drag import NO_DRAG
 from vstatics.core.statics.torques import solve_sums, solve_torques
 
 
-def test_a_direct_clutch_with_a_free_set_is_direct_all_the_same() -> None:
-    """The clutch joins input and output; the set hangs on the input and carries nothing."""
-    results = solve(train([(1, 4)], Gear([1]), links=4, output=4))
-    assert [*results.ratio, *results.output_torque, *results.efficiency] == [1, 1, 1]
-    assert results.torques[0] == pytest.approx([1, 0, 1])
-    assert "(links 2 and 3 can still turn freely)" in texts(results)[0]
-    assert len(results.messages) == 1
-
-
 def test_two_clutches_that_lock_the_train_leave_only_the_split_open() -> None:
     """Equilibrium of all links together: Mx = 1, whatever the split between A, B and D."""
     case = train([(1, 2), (2, 3)], Gear([1, 2]))
@@ -35,12 +26,6 @@ def test_two_clutches_that_lock_the_train_leave_only_the_split_open() -> None:
         "the torque of A, B and D1 is indeterminate, release one",
     ]
     assert status(case) == 0
-
-
-def test_the_housing_takes_what_input_and_output_leave() -> None:
-    """Ring held, u = -2: Mx = 1 - u = 3, and 1 - 3 on the brake, its first link being the ring."""
-    results = solve(train([(2, 0)], Gear([1])))
-    assert results.torques[0] == pytest.approx([-2, 1, 3])
 
 
 def test_a_sum_may_be_determined_where_its_parts_are_not() -> None:

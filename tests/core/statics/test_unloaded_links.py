@@ -29,52 +29,37 @@ gears: {direct: [E, O]}
 """
 
 
-def ids(text: str) -> list[str]:
-    return [message.id for message in solve(loads(text)).messages]
+def said(text: str) -> list[tuple[str, str]]:
+    """Gear and identifier of each message."""
+    return [(message.gear or "", message.id) for message in solve(loads(text)).messages]
 
 
 def test_the_race_between_an_open_brake_and_a_freewheel_is_free_on_purpose() -> None:
-    assert ids(OVERDRIVE) == ["N420"]
     [message] = solve(loads(OVERDRIVE)).messages
+    assert message.id == "N420"
     assert message.text == "link race turns freely and carries no torque"
 
 
-@pytest.mark.parametrize(
-    ("gear", "found"),
-    [
-        pytest.param("electric: {input: motor, engaged: [C2]}", ["N420"], id="engine"),
-        pytest.param("engine: [C1, C2]", [], id="engine drives"),
-        pytest.param("neutral: {input: motor, engaged: []}", ["W414"], id="output is free"),
-    ],
-)
-def test_an_engine_behind_an_open_clutch_takes_its_generator_along(
-    gear: str, found: list[str]
-) -> None:
+def test_an_engine_behind_an_open_clutch_takes_its_generator_along() -> None:
     """The generator hangs on the engine by a gear pair, which carries no torque."""
-    text = f"""
+    text = """
 links: [engine, generator, motor, output]
-mechanisms: {{pair: {{first: engine, second: generator, ratio: -0.4}}}}
-inertias: {{engine: 0.2, generator: 0.05}}
-shift_elements: {{C1: [engine, motor], C2: [motor, output]}}
-gears: {{{gear}}}
+mechanisms: {pair: {first: engine, second: generator, ratio: -0.4}}
+inertias: {engine: 0.2, generator: 0.05}
+shift_elements: {C1: [engine, motor], C2: [motor, output]}
+gears: {electric: {input: motor, engaged: [C2]}, engine: [C1, C2], open: {input: motor}}
 """
-    assert ids(text) == found
+    assert said(text) == [("electric", "N420"), ("open", "W414")]
 
 
-@pytest.mark.parametrize("drag", ["2 N*m", '"0.1*w"', "[[0, 0], [100, 3]]"])
-def test_a_single_drag_brings_a_free_race_to_rest(drag: str) -> None:
+def test_a_single_drag_brings_a_free_race_to_rest() -> None:
     """It takes no power then; two drags may pull the race along, so their loss is unknown."""
-    load = "load: {speed: 1000 rpm, torque: 100 N*m}\n"
-    single = OVERDRIVE.replace("D: [race, housing]", f"D: {{links: [race, housing], drag: {drag}}}")
-    assert ids(load + single) == ["N420"]
-    double = single.replace("links: [sun, race]", f"links: [sun, race], drag: {drag}")
-    assert sorted(ids(load + double)) == ["N420", "W412"]
-
-
-def test_a_set_that_hangs_on_the_input_lacks_a_shift_element() -> None:
-    """Direct drive without the second clutch: nothing says how fast ring and carrier turn."""
-    text = OVERDRIVE.replace("  E: [ring, input]\n", "  E: [sun, output]\n  K: [input, output]\n")
-    assert ids(text.replace("[E, O]", "[K]")) == ["W414"]
+    for drag in ("2 N*m", '"0.1*w"', "[[0, 0], [100, 3]]"):
+        text = "load: {speed: 1000 rpm, torque: 100 N*m}\n" + OVERDRIVE
+        single = text.replace("D: [race, housing]", f"D: {{links: [race, housing], drag: {drag}}}")
+        assert said(single) == [("direct", "N420")]
+        double = single.replace("links: [sun, race]", f"links: [sun, race], drag: {drag}")
+        assert sorted(said(double)) == [("direct", "N420"), ("direct", "W412")]
 
 
 def test_a_take_off_behind_an_open_clutch_is_free_on_purpose() -> None:
@@ -82,27 +67,13 @@ def test_a_take_off_behind_an_open_clutch_is_free_on_purpose() -> None:
 links: [engine, axle, stub, take-off]
 output: axle
 outputs: [axle, take-off]
-mechanisms: {pair: {first: stub, second: take-off, ratio: -3}, axle: {first: engine, second: axle, ratio: -8}}
+mechanisms:
+  pair: {first: stub, second: take-off, ratio: -3}
+  axle: {first: engine, second: axle, ratio: -8}
 shift_elements: {P: [engine, stub]}
 gears: {field: [P], road: []}
 """
-    messages = solve(loads(text)).messages
-    assert [(message.gear, message.id) for message in messages] == [
-        ("field", "W413"),
-        ("road", "N420"),
-    ]
-
-
-def test_a_free_link_under_torque_lacks_a_shift_element() -> None:
-    """Both halves of a differential reach the output by another one: their difference is free."""
-    text = """
-links: [input, left, right, output]
-mechanisms:
-  apart: {first: left, second: right, third: input, ratio: -1}
-  together: {first: left, second: right, third: output, ratio: -1}
-gears: {"1": []}
-"""
-    assert "W414" in ids(text)
+    assert said(text) == [("field", "W413"), ("road", "N420")]
 
 
 @pytest.mark.parametrize("links", ["[input, engine]", "[engine, input]"])
@@ -171,11 +142,11 @@ def test_unloaded_links_are_those_of_exact_arithmetic(seeds: range) -> None:
         train = random_train(rng, regular=rng.random() < 0.8)
         case = with_loose_parts(rng, train.replace(gears=train.gears[:1]))
         [exact] = oracle.solve(case)
-        said = {message.id for message in solve(case).messages} & {"W414", "N420"}
+        found = {message.id for message in solve(case).messages} & {"W414", "N420"}
         if exact.tied_up or not exact.missing:
             expected = "W414" if exact.missing else ""
         else:
             expected = "N420" if is_unloaded(case, exact) else "W414"
         counts[expected] += 1
-        assert said == ({expected} if expected else set()), (seed, shown(case))
+        assert found == ({expected} if expected else set()), (seed, shown(case))
     assert min(counts["N420"], counts["W414"]) > len(seeds) / 10

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded
-from vstatics import CaseError, Transmission, solve
+from vstatics import CaseError, ReadError, solve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import loads
 from vstatics.core.writers.named import write_json, write_yaml
@@ -29,10 +29,6 @@ mechanisms:
 gears:
   hold: {speeds: {MG1: 3000 rpm}, balance: {MG1: .92, MG2: .90, battery: -2 kW}}
 """
-
-
-def split() -> Transmission:
-    return loads(SPLIT)
 
 
 def torque_of_mg2(engine: Floats, torque: Floats, mg1: Floats, battery: Floats) -> Floats:
@@ -61,7 +57,7 @@ def test_an_input_split_is_balanced_as_by_hand() -> None:
         "gears.hold.speeds.MG1": mg1,
         "gears.hold.balance.battery": battery,
     }
-    found = solve(split(), vary=vary)
+    found = solve(loads(SPLIT), vary=vary)
     own = found.lossy_holding_torques_Nm[:, 0, 3]
     expected = torque_of_mg2(engine, torque, mg1, battery)
     np.testing.assert_allclose(own, expected, rtol=1e-9, atol=1e-10)
@@ -69,40 +65,6 @@ def test_an_input_split_is_balanced_as_by_hand() -> None:
     lost = found.losses_kW.sum(axis=-1)
     left = found.input_power_kW - found.output_power_kW - lost
     assert (np.abs(left) <= 1e-12 * found.input_power_kW).all()
-
-
-def test_one_case_is_balanced_too_and_its_state_has_the_torque() -> None:
-    results = solve(split())
-    [expected] = torque_of_mg2(*map(np.atleast_1d, (2000 / RPM, 80.0, 3000 / RPM, -2000.0)))
-    assert results.lossy_holding_torques_Nm[0, 3] == pytest.approx(expected, rel=1e-12)
-    assert results.gear(1).gear.torques[4] == pytest.approx(expected / 80, rel=1e-12)
-    assert results.messages == ()
-
-
-COUPLED = """\
-links: [MG1, axle, engine, MG2]
-input: engine
-output: axle
-load: {{speed: 2000 rpm, torque: 80 N*m}}
-mechanisms:
-  split: {{first: MG1, second: axle, third: engine, ratio: -2.6}}
-  pair: {{first: MG2, second: MG1, ratio: -2}}
-gears:
-  hold: {{speeds: {{MG1: 3000 rpm}}, balance: {{MG1: .9, MG2: .9, battery: {battery} W}}}}
-"""
-TAKEN = 80 / 3.6 * 3000 / RPM
-"""What both machines take together, as MG2 turns with MG1. [W]"""
-
-
-@pytest.mark.parametrize(("part", "said"), [(0.8, "two torques"), (0.95, "no torque")])
-def test_where_power_may_go_round_there_are_two_torques_or_none(part: float, said: str) -> None:
-    """Both get .9 of it where both generate; less where one drives the other, on either side."""
-    results = solve(loads(COUPLED.format(battery=part * TAKEN)))
-    assert np.isnan(results.lossy_torques).all()
-    assert np.isnan(results.lossy_holding_torques).all()
-    assert not results.consistent.any()
-    said_of = [one for one in results.messages if one.id == "W427"]
-    assert [one.text.split(" on ")[0] for one in said_of] == [f"balance: {said}"]
 
 
 def test_a_machine_that_stands_balances_nothing() -> None:
@@ -113,30 +75,27 @@ def test_a_machine_that_stands_balances_nothing() -> None:
     assert [text.split(" on ")[0] for text in said] == ["balance: no torque"]
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "said"),
-    [
+def test_a_balance_that_can_not_be_is_told() -> None:
+    for old, new, said in (
         ("balance: {MG1: .92, MG2: .90,", "balance: {MG1: .92,", "read no link without speed"),
         ("speeds: {MG1: 3000 rpm}, ", "", "read MG1 and MG2 without speed and torque"),
         ("MG2: .90", "MG2: 1.90", "read 1.9, expected an efficiency above 0 and up to 1"),
         ("MG2: .90", "MG3: .90", "MG3"),
         ("-2 kW", "-2 N*m", "power"),
         ("load: {speed: 2000 rpm, torque: 80 N*m}\n", "", "load"),
-    ],
-)
-def test_a_balance_that_can_not_be_is_told(old: str, new: str, said: str) -> None:
-    with pytest.raises(Exception, match=r"\[E\d\d\d\]") as caught:
-        solve(loads(SPLIT.replace(old, new)))
-    assert said in str(caught.value)
+    ):
+        with pytest.raises((CaseError, ReadError), match=r"\[E\d\d\d\]") as caught:
+            solve(loads(SPLIT.replace(old, new)))
+        assert said in str(caught.value), new
 
 
 def test_a_deck_holds_no_balance_and_other_formats_keep_it() -> None:
     from vstatics.core.writers.deck_limits import check_deck
 
-    assert loads(write_yaml(split())) == split()
-    assert loads(write_json(split())) == split()
+    case = loads(SPLIT)
+    assert loads(write_yaml(case)) == loads(write_json(case)) == case
     with pytest.raises(CaseError, match="the balance of gear of hold"):
-        check_deck(split())
+        check_deck(case)
 
 
 GOES_ROUND = """\
@@ -148,7 +107,9 @@ mechanisms:
   one: {{first: in, second: A, third: out, ratio: {u[0]!r}, efficiency: {eta[0]!r}}}
   two: {{first: B, second: A, third: out, ratio: {u[1]!r}, efficiency: {eta[1]!r}}}
 gears:
-  d: {{speeds: {{A: {held!r} rad/s}}, balance: {{A: {of[0]!r}, B: {of[1]!r}, battery: {battery!r} W}}}}
+  d:
+    speeds: {{A: {held!r} rad/s}}
+    balance: {{A: {of[0]!r}, B: {of[1]!r}, battery: {battery!r} W}}
 """
 """Two sets share A and the output, so power may go round by machines and battery."""
 
@@ -263,20 +224,3 @@ def test_a_series_hybrid_is_balanced_as_by_hand(given: str) -> None:
         assert torques[2] == pytest.approx(power / mgb, rel=1e-8), seed
         assert results.messages == (), seed
         assert results.power_balance[0] == pytest.approx(0, abs=1e-9)
-
-
-def test_the_series_mode_of_an_output_split_needs_no_torque_by_hand() -> None:
-    """Engine 16.755 kW, the battery at rest: MGB has 16.755 x .92 x .90 = 13.873 kW at 5000 rpm."""
-    text = """
-links: [engine, MGA, ring, MGB, out]
-input: engine
-output: out
-load: {speed: 2000 rpm, torque: 80 N*m}
-elements: {P: {kind: planetary, sun: MGB, ring: ring, carrier: out, teeth: {sun: 37, ring: 83}, efficiency: .98}}
-shift_elements: {C1: [ring, housing], C2: [MGA, ring], C3: [engine, MGA]}
-gears: {series: {engaged: [C1, C3], speeds: {MGB: 5000 rpm}, balance: {MGA: .92, MGB: .90}}}
-"""
-    results = solve(loads(text))
-    mgb = 80 * 2000 / 5000 * 0.92 * 0.9
-    np.testing.assert_allclose(results.lossy_holding_torques_Nm[0, [1, 3]], [-80, mgb], rtol=1e-12)
-    assert results.lossy_output_torque_Nm[0] == pytest.approx(mgb * (1 + 83 / 37 * 0.98), rel=1e-12)
