@@ -97,6 +97,13 @@ def test_a_case_that_is_there_again_is_named() -> None:
     assert lines("b.jsonl", "c.jsonl")[0] == "neutral (there twice): added"
 
 
+def test_cases_of_one_stem_are_named_with_their_suffixes() -> None:
+    assert vstatics("convert", "neutral.yaml", "neutral.dat").status == 0
+    both = results("both.jsonl", "neutral.yaml", "neutral.dat")
+    told = ["neutral.dat: gone", "locked: added", "1 same, 0 changed, 1 added, 1 gone"]
+    assert lines(results("other.jsonl", "neutral.yaml", "locked.yaml"), both) == told
+
+
 def test_wrong_use_is_named(tmp_path: Path) -> None:
     file = results("x.csv", "neutral.yaml")
     said = {
