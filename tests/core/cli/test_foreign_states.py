@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.chance import seeded
-from tests.core.cli.states import COMMANDS, StatedCommand, prepare, remove
+from tests.core.cli.states import COMMANDS, StatedCommand
 from vstatics.core.jobs.state_files import StateFolder
 
 CANARY = b"precious data\n"
@@ -19,8 +19,8 @@ EACH = pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
 
 
 @pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    prepare(tmp_path, monkeypatch)
+def _canary(prepared: Path) -> None:
+    assert Path.cwd() == prepared
     Path("canary").write_bytes(CANARY)
     os.utime("canary", ns=(10**18, 10**18))
     Path("aviary").mkdir()
@@ -90,7 +90,7 @@ def assert_files_refused(
         Path(command.folder).mkdir()
         hostile(Path(command.folder, name))
         assert_refused(command, name, FILES[hostile])
-        remove(command)
+        command.remove()
 
 
 @EACH
@@ -113,15 +113,13 @@ def test_what_is_no_folder_of_a_state_is_refused_by_name(command: StatedCommand)
     for hostile, words in FOLDERS.items() if command.folder.endswith(".parts") else ():
         hostile(Path(command.folder))
         assert_refused(command, command.folder, words)
-        remove(command)
+        command.remove()
 
 
 @EACH
 def test_an_output_and_its_folder_may_be_links(command: StatedCommand) -> None:
     """The result is that of an output that is not a link."""
-    assert command.call("-q").status == 0
-    expected = command.written()
-    remove(command)
+    expected = command.whole()
     Path("real").mkdir()
     Path("real", "old").write_bytes(b"old")
     link = Path(command.output.rstrip("/"))

@@ -130,34 +130,20 @@ def left(folder: Path) -> list[str]:
     ]
 
 
-def kill_group(process: subprocess.Popen[bytes]) -> None:
-    os.killpg(process.pid, signal.SIGKILL)
-
-
-def interrupt_group(process: subprocess.Popen[bytes]) -> None:
-    """As a terminal does at Ctrl-C."""
-    os.killpg(process.pid, signal.SIGINT)
-
-
 def kill_a_worker(process: subprocess.Popen[bytes]) -> None:
     """Or the process itself, where it works alone."""
     os.kill([*children(process.pid), process.pid][0], signal.SIGKILL)
 
 
-WAYS: dict[str, Callable[[subprocess.Popen[bytes]], None]] = {
-    "killed, all of it": kill_group,
-    "killed, the parent": subprocess.Popen.kill,
-    "killed, a worker": kill_a_worker,
-    "Ctrl-C": interrupt_group,
-    "SIGTERM": subprocess.Popen.terminate,
+WAYS: dict[str, tuple[Callable[[subprocess.Popen[bytes]], None], tuple[int, ...]]] = {
+    "killed, all of it": (lambda run: os.killpg(run.pid, signal.SIGKILL), (-9,)),
+    "killed, the parent": (subprocess.Popen.kill, (-9,)),
+    "killed, a worker": (kill_a_worker, (0, -9)),
+    "Ctrl-C": (lambda run: os.killpg(run.pid, signal.SIGINT), (130,)),  # as a terminal does
+    # a program that is being imported has nothing to keep
+    "SIGTERM": (subprocess.Popen.terminate, (143, -15)),
 }
-STATUSES = {
-    "killed, all of it": (-9,),
-    "killed, the parent": (-9,),
-    "killed, a worker": (0, -9),
-    "Ctrl-C": (130,),
-    "SIGTERM": (143, -15),  # a program that is being imported has nothing to keep
-}
+"""Ways to stop a process, and its exit status then."""
 
 
 def whole(work: Work, folder: Path) -> tuple[dict[str, bytes], float]:
@@ -198,14 +184,15 @@ def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
         prepare(folder)
         for _ in range(choose.randint(1, 3)):
             way = choose.choice(list(WAYS))
+            stop, statuses = WAYS[way]
             running = begin(work, folder, "--resume")
             time.sleep(choose.uniform(0.3, seconds))  # Python itself has started by then
             ended = running.poll() is not None
             if not ended:
-                WAYS[way](running)
+                stop(running)
             status, said = end(running)
-            assert status in (0, *STATUSES[way]), (name, way, said)
-            told[way if not ended and status in STATUSES[way] else "it had ended before"] += 1
+            assert status in (0, *statuses), (name, way, said)
+            told[way if not ended and status in statuses else "it had ended before"] += 1
         running = begin(work, folder, "--resume")
         status, said = end(running)
         assert (status, "failed" in said) == (0, False), (name, said)
