@@ -117,15 +117,3 @@ def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
     assert deck.lost(case) == [
         what for what in ("description", "source") if getattr(case, what) != ""
     ]
-
-
-def test_what_a_command_allows_is_not_part_of_the_case(tmp_path: Path) -> None:
-    """It is for the call: a case that is written, and a result, are what they are without it."""
-    case = tmp_path / "doubtful.yaml"
-    case.write_text(NEUTRAL.replace("-2.5", "2.5"), encoding="utf-8")
-    for call in (["convert", case, "-", "--to", "yaml"], ["run", case, "-f", "json"]):
-        told, allowed = vstatics(*call), vstatics(*call, "--allow", "W201,w414")
-        assert ("W201" in allowed.out, "W414" in allowed.out, allowed.err) == (False, False, "")
-        assert "warning: " in told.err
-    made = allowed.json
-    assert made["case"] == told.json["case"]
