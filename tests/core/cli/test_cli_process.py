@@ -86,6 +86,8 @@ def test_a_reader_that_has_seen_enough_ends_the_program_quietly(command: str) ->
     "command",
     [
         "run cases/mzkt7922.dat",
+        "run cases/mzkt7922.dat cases/umdm.yaml -f json",
+        "run cases/mzkt7922.dat cases/umdm.yaml -f jsonl",
         "check cases/differential.yaml",
         "convert cases/mzkt7922.dat - --to yaml",
         "compare tests/golden/umdm-reduced.yaml.lst tests/golden/mzkt7922.dat.lst",
