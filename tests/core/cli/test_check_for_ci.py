@@ -26,6 +26,7 @@ def records() -> list[dict[str, str]]:
 
 
 def test_annotations_of_github_are_the_problems(records: list[dict[str, str]]) -> None:
+    """With relative paths, in which signs are escaped; a note is a notice."""
     said = vstatics("check", *FILES, "-f", "github")
     assert (said.status, said.err) == (1, "")
     expected = []
@@ -34,16 +35,9 @@ def test_annotations_of_github_are_the_problems(records: list[dict[str, str]]) -
         keys = f"file={one['file']}{line},title={one['id']}"
         expected.append(f"::{one['severity']} {keys}::{one['message'].replace('%', '%25')}")
     assert said.out.splitlines() == expected
-
-
-def test_paths_of_annotations_are_relative_and_escaped() -> None:
-    name = Path("50%,a:b.yaml")
-    name.write_text(Path("bad.yaml").read_text(), "utf-8")
+    name = Path("bad.yaml").rename("50%,a:b.yaml")
     said = vstatics("check", name.absolute(), "-f", "github")
     assert said.out.startswith("::error file=50%25%2Ca%3Ab.yaml,line=3,")
-
-
-def test_a_note_is_a_notice() -> None:
     said = vstatics("check", ROOT / "vstatics/core/messages/examples/N203.yaml", "-f", "github")
     assert said.status == 0
     assert re.search(r"(?m)^::notice .*title=N203::", said.out)
@@ -92,11 +86,10 @@ def test_junit_fails_by_warnings_only_with_strict(records: list[dict[str, str]])
         assert all(one["message"] in str(failure.text) for one in own)
 
 
-@pytest.mark.parametrize(("name", "form"), [("x.sarif", "sarif"), ("x.xml", "junit")])
-def test_a_suffix_tells_the_format(name: str, form: str) -> None:
-    said = vstatics("check", "bad.yaml", "-o", name)
-    assert said.gives_nothing()
-    assert Path(name).read_text("utf-8") == vstatics("check", "bad.yaml", "-f", form).out
+def test_a_suffix_tells_the_format() -> None:
+    for name, form in (("x.sarif", "sarif"), ("x.xml", "junit")):
+        assert vstatics("check", "bad.yaml", "-o", name).gives_nothing()
+        assert Path(name).read_text("utf-8") == vstatics("check", "bad.yaml", "-f", form).out
 
 
 def test_a_hook_of_pre_commit_checks_cases() -> None:
@@ -104,9 +97,8 @@ def test_a_hook_of_pre_commit_checks_cases() -> None:
     assert (hook["id"], hook["language"]) == ("vstatics-check", "python")
     command, *arguments = hook["entry"].split()
     assert command == "vstatics"
-    assert vstatics(*arguments, "open.yaml").status == 0
-    assert vstatics(*arguments, "neutral.yaml").status == 1
-    assert vstatics(*arguments, "bad.yaml", "open.yaml").status == 1
+    for files, status in (("open.yaml", 0), ("neutral.yaml", 1), ("bad.yaml open.yaml", 1)):
+        assert vstatics(*arguments, *files.split()).status == status
     assert re.search(hook["files"], "cases/box.yaml")
     assert not re.search(hook["files"], ".github/workflows/ci.yaml")
 

@@ -112,17 +112,20 @@ def try_full(command: StatedCommand, fill: Callable[[Path, int], None], place: P
     raise AssertionError
 
 
+SOON = ("run jsonl", "sweep parquet", "boxes folder")
+
+
 @pytest.mark.parametrize(
-    "name", [one for one in ("run jsonl", "sweep parquet", "boxes folder") if one in COMMANDS]
+    ("name", "fill"),
+    [
+        pytest.param(
+            name, fill, marks=[pytest.mark.slow] * (fill is fill_inodes or name not in SOON)
+        )
+        for name in COMMANDS_ONCE
+        for fill in (fill_pages, fill_inodes)
+    ],
 )
-def test_a_full_file_system_is_told_by_the_output(name: str, small: Path) -> None:
-    assert try_full(COMMANDS[name], fill_pages, small) > 2
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("fill", [fill_pages, fill_inodes])
-@pytest.mark.parametrize("name", COMMANDS_ONCE)
-def test_any_full_file_system_is_told_by_the_output(
+def test_a_full_file_system_is_told_by_the_output(
     name: str, fill: Callable[[Path, int], None], small: Path
 ) -> None:
     assert try_full(COMMANDS[name], fill, small) > 1
@@ -148,37 +151,24 @@ class FullDisk:
         return limited
 
 
-def try_calls(
-    command: StatedCommand, firsts: Callable[[int], list[int]], monkeypatch: pytest.MonkeyPatch
+@pytest.mark.usefixtures("prepared")
+@pytest.mark.parametrize("name", COMMANDS_ONCE)
+@pytest.mark.parametrize("all_calls", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_a_call_that_fails_for_a_full_disk_is_told_by_the_output(
+    name: str, all_calls: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Let the disk be full from one of all calls on, then have room again."""
+    command = COMMANDS[name]
     expected = command.whole()
     with monkeypatch.context() as patch:
         disk = FullDisk(patch, 10**9)
         assert command.call("-q").status == 0
     command.remove()
-    for first in firsts(disk.calls):
+    chosen = seeded(26).randrange(disk.calls)
+    for first in range(disk.calls) if all_calls else [chosen]:
         with monkeypatch.context() as patch:
             FullDisk(patch, first)
             said = command.call()
         if said.status:  # the number of the process in a lock, say, is not needed
             judge(said, command)
         goes_on(command, expected)
-
-
-@pytest.mark.usefixtures("prepared")
-@pytest.mark.parametrize("name", COMMANDS_ONCE)
-def test_a_call_that_fails_for_a_full_disk_is_told_by_the_output(
-    name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    choose = seeded(26)
-    try_calls(COMMANDS[name], lambda calls: [choose.randrange(calls)], monkeypatch)
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("prepared")
-@pytest.mark.parametrize("name", COMMANDS_ONCE)
-def test_every_call_that_fails_for_a_full_disk_is_told_by_the_output(
-    name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    try_calls(COMMANDS[name], lambda calls: [*range(calls)], monkeypatch)

@@ -25,53 +25,52 @@ from tests.processes import children, names
 
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
-GRID = ("--vary", "D.ratio=-4:-2:500", "--vary", "D.efficiency=.9:1:800")
+GRID = "--vary D.ratio=-4:-2:500 --vary D.efficiency=.9:1:800"
 """400000 variants in 7 pieces."""
 CASES = 150
-BRAKES = ("--vary", "controls.brake.scale=.9:1.2:200", "--out", "locks[brake],heat[brake]")
-BOXES = (
-    *("--sets", "3", "--shift-elements", "5", "--engaged", "2"),
-    *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94"),
-)
+BRAKES = "--vary controls.brake.scale=.9:1.2:200 --out locks[brake],heat[brake]"
+BOXES = "--sets 3 --shift-elements 5 --engaged 2 --ratios 4.584,2.964,1.912,1.446,1,.746,-2.94"
 """Nine pieces of a second or less."""
 
 
 class Work(NamedTuple):
     """What is done, and disturbed."""
 
-    arguments: tuple[str, ...]
+    line: str
     output: str
 
 
 OF_CASES = {
-    f"run {form} -j {jobs}": Work(("run", "--files-from", "list", "-f", form, "-j", jobs), "out/")
+    f"run {form} -j {jobs}": Work(f"run --files-from list -f {form} -j {jobs}", "out/")
     for form in ("json", "listing")
-    for jobs in ("1", "2", "3")
+    for jobs in "123"
 }
 OF_VARIANTS = {
     **{
-        f"sweep {form} -j {jobs}": Work(("sweep", "box.yaml", *GRID, "-j", jobs), f"out.{form}")
+        f"sweep {form} -j {jobs}": Work(f"sweep box.yaml {GRID} -j {jobs}", f"out.{form}")
         for form in ("csv", "jsonl", "npz", "parquet")
         for jobs in "12"
     },
-    "sweep best": Work(("sweep", "box.yaml", *GRID, "--max", "ratio[low]"), "out.csv"),
-    "sweep where": Work(("sweep", "box.yaml", *GRID, "--where", "ratio[low] > 4"), "out.npz"),
+    "sweep best": Work(f"sweep box.yaml {GRID} --max ratio[low]", "out.csv"),
+    "sweep where": Work(f"sweep box.yaml {GRID} --where ratio[low]>4", "out.npz"),
 }
-CASES_AND_SWEEPS = {**OF_CASES, **(OF_VARIANTS if "sweep" in HERE else {})}
-SAMPLES = {
-    f"{form} -j {jobs}": Work(
-        ("simulate", "lock.yaml", "--samples", "200", "-j", jobs), f"out.{form}"
-    )
-    for form, jobs in (("csv", "1"), ("csv", "2"), ("npz", "2"))
+WORKS = {
+    "cases and sweeps": {**OF_CASES, **(OF_VARIANTS if "sweep" in HERE else {})},
+    "samples": {
+        f"{form} -j {jobs}": Work(f"simulate lock.yaml --samples 200 -j {jobs}", f"out.{form}")
+        for form, jobs in (("csv", "1"), ("csv", "2"), ("npz", "2"))
+    },
+    "sweeps of scenarios": {
+        "all": Work(f"sweep lock.yaml {BRAKES}", "out.jsonl"),
+        "best": Work(f"sweep lock.yaml {BRAKES} --min heat[brake]", "out.csv"),
+    },
+    "boxes": {
+        "a file": Work(f"synth box {BOXES} -j 2", "out.json"),
+        "a folder": Work(f"synth box {BOXES} -j 1", "out/"),
+    },
 }
-SCENARIOS = {
-    "all": Work(("sweep", "lock.yaml", *BRAKES), "out.jsonl"),
-    "best": Work(("sweep", "lock.yaml", *BRAKES, "--min", "heat[brake]"), "out.csv"),
-}
-FOUND = {
-    "a file": Work(("synth", "box", *BOXES, "-j", "2"), "out.json"),
-    "a folder": Work(("synth", "box", *BOXES, "-j", "1"), "out/"),
-}
+ANNEX = {"samples": "simulation", "sweeps of scenarios": "simulation", "boxes": "synthesis"}
+"""Annex that work of a kind needs."""
 
 
 def prepare(folder: Path) -> None:
@@ -95,7 +94,7 @@ def prepare(folder: Path) -> None:
 
 def begin(work: Work, folder: Path, *more: str) -> subprocess.Popen[bytes]:
     return subprocess.Popen(
-        [sys.executable, "-m", "vstatics", *work.arguments, "-o", work.output, *more],
+        [sys.executable, "-m", "vstatics", *work.line.split(), "-o", work.output, *more],
         cwd=folder,
         env=environment(),
         stdout=subprocess.DEVNULL,
@@ -157,17 +156,10 @@ def whole(work: Work, folder: Path) -> tuple[dict[str, bytes], float]:
 
 
 @pytest.mark.parametrize(
-    "works",
-    [
-        CASES_AND_SWEEPS,
-        pytest.param(SAMPLES, marks=needs("simulation")),
-        pytest.param(SCENARIOS, marks=needs("simulation")),
-        pytest.param(FOUND, marks=needs("synthesis")),
-    ],
-    ids=["cases and sweeps", "samples", "sweeps of scenarios", "boxes"],
+    "kind", [pytest.param(kind, marks=needs(*ANNEX.get(kind, "").split())) for kind in WORKS]
 )
 def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
-    works: dict[str, Work], tmp_path: Path, request: pytest.FixtureRequest
+    kind: str, tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
     """Up to three times in a row, then it is let alone; the bytes are the same."""
     kills = int(request.config.getoption("--kills"))
@@ -175,8 +167,8 @@ def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
     told: Counter[str] = Counter()
     undisturbed: dict[str, tuple[dict[str, bytes], float]] = {}
     while sum(told[way] for way in WAYS) < kills:
-        name = choose.choice(list(works))
-        work = works[name]
+        name = choose.choice(list(WORKS[kind]))
+        work = WORKS[kind][name]
         if name not in undisturbed:
             undisturbed[name] = whole(work, tmp_path / f"whole {len(undisturbed)}")
         expected, seconds = undisturbed[name]

@@ -44,7 +44,8 @@ def test_an_npz_of_ones_own_is_a_table_of_variants_as_the_same_csv(folder: Path)
         jsonl = [json.dumps(dict(zip(table, row, strict=True))) for row in lines]
         Path("own.jsonl").write_text("\n".join(jsonl), encoding="utf-8")
         pq.write_table(pa.table(table), folder / "own.parquet")
-        np.savez(folder / "own.npz", **{name: np.array(column) for name, column in table.items()})
+        arrays: Any = {name: np.array(column) for name, column in table.items()}
+        np.savez(folder / "own.npz", **arrays)
         first, *others = (
             vstatics("sweep", CASE, "--variants", f"own.{suffix}", "--out", "ratio", "-q")
             for suffix in ("csv", "npz", "jsonl", "parquet")
@@ -53,61 +54,58 @@ def test_an_npz_of_ones_own_is_a_table_of_variants_as_the_same_csv(folder: Path)
         assert [one.out for one in others] == [first.out] * 3, number
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ('{"P1.ratio": -2}\n{"P1.ratio": -2, "P1.ratio": -3}', ":2:1: error: not a table of variants: `P1.ratio` is given twice"),
-        ('{"P1.ratio": -2}\n\n{"variant": 3}', ":3:1: error: not a table of variants: the key `P1.ratio` is missing"),
-        ('{"P1.ratio": -2}\n{"P1.ratio": -2, "x": 1}', ":2:1: error: not a table of variants: the key `x` is not in the first line"),
-        ('{"P1.ratio": -2}\n' + '{"P1.ratio": ' + "[" * 100_000, ":2:1: error: not a table of variants: nested too deeply"),
-        ("[" * 100_000, ":1:1: error: "),
-        ('{"P1.ratio": -2}\n[1]', ":2:1: error: not a table of variants: read no JSON object"),
-        ('{"P1.ratio": [1]}', "P1.ratio: read"),
-        ('{"P1.ratio": 1e999}', "P1.ratio: read"),
-    ],
-)  # fmt: skip
-def test_json_lines_are_told_by_line_and_key(tmp_path: Path, text: str, said: str) -> None:
-    (tmp_path / "v.jsonl").write_text(text, encoding="utf-8")
-    begin = time.process_time()
-    told = vstatics("sweep", CASE, "--variants", tmp_path / "v.jsonl", "--out", "ratio")
-    assert time.process_time() - begin < 5
-    assert told.status == 1
-    assert f"v.jsonl{said}" in told.err or (said.startswith("P1") and said in told.err)
+NO_TABLE = ":{}:1: error: not a table of variants: {}".format
+FIRST = '{"P1.ratio": -2}\n'
+JSON_LINES = {
+    f'{FIRST}{{"P1.ratio": -2, "P1.ratio": -3}}': NO_TABLE(2, "`P1.ratio` is given twice"),
+    f'{FIRST}\n{{"variant": 3}}': NO_TABLE(3, "the key `P1.ratio` is missing"),
+    f'{FIRST}{{"P1.ratio": -2, "x": 1}}': NO_TABLE(2, "the key `x` is not in the first line"),
+    f'{FIRST}{{"P1.ratio": {"[" * 100_000}': NO_TABLE(2, "nested too deeply"),
+    "[" * 100_000: ":1:1: error: ",
+    f"{FIRST}[1]": NO_TABLE(2, "read no JSON object"),
+    '{"P1.ratio": [1]}': "P1.ratio: read",
+    '{"P1.ratio": 1e999}': "P1.ratio: read",
+}
+ARRAYS: tuple[tuple[str, dict[str, Any]], ...] = (
+    ("`P2.ratio` has 1 numbers, expected 2", {"P1.ratio": [-2.0, -3.0], "P2.ratio": [-2.0]}),
+    ("`P1.ratio` is not a row of numbers", {"P1.ratio": [[-2.0, -3.0]]}),
+    ("`P1.ratio` is not a row of numbers", {"P1.ratio": np.array(-2.0)}),
+    ("`P1.ratio` is not a row of numbers", {"P1.ratio": np.array([1j])}),
+    ("`status` has other numbers", {"status": [3], "statuses": ["ok"], "P1.ratio": [-2.0]}),
+)
 
 
-def test_results_and_boxes_nested_too_deeply_are_reported_so(tmp_path: Path) -> None:
-    file = tmp_path / "deep.json"
-    file.write_text('{"searched": 1, "boxes": ' + "[" * 100_000, encoding="utf-8")
-    compared = vstatics("compare", file, file)
-    assert compared.fails(
-        "deep.json: error: the file is not JSON that can be read: nested too deeply"
-    )
-    drawn = vstatics("plot", "-k", "boxes", file, "-o", tmp_path / "a.svg")
-    assert drawn.fails("deep.json: error: the JSON cannot be read: nested too deeply")
+def test_json_lines_are_told_by_line_and_key(folder: Path) -> None:
+    for text, words in JSON_LINES.items():
+        (folder / "v.jsonl").write_text(text, encoding="utf-8")
+        begin = time.process_time()
+        told = vstatics("sweep", CASE, "--variants", "v.jsonl", "--out", "ratio")
+        assert time.process_time() - begin < 5
+        assert told.fails(words if words[0] == "P" else f"v.jsonl{words}"), text[:80]
 
 
-@pytest.mark.parametrize(
-    ("arrays", "said"),
-    [
-        ({"P1.ratio": [-2.0, -3.0], "P2.ratio": [-2.0]}, "`P2.ratio` has 1 numbers, expected 2"),
-        ({"P1.ratio": [[-2.0, -3.0]]}, "`P1.ratio` is not a row of numbers"),
-        ({"P1.ratio": np.array(-2.0)}, "`P1.ratio` is not a row of numbers"),
-        ({"P1.ratio": np.array([1j])}, "`P1.ratio` is not a row of numbers"),
-        ({"status": [3], "statuses": ["ok"], "P1.ratio": [-2.0]}, "`status` has other numbers"),
-    ],
-)  # fmt: skip
-def test_arrays_that_are_no_table_are_told(
-    tmp_path: Path, arrays: dict[str, Any], said: str
-) -> None:
-    file = tmp_path / "own.npz"
-    np.savez(file, **arrays)
-    for words in (
-        ("sweep", CASE, "--variants", file, "--out", "ratio"),
-        ("compare", file, file),
-        ("plot", "-k", "map", file, "-o", tmp_path / "a.svg"),
+def test_arrays_and_columns_that_are_no_table_are_told(folder: Path) -> None:
+    for words, arrays in ARRAYS:
+        np.savez(folder / "own.npz", **arrays)
+        for line in (
+            f"sweep {CASE} --variants own.npz --out ratio",
+            "compare own.npz own.npz",
+            "plot -k map own.npz -o a.svg",
+        ):
+            assert vstatics(*line.split()).fails(words, "own.npz"), line
+    pq.write_table(pa.table({"variant": [0, 1], "P1.ratio": [-2.0, -3.0]}), "a.parquet")
+    assert vstatics("compare", "a.parquet", "a.parquet").fails("the column `status` is missing")
+
+
+def test_results_and_boxes_nested_too_deeply_are_reported_so(folder: Path) -> None:
+    text = '{"searched": 1, "boxes": ' + "[" * 100_000
+    (folder / "deep.json").write_text(text, encoding="utf-8")
+    for line, words in (
+        ("compare deep.json deep.json", "the file is not JSON that can be read"),
+        ("plot -k boxes deep.json -o a.svg", "the JSON cannot be read"),
     ):
-        told = vstatics(*words)
-        assert told.fails(said, "own.npz")
+        said = vstatics(*line.split())
+        assert said.fails(f"deep.json: error: {words}: nested too deeply")
 
 
 def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> None:
@@ -115,7 +113,8 @@ def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> Non
     arrays: Any = {"P1.ratio": np.zeros(30_000_000)}
     np.savez_compressed(large, **arrays)
     lying = tmp_path / "lying.npz"
-    np.savez(lying, **{"P1.ratio": np.zeros(10)})
+    short: Any = {"P1.ratio": np.zeros(10)}
+    np.savez(lying, **short)
     lying.write_bytes(lying.read_bytes().replace(b"(10,)", b"(99,)"))
     packed = tmp_path / "packed.parquet"
     pq.write_table(pa.table({"P1.ratio": pa.array(np.zeros(30_000_000))}), packed)
@@ -124,12 +123,6 @@ def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> Non
         told = vstatics("sweep", CASE, "--variants", file, "--out", "ratio", "--dry-run")
         assert time.process_time() - begin < 5
         assert told.fails(said)
-
-
-def test_a_sweep_without_status_is_told(tmp_path: Path) -> None:
-    pq.write_table(pa.table({"variant": [0, 1], "P1.ratio": [-2.0, -3.0]}), tmp_path / "a.parquet")
-    told = vstatics("compare", tmp_path / "a.parquet", tmp_path / "a.parquet")
-    assert told.fails("the column `status` is missing")
 
 
 @pytest.mark.parametrize("size", [1e200, 1e299, 1e308])

@@ -199,8 +199,8 @@ def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
         said = vstatics("explain", ZF, "--solution", "--gear", "1", "-o", f"sheet.{form}")
         assert said.is_wrong_use("expected text, markdown or latex")
     tied_up = PAIR.replace("mechanisms", "shift_elements: {A: [1, 0], B: [2, 0]}\nmechanisms")
-    tied_up = tied_up.replace("[]", "[A, B]").encode()
-    said = vstatics("explain", "-", "--gear", "g", "--worksheet", stdin=tied_up)
+    stdin = tied_up.replace("[]", "[A, B]").encode()
+    said = vstatics("explain", "-", "--gear", "g", "--worksheet", stdin=stdin)
     assert said.fails("has no numbers to ask for")
 
 

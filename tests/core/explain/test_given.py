@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from tests.chance import seeded
-from tests.commands import CASES
+from tests.commands import CASES, SHIPPED
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
 from vstatics.core.errors import CaseError, ReadError
@@ -101,10 +101,6 @@ def unsaid(case: Transmission, random: Random, most: int) -> list[str]:
     return missed
 
 
-def shipped() -> list[Path]:
-    return sorted((*CASES.glob("*.yaml"), *CASES.glob("*.dat")))
-
-
 def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
     file = tmp_path / "laws.yaml"
     file.write_text(LAWFUL, encoding="utf-8")
@@ -114,12 +110,12 @@ def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
     }
     assert unsaid(case, seeded(1), 99) == []
     random = seeded(2)
-    for path in random.sample(shipped(), 12):
+    for path in random.sample(SHIPPED, 12):
         assert unsaid(load(path), random, 4) == []
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
 def test_what_changes_a_blank_of_any_shipped_case_stands_on_its_sheet(path: Path) -> None:
     case = load(path)
     for seed in range(min(len(case.gears), 3)):

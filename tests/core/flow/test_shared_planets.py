@@ -103,7 +103,8 @@ def test_mechanisms_beside_elements_are_marked_like_any() -> None:
     """The same two mechanisms; behind them a final drive is an element."""
     ideal, _ = sides(only(loads(BESIDE)))
     [loop] = ideal.loops
-    assert (loop.note, loop.power) == (DOUBT, pytest.approx(AROUND))
+    assert loop.note == DOUBT
+    assert loop.power == pytest.approx(AROUND)
 
 
 def test_a_loop_inside_one_element_is_not_counted() -> None:

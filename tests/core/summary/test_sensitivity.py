@@ -60,7 +60,8 @@ def test_sensitivities_of_random_gears_agree_with_differences(seed: int) -> None
 
 
 def of_text(text: str) -> list[list[float]]:
-    return sensitivities(solve(loads(text))).tolist()
+    found: list[list[float]] = sensitivities(solve(loads(text))).tolist()
+    return found
 
 
 def test_a_torque_that_balances_a_battery_changes_no_sensitivity() -> None:
