@@ -18,7 +18,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import BAD, MZKT, NEUTRAL, environment, on_terminal, process, shell, vstatics
+from tests.commands import BAD, MZKT, NEUTRAL, environment, on_terminal, process, shell
 from tests.processes import children, names, wait_for
 from vstatics.core.cli.shared import progress
 
@@ -293,21 +293,3 @@ def test_what_a_killed_run_was_writing_is_removed_by_the_next() -> None:
         Path("out", name).touch()
     assert called("a.dat", "-f", "json", "-o", "out/")[0] == 0
     assert written() == sorted([*own, "a.json"])
-
-
-def test_a_run_that_was_killed_holds_nothing_and_another_trusts_its_own_only() -> None:
-    """To drive, killed; to coast, killed; to coast, resumed: all results are of the last."""
-    for options in ((), ("--coast",)):
-        with running(*TO_DIRECTORY, *options, jobs=2) as run:
-            pipe = opened_for_reading()
-            found = [run.pid, *children(run.pid)]
-            run.kill()
-            os.close(pipe)
-            wait_for_end(found)
-    mend_pipe()
-    said = called(*TO_DIRECTORY, "--resume")
-    assert (said[0], b"--coast was true, is not given" in said[2]) == (2, True)
-    assert called(*TO_DIRECTORY, "--coast", "--resume")[0] == 0
-    for case in CASES:
-        expected = vstatics("run", case, "--coast", "-f", "json").out
-        assert Path("out", case).with_suffix(".json").read_text("utf-8") == expected
