@@ -194,8 +194,3 @@ def test_shell_completion_names_commands_templates_ids_and_tables(
     found = re.findall(r"plain,([\w,-]+)", out.decode())
     assert (status, {*names} <= {*found}) == (0, True)
     assert words or found == names
-
-
-def test_no_command_at_all_shows_the_help_and_is_wrong_use() -> None:
-    status, out, err = process()
-    assert (status, b"Usage: vstatics" in out + err) == (2, True)
