@@ -106,7 +106,9 @@ def test_check_writes_to_a_file_by_its_suffix() -> None:
 
 def test_a_note_tells_which_gear_asks_a_law_outside_its_points() -> None:
     """Half the 2000 rpm are 105 rad/s."""
-    gears = "gears:\n  near: {drag: {out: [[0, 1], [110, 2]]}}\n  far: {drag: {out: [[0, 1], [100, 2]]}}\n"
+    gears = "gears:\n"
+    for name, end in (("near", 110), ("far", 100)):
+        gears += f"  {name}: {{drag: {{out: [[0, 1], [{end}, 2]]}}}}\n"
     said = vstatics("check", "-", stdin=f"{PAIR}{gears}".encode()).err
     words = "outside the points of out, the value of the nearest end point applies"
     assert f"<stdin>:6:3: note: gear far: {words}" in said

@@ -12,7 +12,10 @@ from tests.shipped import PRINTED
 from vstatics.core.cli import WITH_LANGUAGES, installed, main
 
 DIFFERENTIAL = str(CASES / "differential.yaml")
-IS_DIRECTORY = ".: error: cannot be read: Is a directory; expected a file, or of several a pattern, './**/*.yaml'"
+IS_DIRECTORY = (
+    ".: error: cannot be read: Is a directory; expected a file, "
+    "or of several a pattern, './**/*.yaml'"
+)
 
 
 @pytest.mark.usefixtures("files")

@@ -34,8 +34,8 @@ input: engine
 output: axle
 inertias: {engine: 0.15}
 elements:
-  P1: {kind: planetary, sun: sun, ring: ring, carrier: shaft, teeth: {sun: 32, ring: 68, planet: 18},
-       planets: 4, planet: {inertia: 1e-4, mass: .3, radius: 50 mm}}
+  P1: {kind: planetary, sun: sun, ring: ring, carrier: shaft,
+       teeth: {sun: 32, ring: 68, planet: 18}, planets: 4, planet: {inertia: 1e-4, mass: .3, radius: 50 mm}}
   G: {kind: gear_pair, first: pinion, second: axle, teeth: {first: 20, second: 41}, stiffness: 1e6}
 springs:
   damper: {links: [engine, sun], compliance: 84e-5}
@@ -122,8 +122,8 @@ def test_a_listing_names_springs_and_is_compared_but_not_read_as_a_deck(name: st
         for words in (f"\nKSPR= {count}\n", "KLG = KL + KG + KSPR", "KLG1"):
             assert words in said
         assert vstatics("check", "case.lst").fails(
-            f"error: KSPR: read {count}, expected 0: a deck has no springs; take the YAML or JSON of "
-            "this case\n"
+            f"error: KSPR: read {count}, expected 0: a deck has no springs; "
+            "take the YAML or JSON of this case\n"
         )
         [tables] = read_results(said.encode(), "case.lst")
         assert tables is not None

@@ -88,7 +88,8 @@ def test_sweeps_agree_by_the_names_in_their_headings(case: Path) -> None:
     assert said.status == 0
     heading = new.read_text(encoding="utf-8").partition("\n")[0]
     assert heading == (
-        'variant,P1.ratio,status,efficiency[low],"lossy_torques_Nm[Mx,low]","max(speeds[:,low]) - 1"'
+        'variant,P1.ratio,status,efficiency[low],"lossy_torques_Nm[Mx,low]",'
+        '"max(speeds[:,low]) - 1"'
     )
     assert_equal(new, OLD / "sweep.csv")
     assert vstatics("compare", new, OLD / "sweep.csv", "--leave-out", "ETA").status == 0

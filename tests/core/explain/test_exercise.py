@@ -34,7 +34,8 @@ PAIR = "links: 2\nmechanisms: {P: {first: 1, second: 2, ratio: -2}}\ngears: {g: 
 HOIST = """
 links: [in, a, b, c, d, e, f, out]
 elements:
-  worm: {kind: worm, worm: in, wheel: a, teeth: {worm: 1, wheel: 40}, efficiency: {worm: 0.7, wheel: 0.4}}
+  worm: {kind: worm, worm: in, wheel: a, teeth: {worm: 1, wheel: 40},
+         efficiency: {worm: 0.7, wheel: 0.4}}
   chain: {kind: chain, first: a, second: b, teeth: {first: 19, second: 57}}
   belt: {kind: belt, first: b, second: c, diameters: {first: 120, second: 90.5}}
   axle: {kind: bevel_pair, first: c, second: d, teeth: {first: 11, second: 41}}

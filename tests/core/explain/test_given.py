@@ -28,7 +28,8 @@ shift_elements: {C: {links: [in, mid], drag: "0.2 + 0.001*w"}, F: {kind: freewhe
 elements:
   pair: {kind: gear_pair, first: in, second: mid, teeth: {first: 20, second: 41}}
 mechanisms:
-  M: {first: mid, second: out, ratio: -1.5, efficiency: {over: torque, points: [[0, 0.9], [150, 0.97]]}}
+  M: {first: mid, second: out, ratio: -1.5,
+      efficiency: {over: torque, points: [[0, 0.9], [150, 0.97]]}}
 load: {speed: 1000 rpm, torque: 100 N*m}
 gears: {g: {engaged: [], drag: {out: 2 N*m}, torques: {mid: 10 N*m}}}
 """

@@ -62,8 +62,8 @@ def split(u: float, r: float) -> Transmission:
 def test_the_branches_of_a_coupled_differential_share_as_its_speeds_say(u: float, r: float) -> None:
     """Two branches as in Macmillan (1961), Power flow and loss in differential mechanisms.
 
-    J. Mech. Eng. Sci. 3(1), 37-41; the closed form is derived here. Torques on first, second, third are as 1 : -u : u - 1, speeds of the first two as
-    1 : 1/r. So their powers are as 1 : -u/r, and together 1: phi = 1/(1 - u/r) by the
+    J. Mech. Eng. Sci. 3(1), 37-41; the closed form is derived here. Torques on first,
+    second, third are as 1 : -u : u - 1, speeds of the first two as 1 : 1/r. So their powers are as 1 : -u/r, and together 1: phi = 1/(1 - u/r) by the
     first link, 1 - phi by the branch. Where phi > 1 the branch carries phi - 1 back;
     where phi < 0 the differential gives |phi| back to the input.
     """
@@ -95,7 +95,8 @@ def test_a_planetary_reduction_has_no_circulation() -> None:
 def test_a_set_that_turns_as_one_piece_does_not_circulate() -> None:
     """Sun and carrier joined, ring out, by hand.
 
-    The ring's torque -u M is -1, so with u = -2 the set gives .5 to the sun, which the clutch takes back to the carrier.
+    The ring's torque -u M is -1, so with u = -2 the set gives .5 to the sun, which the
+    clutch takes back to the carrier.
     """
     case = Transmission(
         3, [ShiftElement(1, 3, "C")], [Mechanism(1, 2, 3, -2.0, name="set")], [Gear([1])], output=2

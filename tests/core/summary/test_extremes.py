@@ -105,7 +105,7 @@ def test_a_gear_that_is_tied_up_has_no_largest_torque() -> None:
 
 
 def test_a_planet_whose_teeth_are_not_known_is_named_without_a_speed() -> None:
-    """The long planet has (86 - 34)/2 = 26 teeth, so 28/86 86/26 of the input; the short is open."""
+    """The long planet has (86 - 34)/2 = 26 teeth: 28/86 86/26 of the input; the short is open."""
     text = (
         "links: [s, l, c, r]\noutput: r\nelements: {R: {kind: ravigneaux, small_sun: s, "
         "large_sun: l, carrier: c, ring: r, teeth: {small_sun: 28, large_sun: 34, ring: 86}}}\n"

@@ -88,7 +88,7 @@ def test_two_cases_are_side_by_side() -> None:
 
 
 def test_shifts_and_needed_capacities_are_side_by_side(folder: Path) -> None:
-    """Ring held: 2.5 n on the brake, which slips by 1 in the direct gear; 1.2 times 2.5 without n."""
+    """Ring held: 2.5 n on the brake, which slips by 1 in direct; 1.2 times 2.5 without n."""
     text = """\
 links: [sun, ring, carrier]
 shift_elements: {C: [sun, ring], B: [ring, housing]}

@@ -121,7 +121,7 @@ def test_a_speed_that_is_not_determined_counts_if_something_heavy_has_it() -> No
 
 
 def test_torques_of_the_gear_the_load_and_the_output_accelerate() -> None:
-    """Ratio 2, a link at the ratio 4; 0.5 kg*m^2 at the input, 100 N*m and -80 N*m at the output."""
+    """Ratio 2, a link at the ratio 4; 0.5 kg*m^2 and 100 N*m at the input, -80 at the output."""
 
     def accelerations(*gears: Gear, **more: object) -> list[float]:
         pairs = [Mechanism(1, 2, 0, 2.0), Mechanism(1, 3, 0, 4.0)]

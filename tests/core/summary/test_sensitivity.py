@@ -65,7 +65,7 @@ def of_text(text: str) -> list[list[float]]:
 
 
 def test_a_torque_that_balances_a_battery_changes_no_sensitivity() -> None:
-    """``w_MG1 = 2.5 w_engine`` and ``w_output = (w_MG1 + (u - 1))/u``: ``-1.5/(1.5 + u)`` with -u."""
+    """``w_MG1 = 2.5 w_engine``, ``w_output = (w_MG1 + (u - 1))/u``: ``-1.5/(1.5 + u)`` with -u."""
     [found] = of_text("""\
 links: [MG1, output, engine, MG2]
 input: engine
@@ -165,7 +165,8 @@ def test_a_law_counts_as_the_number_that_it_comes_to() -> None:
 links: [a, b, c]
 mechanisms:
   first: {first: a, second: b, ratio: -3, efficiency: {over: speed, points: [[0, .95], [400, .99]]}}
-  second: {first: b, second: c, ratio: -2, efficiency: {over: torque, points: [[0, .9], [200, .98]]}}
+  second: {first: b, second: c, ratio: -2,
+           efficiency: {over: torque, points: [[0, .9], [200, .98]]}}
 drag: {c: [[0, 6]]}
 gears:
   fast: {load: {speed: 300 rad/s, torque: 40 N*m}}
