@@ -275,5 +275,6 @@ def test_thousands_of_arguments(cases: Path) -> None:
     for path in given:
         path.hardlink_to(cases / "in" / "mzkt.dat")
     said = vstatics("run", *given, "-f", "json", "-o", cases / "out", "-j", 2)
-    assert (said.status, said.err) == (0, f"{total} of {total} cases calculated\n")
+    *_, last = said.err.splitlines()  # below lines of progress, which slow runs have
+    assert (said.status, last) == (0, f"{total} of {total} cases calculated")
     assert len(shown("out")) == total
