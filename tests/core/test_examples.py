@@ -8,9 +8,7 @@ from pathlib import Path
 import pytest
 
 import vstatics
-from tests import commands
 from tests.commands import CASES, ROOT
-from tests.installed import needs
 
 
 def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
@@ -23,18 +21,6 @@ def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
 def test_another_name_is_told_with_the_nearest() -> None:
     with pytest.raises(vstatics.CaseError, match=re.escape("did you mean `zf-8hp70`? [E800]")):
         vstatics.example("zf-8hp7")
-
-
-@needs("simulation")
-def test_an_example_is_copied_as_a_template(tmp_path: Path) -> None:
-    (tmp_path / "scenarios").mkdir()
-    for name in ("zf-8hp70", "tarasik-box", "scenarios/tarasik-box"):
-        target = tmp_path / f"{name}.yaml"
-        assert commands.vstatics("new", target, "-t", name).status == 0
-        assert target.read_bytes() == (CASES / f"{name}.yaml").read_bytes()
-    assert commands.vstatics("check", tmp_path / "scenarios/tarasik-box.yaml").status == 0
-    said = commands.vstatics("new", tmp_path / "x.yaml", "-t", "zf-8hp7")
-    assert said.is_wrong_use("did you mean `zf-8hp70`?")
 
 
 def test_the_citation_is_of_this_version() -> None:

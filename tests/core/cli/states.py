@@ -35,12 +35,27 @@ class StatedCommand(NamedTuple):
         results = output.iterdir() if output.is_dir() else [output] if output.exists() else []
         return {entry.name: entry.read_bytes() for entry in sorted(results) if entry.name[0] != "."}
 
+    def whole(self) -> dict[str, bytes]:
+        """Return the result of the undisturbed command, and remove it."""
+        assert self.call("-q").status == 0
+        expected = self.written()
+        self.remove()
+        return expected
+
     @property
-    def state(self) -> list[str]:
+    def state(self) -> list[Path]:
         """The files of the state that are there."""
-        folder = Path(self.folder)
         pattern = "*" if self.folder.endswith(".parts") else ".vstatics*"
-        return sorted(str(path) for path in folder.glob(pattern))
+        return sorted(Path(self.folder).glob(pattern))
+
+    def remove(self) -> None:
+        """Remove what the command has left."""
+        for name in (self.output, self.folder, self.folder.removesuffix(".parts")):
+            path = Path(name)
+            if path.is_dir() and not path.is_symlink():
+                shutil.rmtree(path)
+            elif os.path.lexists(path):
+                path.unlink()
 
 
 OF_PIECES = ("lock", "plan.json", "00000000", "output")
@@ -54,19 +69,17 @@ BOX = (
 )
 RECORD = ".vstatics-boxes"
 """Hidden file in a folder of found boxes."""
+_BEST = (*SWEEP, "--max", "ratio[low]")
+_RECORDS = (".vstatics-run-json", ".vstatics-run-json.lock")
 _ALL = {
     "sweep csv": StatedCommand(SWEEP, "o.csv", "o.csv.parts", OF_PIECES),
     "sweep npz": StatedCommand(SWEEP, "o.npz", "o.npz.parts", OF_PIECES),
     "sweep parquet": StatedCommand(SWEEP, "o.parquet", "o.parquet.parts", OF_PIECES),
-    "sweep best": StatedCommand(
-        (*SWEEP, "--max", "ratio[low]"), "o.jsonl", "o.jsonl.parts", OF_PIECES
-    ),
+    "sweep best": StatedCommand(_BEST, "o.jsonl", "o.jsonl.parts", OF_PIECES),
     "samples": StatedCommand(SAMPLES, "o.csv", "o.csv.parts", OF_PIECES),
     "run jsonl": StatedCommand(RUN, "o.jsonl", "o.jsonl.parts", OF_PARTS),
     "run parquet": StatedCommand(RUN, "o.parquet", "o.parquet.parts", OF_PARTS),
-    "run folder": StatedCommand(
-        (*RUN, "-f", "json"), "out/", "out", (".vstatics-run-json", ".vstatics-run-json.lock")
-    ),
+    "run folder": StatedCommand((*RUN, "-f", "json"), "out/", "out", _RECORDS),
     "boxes": StatedCommand(BOX, "found.json", "found.json.parts", OF_PIECES),
     "boxes folder": StatedCommand(BOX, "found/", "found.parts", OF_PIECES),
     "record of boxes": StatedCommand(BOX, "found/", "found", (RECORD,)),
@@ -96,13 +109,3 @@ def prepare(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         from tests.synthesis.boxes.states import prepare_boxes
 
         prepare_boxes(monkeypatch, PIECES)
-
-
-def remove(command: StatedCommand) -> None:
-    """Remove what a command has left."""
-    for name in (command.output, command.folder):
-        path = Path(name)
-        if path.is_dir() and not path.is_symlink():
-            shutil.rmtree(path)
-        elif os.path.lexists(path):
-            path.unlink()

@@ -2,21 +2,30 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 import pytest
 from jsonschema import Draft202012Validator
 
-from tests.commands import BAD, MZKT, NEUTRAL, vstatics
+import vstatics as library
+from tests.commands import BAD, MZKT, NEUTRAL, json_answer, vstatics
+from tests.core.cli.conftest import OPEN
 from vstatics.core.cli.schemas import schemas
+
+COLUMN = BAD.splitlines()[2].index("ratoi") + 1
+PAIR = """\
+links: [in, out]
+load: {speed: 2000 rpm, torque: 50 N*m}
+mechanisms: {pair: {first: in, second: out, ratio: 2}}
+"""
 
 
 @pytest.mark.usefixtures("files")
 def test_check_speaks_like_a_compiler() -> None:
-    said = vstatics("check", "bad.yaml")
-    place, _, rest = said.err.partition(": error: ")
+    place, _, rest = vstatics("check", "bad.yaml").err.partition(": error: ")
     message, line, caret = rest.splitlines()[:3]
-    assert place == f"bad.yaml:3:{BAD.splitlines()[2].index('ratoi') + 1}"
+    assert place == f"bad.yaml:3:{COLUMN}"
     assert message.endswith("did you mean `ratio`?")
     assert line == "  " + BAD.splitlines()[2]
     assert caret.index("^") == line.index("ratoi")
@@ -24,8 +33,7 @@ def test_check_speaks_like_a_compiler() -> None:
 
 def test_check_shows_the_part_of_a_long_line_around_the_place() -> None:
     deck = MZKT.read_text(encoding="utf-8").replace("1 1 4\n", "1 1" + " " * 500 + "9\n", 1)
-    said = vstatics("check", "-", stdin=deck.encode())
-    place, line, caret = said.err.splitlines()
+    place, line, caret = vstatics("check", "-", stdin=deck.encode()).err.splitlines()
     assert place.startswith("<stdin>:10:")
     assert line[caret.index("^")] == "9"
     assert len(line) <= 80
@@ -46,16 +54,12 @@ def test_check_counts_conditions_and_prints_no_tables() -> None:
 
 def test_check_reports_all_that_is_wrong_in_one_run() -> None:
     text = NEUTRAL.replace("C: [1, 2]", "C: [2, 2]").replace("first: 1", "first: 9")
-    text = text.replace("[B]", "[X]")
-    lines = text.splitlines()
-    columns = [lines[n].index(what) + 1 for n, what in ((1, "2]"), (2, "9"), (3, "X"))]
-    said = vstatics("check", "-", stdin=text.encode()).err.splitlines()
-    assert [line.partition(": ")[0] for line in said[::3]] == [
-        f"<stdin>:{number}:{column}" for number, column in enumerate(columns, 2)
+    lines = (text := text.replace("[B]", "[X]")).splitlines()
+    places = [
+        f"<stdin>:{n + 1}:{lines[n].index(what) + 1}" for n, what in ((1, "2]"), (2, "9"), (3, "X"))
     ]
-
-
-# for editors and CI
+    said = vstatics("check", "-", stdin=text.encode()).err.splitlines()
+    assert [line.partition(": ")[0] for line in said[::3]] == places
 
 
 @pytest.mark.usefixtures("files")
@@ -64,21 +68,18 @@ def test_json_has_a_place_for_each_problem_and_stderr_has_none() -> None:
     assert (said.status, said.err) == (1, "")
     found = said.json
     assert not list(Draft202012Validator(schemas()["check"]).iter_errors(found))
-    assert [(Path(one["file"]).name, one["severity"]) for one in found] == [
-        ("bad.yaml", "error"),
-        ("neutral.yaml", "error"),
-        ("neutral.yaml", "warning"),
-        ("mzkt7922.dat", "note"),
-        ("none.yaml", "error"),
+    gear = NEUTRAL.splitlines()[3].index("N:") + 1
+    places = [
+        (Path(one["file"]).name, one["severity"], one["line"], one["column"]) for one in found
     ]
-    bad, neutral, _, _, none = found
-    assert (bad["line"], bad["column"]) == (3, BAD.splitlines()[2].index("ratoi") + 1)
-    assert bad["message"].endswith("did you mean `ratio`?")
-    assert (neutral["line"], neutral["column"]) == (4, NEUTRAL.splitlines()[3].index("N:") + 1)
-    assert (none["line"], none["column"]) == (None, None)
-
-
-def test_json_of_what_is_well_is_an_empty_array() -> None:
+    assert places[:3] + places[4:] == [
+        ("bad.yaml", "error", 3, COLUMN),
+        ("neutral.yaml", "error", 4, gear),
+        ("neutral.yaml", "warning", 4, gear),
+        ("none.yaml", "error", None, None),
+    ]
+    assert places[3][:2] == ("mzkt7922.dat", "note")
+    assert found[0]["message"].endswith("did you mean `ratio`?")
     good = NEUTRAL.replace("N: {}, ", "").encode()
     assert vstatics("check", "-", "-f", "json", stdin=good) == (0, "[]\n", "")
 
@@ -86,18 +87,10 @@ def test_json_of_what_is_well_is_an_empty_array() -> None:
 def test_json_has_every_gear_of_one_text() -> None:
     text = NEUTRAL.replace("N: {}", "N: {}, P: {}").encode()
     said = vstatics("check", "-", "-f", "json", "--strict", stdin=text)
-    assert said.status == 1
-    assert [one["message"][:8] for one in said.json] == [
-        *("gears.N:", "gears.P:"),
-        *("gear N: ", "gear P: "),
-    ]
-    allowed = text + b"allow: [W414]\n"
-    again = NEUTRAL.replace("B: [2, housing]", "B: [2, housing], A: [2, housing]").replace(
-        "N: {}", "N: {engaged: [A, B]}"
-    )
-    quiet = vstatics("check", "-", "-f", "json", "-q", "--strict", stdin=again.encode())
+    told = [one["message"][:8] for one in said.json]
+    assert (said.status, told) == (1, ["gears.N:", "gears.P:", "gear N: ", "gear P: "])
+    quiet = vstatics("check", "-", "-f", "json", "-q", "--strict", stdin=OPEN.encode())
     assert (quiet.status, [one["id"] for one in quiet.json]) == (1, ["E013"])
-    assert vstatics("check", "-", "--strict", stdin=allowed).status == 0
 
 
 @pytest.mark.usefixtures("files")
@@ -111,38 +104,80 @@ def test_check_writes_to_a_file_by_its_suffix() -> None:
         assert vstatics(*call, "-o", output, *more).status == 2
 
 
-def test_a_note_tells_which_gear_asks_a_law_outside_its_points(tmp_path: Path) -> None:
+def test_a_note_tells_which_gear_asks_a_law_outside_its_points() -> None:
     """Half the 2000 rpm are 105 rad/s."""
-    case = tmp_path / "case.yaml"
-    case.write_text(
-        "links: [in, out]\n"
-        "load: {speed: 2000 rpm, torque: 50 N*m}\n"
-        "mechanisms: {pair: {first: in, second: out, ratio: 2}}\n"
-        "gears:\n  near: {drag: {out: [[0, 1], [110, 2]]}}\n  far: {drag: {out: [[0, 1], [100, 2]]}}\n"
-    )
-    said = vstatics("check", str(case)).err
-    assert (
-        "case.yaml:6:3: note: gear far: outside the points of out, the value of the nearest end point applies"
-        in said
-    )
+    gears = "gears:\n"
+    for name, end in (("near", 110), ("far", 100)):
+        gears += f"  {name}: {{drag: {{out: [[0, 1], [{end}, 2]]}}}}\n"
+    said = vstatics("check", "-", stdin=f"{PAIR}{gears}".encode()).err
+    words = "outside the points of out, the value of the nearest end point applies"
+    assert f"<stdin>:6:3: note: gear far: {words}" in said
+    assert "gear near" not in said
 
 
-@pytest.mark.parametrize(
-    ("drag", "said"),
-    [("1 - 0.1*w", "the drag of out: read -9.47198"), ("exp(w*w)", "the drag of out: read inf")],
-)
+@pytest.mark.parametrize(("drag", "value"), [("1 - 0.1*w", "-9.47198"), ("exp(w*w)", "inf")])
 def test_a_drag_that_no_torque_can_be_is_told_at_its_place(
-    tmp_path: Path, drag: str, said: str
+    folder: Path, drag: str, value: str
 ) -> None:
     """At 1000 rpm w is 104.7198 rad/s."""
-    case, result = tmp_path / "case.yaml", tmp_path / "result.json"
-    case.write_text(
-        "links: [in, out]\n"
-        "load: {speed: 1000 rpm, torque: 50 N*m}\n"
-        "mechanisms: {pair: {first: in, second: out, ratio: 1}}\n"
-        f"gears: {{one: {{drag: {{out: '{drag}'}}}}}}\n"
-    )
-    for command in (["check"], ["run", "-o", str(result)], ["flow"]):
-        ran = vstatics(*command, str(case))
-        assert ran.fails("case.yaml:4:22: error: gears.one.drag.out: " + said)
-    assert not result.exists()
+    text = f"{PAIR.replace('2000', '1000')}gears: {{one: {{drag: {{in: '{drag}'}}}}}}\n"
+    (folder / "case.yaml").write_text(text)
+    for command in ("check", "run -o result.json", "flow"):
+        ran = vstatics(*command.split(), "case.yaml")
+        words = f"case.yaml:4:22: error: gears.one.drag.in: the drag of in: read {value}"
+        assert ran.fails(words)
+    assert not Path("result.json").exists()
+
+
+# neutral gears
+
+TWO_SPEED = """name: two-speed
+links: [in, ring, carrier]
+shift_elements: {B: [ring, housing], C: [in, ring]}
+mechanisms: {P: {first: in, second: ring, third: carrier, ratio: -2}}
+input: in
+output: carrier
+"""
+GEARS = "gears: {low: {engaged: [B]}, direct: {engaged: [C]}, N: {engaged: []%s}}\n"
+OPEN_GEAR, MEANT = f"{TWO_SPEED}{GEARS % ''}", f"{TWO_SPEED}{GEARS % ', kind: neutral'}"
+
+
+def test_a_gear_that_cannot_drive_fails_the_check_at_its_place() -> None:
+    stdin = OPEN_GEAR.encode()
+    place = f"<stdin>:7:{1 + GEARS.index('N:')}"
+    words = "error: gears.N: cannot drive: expected another engaged"
+    assert vstatics("check", "-", stdin=stdin).fails(f"{place}: {words}")
+    ids = [problem["id"] for problem in json_answer("check", "-", stdin=stdin)]
+    assert ids == [problem.id for problem in library.check(io.StringIO(OPEN_GEAR))]
+    assert ids == ["E453", "W414"]
+    for command in ("run", "summary", "flow"):
+        assert vstatics(command, "-", stdin=stdin).status == 0
+
+
+def test_a_neutral_gear_that_is_meant_passes_also_strictly() -> None:
+    loaded = f"{MEANT}load: {{speed: 2000 rpm, torque: 90 N*m}}\n"
+    for text in (MEANT, loaded, f"{OPEN_GEAR}allow: [W414]\n"):
+        said = vstatics("check", "-", "--strict", stdin=text.encode())
+        assert (said.status, said.err) == (0, "")
+        assert library.check(io.StringIO(text)) == []
+    assert vstatics("check", "-", "--strict", "--allow", "W414", stdin=OPEN_GEAR.encode()).err == ""
+
+
+def test_a_gear_marked_as_neutral_that_drives_gets_a_warning() -> None:
+    """With C the set rotates as a block, so the ratio is 1."""
+    text = MEANT.replace("N: {engaged: []", "N: {engaged: [C]")
+    said = vstatics("check", "-", stdin=text.encode())
+    words = "gear N: marked `kind: neutral`, but drives with the ratio 1"
+    assert (said.status, words in said.err) == (0, True)
+
+
+def test_a_neutral_gear_is_not_part_of_steps_and_spread() -> None:
+    """With the ring held, the Willis equation gives w_in = (1 - ratio)*w_carrier = 3 w_carrier."""
+    made, other = (json_answer("summary", "-", stdin=t.encode()) for t in (MEANT, OPEN_GEAR))
+    assert made["spread"] == other["spread"] == pytest.approx(3)
+    assert [gear["ratio"] for gear in made["gears"]] == [pytest.approx(3), 1, None]
+
+
+def test_a_case_without_gears_that_only_moves_is_no_fault() -> None:
+    text = f"{TWO_SPEED}inertias: {{in: 0.1, ring: 0.1, carrier: 1}}\n"
+    assert [problem.id for problem in library.check(io.StringIO(text))] == ["N420"]

@@ -19,61 +19,42 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import Said
-from tests.core.cli.states import COMMANDS, RECORD, StatedCommand, prepare, remove
+from tests.core.cli.states import COMMANDS, RECORD, StatedCommand, prepare
 
 PAGE = 4096
-COMMANDS_ONCE = {name: entry for name, entry in COMMANDS.items() if name != "record of boxes"}
-IN_A_SMALL_FILE_SYSTEM = ("run jsonl", "sweep parquet", "boxes folder")
+COMMANDS_ONCE = [name for name in COMMANDS if name != "record of boxes"]
 FULL = "cannot be written: |are free there"
 RECORDS = (RECORD, ".vstatics-run-json")
 """Hidden files that stay in a folder of results."""
-
-
-def whole(command: StatedCommand) -> dict[str, bytes]:
-    """Return the result of a command with room."""
-    assert command.call("-q").status == 0
-    expected = command.written()
-    clean(command)
-    return expected
-
-
-def clean(command: StatedCommand) -> None:
-    remove(command)
-    remove(command._replace(folder=command.folder.removesuffix(".parts")))
+CALLS = ("write", "open", "mkdir", "replace", "ftruncate", "pwrite", "copy_file_range", "fsync")
 
 
 def judge(said: Said, command: StatedCommand) -> None:
     """A command that could not write names its output, and --resume where work is left."""
-    name = command.output.rstrip("/")
     assert said.status == 1, said
     assert "an error of vstatics" not in said.err
     assert "<stdout>" not in said.err
     lines = [line for line in said.err.splitlines() if re.search(FULL, line)]
     assert lines, said
-    assert all(name in line for line in lines), said
-    work = [
-        entry for entry in command.state if Path(entry).name not in ("lock", "plan.json", "output")
-    ]
+    assert all(command.output.rstrip("/") in line for line in lines), said
+    work = [file for file in command.state if file.name not in ("lock", "plan.json", "output")]
     results = command.written() if command.folder == "out" else {}
-    if results or any(is_work(Path(entry)) for entry in work):
+    if results or any(is_work(file) for file in work):
         assert "--resume" in said.err, (said, work)
 
 
 def is_work(file: Path) -> bool:
     """Whether a file of a state has more than its first line, which says of what run it is."""
-    data = file.read_bytes()
-    return file.name.isdigit() or data.count(b"\n") > 1
+    return file.name.isdigit() or file.read_bytes().count(b"\n") > 1
 
 
 def goes_on(command: StatedCommand, expected: dict[str, bytes]) -> None:
     """With room the command goes on to the same bytes, and leaves nothing."""
     said = command.call("--resume")
-    assert said.status == 0, said
-    assert command.written() == expected
-    there = {str(path) for path in Path().rglob("*")}
-    left = {entry for entry in there if ".parts" in entry or ".vstatics" in entry}
-    assert {entry for entry in left if Path(entry).name not in RECORDS} == set()
-    clean(command)
+    assert (said.status, command.written()) == (0, expected), said
+    left = [path for path in Path().rglob("*") if re.search(r"\.(parts|vstatics)", str(path))]
+    assert [path for path in left if path.name not in RECORDS] == []
+    command.remove()
 
 
 @pytest.fixture
@@ -95,14 +76,14 @@ def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 
 def fill_pages(place: Path, free: int) -> None:
-    """Leave so many pages."""
+    """Leave a number of pages."""
     status = os.statvfs(place)
     with (place / "ballast").open("wb") as file:
         file.write(bytes((status.f_bavail * status.f_frsize // PAGE - free) * PAGE))
 
 
 def fill_inodes(place: Path, free: int) -> None:
-    """Leave room for so many files."""
+    """Leave room for a number of files."""
     for number in range(os.statvfs(place).f_favail - free):
         (place / f"ballast {number}").touch()
 
@@ -114,13 +95,13 @@ def unload(place: Path) -> None:
 
 def try_full(command: StatedCommand, fill: Callable[[Path, int], None], place: Path) -> int:
     """Have less and less room missing until the command succeeds; how often it did not."""
-    expected = whole(command)
+    expected = command.whole()
     for free in count():
         fill(place, free)
         said = command.call()
         if said.status == 0:
             unload(place)
-            clean(command)
+            command.remove()
             return free
         judge(said, command)
         again = command.call("--resume")  # the disk is as full as it was
@@ -131,21 +112,23 @@ def try_full(command: StatedCommand, fill: Callable[[Path, int], None], place: P
     raise AssertionError
 
 
-@pytest.mark.parametrize("name", [name for name in COMMANDS if name in IN_A_SMALL_FILE_SYSTEM])
-def test_a_full_file_system_is_told_by_the_output(name: str, small: Path) -> None:
-    assert try_full(COMMANDS[name], fill_pages, small) > 2
+SOON = ("run jsonl", "sweep parquet", "boxes folder")
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("fill", [fill_pages, fill_inodes])
-@pytest.mark.parametrize("name", COMMANDS_ONCE)
-def test_any_full_file_system_is_told_by_the_output(
+@pytest.mark.parametrize(
+    ("name", "fill"),
+    [
+        pytest.param(
+            name, fill, marks=[pytest.mark.slow] * (fill is fill_inodes or name not in SOON)
+        )
+        for name in COMMANDS_ONCE
+        for fill in (fill_pages, fill_inodes)
+    ],
+)
+def test_a_full_file_system_is_told_by_the_output(
     name: str, fill: Callable[[Path, int], None], small: Path
 ) -> None:
     assert try_full(COMMANDS[name], fill, small) > 1
-
-
-CALLS = ("write", "open", "mkdir", "replace", "ftruncate", "pwrite", "copy_file_range", "fsync")
 
 
 class FullDisk:
@@ -168,37 +151,24 @@ class FullDisk:
         return limited
 
 
-def try_calls(
-    command: StatedCommand, firsts: Callable[[int], list[int]], monkeypatch: pytest.MonkeyPatch
+@pytest.mark.usefixtures("prepared")
+@pytest.mark.parametrize("name", COMMANDS_ONCE)
+@pytest.mark.parametrize("all_calls", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_a_call_that_fails_for_a_full_disk_is_told_by_the_output(
+    name: str, all_calls: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Let the disk be full from one of all calls on, then have room again."""
-    expected = whole(command)
+    command = COMMANDS[name]
+    expected = command.whole()
     with monkeypatch.context() as patch:
         disk = FullDisk(patch, 10**9)
         assert command.call("-q").status == 0
-    clean(command)
-    for first in firsts(disk.calls):
+    command.remove()
+    chosen = seeded(26).randrange(disk.calls)
+    for first in range(disk.calls) if all_calls else [chosen]:
         with monkeypatch.context() as patch:
             FullDisk(patch, first)
             said = command.call()
         if said.status:  # the number of the process in a lock, say, is not needed
             judge(said, command)
         goes_on(command, expected)
-
-
-@pytest.mark.parametrize("name", COMMANDS_ONCE)
-def test_a_call_that_fails_for_a_full_disk_is_told_by_the_output(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    prepare(tmp_path, monkeypatch)
-    choose = seeded(26)
-    try_calls(COMMANDS[name], lambda calls: [choose.randrange(calls)], monkeypatch)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", COMMANDS_ONCE)
-def test_every_call_that_fails_for_a_full_disk_is_told_by_the_output(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    prepare(tmp_path, monkeypatch)
-    try_calls(COMMANDS[name], lambda calls: [*range(calls)], monkeypatch)

@@ -77,12 +77,16 @@ def test_examples_of_a_help_text_run(name: str, tmp_path: Path) -> None:
     assert not failed, "\n".join(failed)
 
 
-@pytest.mark.parametrize("name", [name for name in COMMANDS if name])
-def test_a_help_text_has_examples_of_its_command(name: str) -> None:
-    lines = [
-        line for line in examples(COMMANDS[name]) if f"vstatics {name.split(maxsplit=1)[0]}" in line
-    ]
-    assert lines, name
+@pytest.mark.parametrize("name", COMMANDS)
+def test_a_help_text_has_examples_under_80_columns_by_either_option(name: str) -> None:
+    first = name.split(maxsplit=1)[0] if name else ""
+    assert [line for line in examples(COMMANDS[name]) if f"vstatics {first}" in line], name
+    shown = vstatics(*name.split(), "--help").out
+    assert re.search(
+        r"\n  Examples?(, in CI)?:\n    (vstatics|cat|echo|find|git|mkdir|printf) ", shown
+    )
+    assert max(map(len, shown.splitlines())) <= 80
+    assert vstatics(*name.split(), "-h").out == shown
 
 
 @pytest.mark.parametrize(
@@ -90,11 +94,9 @@ def test_a_help_text_has_examples_of_its_command(name: str) -> None:
 )
 def test_options_are_under_headings(name: str) -> None:
     command = COMMANDS[name]
-    options = [option for option in command.params if isinstance(option, click.Option)]
-    shown = vstatics(*name.split(), "--help").out
     assert isinstance(command, HeadedCommand)
-    headings = re.findall(r"(?m)^(\w[\w ]*):$", shown)
-    if len(options) <= 6:
+    headings = re.findall(r"(?m)^(\w[\w ]*):$", vstatics(*name.split(), "--help").out)
+    if sum(isinstance(option, click.Option) for option in command.params) <= 6:
         assert headings == ["Options"]
     else:
         assert len(headings) == len({*headings}) > 1
@@ -122,10 +124,19 @@ FORMER = [
 """Command, option, former name and a value of each renamed option."""
 
 
-@pytest.mark.parametrize(("name", "option", "former"), [line[:3] for line in FORMER])
-def test_a_former_name_is_neither_listed_nor_completed(name: str, option: str, former: str) -> None:
+@pytest.mark.parametrize(("name", "option", "former", "value"), FORMER)
+def test_a_former_name_works_but_is_neither_listed_nor_completed(
+    name: str, option: str, former: str, value: list[str]
+) -> None:
     if missing(used_in(f"vstatics {name} {option}")):
         pytest.skip("the annex of the option is not installed")
+    command = COMMANDS[name]
+    [renamed] = [one for one in command.params if option in one.opts]
+    values = [
+        command.make_context(name, arguments, resilient_parsing=True).params[str(renamed.name)]
+        for arguments in ([option, *value], [former, *value], [])
+    ]
+    assert values[0] == values[1] != values[2]
     shown = vstatics(*name.split(), "--help").out
     assert re.search(rf"{option}\b", shown)
     assert not re.search(rf"(?<!\w){former}\b", shown)
@@ -139,20 +150,6 @@ def test_a_former_name_is_neither_listed_nor_completed(name: str, option: str, f
     assert (f"plain,{option}" in completed, f"plain,{former}" in completed) == (True, False)
 
 
-@pytest.mark.parametrize(("name", "option", "former", "value"), FORMER)
-def test_a_former_name_works(name: str, option: str, former: str, value: list[str]) -> None:
-    if missing(used_in(f"vstatics {name} {option}")):
-        pytest.skip("the annex of the option is not installed")
-    command = COMMANDS[name]
-    [renamed] = [one for one in command.params if option in one.opts]
-    assert renamed.name
-    values = [
-        command.make_context(name, arguments, resilient_parsing=True).params[renamed.name]
-        for arguments in ([option, *value], [former, *value], [])
-    ]
-    assert values[0] == values[1] != values[2]
-
-
 def test_all_former_names_are_tried() -> None:
     every = {
         name
@@ -162,11 +159,6 @@ def test_all_former_names_are_tried() -> None:
         for name in option.former
     }
     assert every <= {former for _, _, former, _ in FORMER}
-
-
-def test_an_option_of_other_commands_is_named() -> None:
-    case = CASES / "differential.yaml"
-    assert vstatics("run", case, "--gear", "1").is_wrong_use("flow, explain and plot have it")
 
 
 @pytest.mark.slow

@@ -19,25 +19,13 @@ from tests.commands import NEUTRAL, environment
 from tests.installed import skip_without_command
 from tests.processes import names, wait_for
 
-COMMANDS = {
-    "run": ("run", "pipe"),
-    "pretty": ("run", "--pretty", "pipe"),
-    "output": ("run", "pipe", "-o", "out.lst"),
-    "check": ("check", "pipe"),
-    "summary": ("summary", "pipe", "-o", "out.txt"),
-    "flow": ("flow", "pipe"),
-    "explain": ("explain", "pipe"),
-    "plot": ("plot", "pipe", "--kind", "plan", "-o", "out.svg"),
-    "report": ("report", "pipe", "-o", "out.html"),
-    "convert": ("convert", "pipe", "out.dat"),
-    "compare": ("compare", "pipe", "pipe"),
-    "combinations": ("synth", "combinations", "pipe", "--write", "out.yaml"),
-    "fit": ("synth", "fit", "pipe", "--ratios", "low=2", "--write", "out.yaml"),
-    "sweep": ("sweep", "pipe", "--vary", "D.ratio=-3:-2:3", "-o", "out.csv"),
-    "table": ("sweep", "box.yaml", "--variants", "pipe", "-o", "out.csv"),
-}
-PACKAGE = Path(vstatics.__file__).parent
-SIGNALS = {signal.SIGINT: 130, signal.SIGTERM: 143}
+COMMANDS = (
+    *("run pipe", "run --pretty pipe", "run pipe -o out.lst", "check pipe", "flow pipe"),
+    *("summary pipe -o out.txt", "explain pipe", "plot pipe --kind plan -o out.svg"),
+    *("report pipe -o out.html", "convert pipe out.dat", "compare pipe pipe"),
+    *("synth combinations pipe --write out.yaml", "synth fit pipe --ratios low=2 --write out.yaml"),
+    *("sweep pipe --vary D.ratio=-3:-2:3 -o out.csv", "sweep box.yaml --variants pipe -o out.csv"),
+)
 
 
 @pytest.fixture(autouse=True)
@@ -50,47 +38,39 @@ def _files(folder: Path) -> None:
 @contextmanager
 def running(*arguments: str, **variables: str) -> Iterator[subprocess.Popen[bytes]]:
     """A command in the background; it is killed if the test fails."""
-    with subprocess.Popen(
-        [sys.executable, "-m", "vstatics", *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        env=environment(**variables),
-    ) as process:
+    line = [sys.executable, "-m", "vstatics", *arguments]
+    pipe, variables = subprocess.PIPE, environment(**variables)
+    with subprocess.Popen(line, stdout=pipe, stderr=pipe, env=variables) as process:
         try:
             yield process
         finally:
             process.kill()
 
 
-@pytest.mark.parametrize("sent", SIGNALS)
+@pytest.mark.parametrize(("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 @pytest.mark.parametrize(
-    "command",
-    [pytest.param(one, marks=[pytest.mark.slow] * (one != "run")) for one in COMMANDS],
+    "command", [COMMANDS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in COMMANDS[1:])]
 )
-def test_a_command_that_is_stopped_says_so(command: str, sent: signal.Signals) -> None:
-    skip_without_command(COMMANDS[command][0])
-    with running(*COMMANDS[command]) as process:
+def test_a_command_that_is_stopped_says_so(command: str, sent: signal.Signals, status: int) -> None:
+    skip_without_command(command.split(maxsplit=1)[0])
+    with running(*command.split()) as process:
         pipe = os.open("pipe", os.O_WRONLY)  # as soon as the command reads
         process.send_signal(sent)
         out, err = process.communicate(timeout=60)
         os.close(pipe)
-    assert (process.returncode, out, err) == (SIGNALS[sent], b"", b"stopped\n")
-    assert names(Path.cwd()) == ["box.yaml", "pipe"]
+    assert (process.returncode, out, err) == (status, b"", b"stopped\n")
+    assert names() == ["box.yaml", "pipe"]
 
 
-def shadowed(module: str) -> str:
-    """A folder with a module that tells that its import has begun, and is the real one later."""
-    Path("shadow").mkdir()
-    lines = (
-        "import pathlib, sys, time",
-        "pathlib.Path('begun').touch()",
-        "time.sleep(.5)",
-        "sys.path = [one for one in sys.path if not one.endswith('shadow')]",
-        f"del sys.modules[{module!r}]",
-        f"import {module}",
-    )
-    Path("shadow", f"{module}.py").write_text("\n".join(lines), encoding="utf-8")
-    return f"shadow{os.pathsep}{environment()['PYTHONPATH']}"
+SHADOW = """\
+import pathlib, sys, time
+pathlib.Path('begun').touch()
+time.sleep(.5)
+sys.path = [one for one in sys.path if not one.endswith('shadow')]
+del sys.modules[{module!r}]
+import {module}
+"""
+"""A module that tells that its import has begun, and is the real one later."""
 
 
 @pytest.mark.parametrize(
@@ -98,7 +78,10 @@ def shadowed(module: str) -> str:
 )
 def test_an_import_that_is_stopped_leaves_no_trace(module: str, said: bytes) -> None:
     """The package imports `inspect` at once, and NumPy and YAML when they are needed."""
-    with running("run", "box.yaml", PYTHONPATH=shadowed(module)) as process:
+    Path("shadow").mkdir()
+    Path("shadow", f"{module}.py").write_text(SHADOW.format(module=module), encoding="utf-8")
+    path = f"shadow{os.pathsep}{environment()['PYTHONPATH']}"
+    with running("run", "box.yaml", PYTHONPATH=path) as process:
         wait_for(Path("begun").exists)
         process.send_signal(signal.SIGINT)
         ended = process.communicate(timeout=60)
@@ -115,10 +98,10 @@ def test_ctrl_c_is_left_alone_where_the_package_is_a_library() -> None:
 @pytest.mark.slow
 def test_ctrl_c_at_any_moment_of_the_start_shows_nothing_of_the_package() -> None:
     """Before the package is reached it is Python that may show a trace, of its own modules."""
-    chance = seeded(1)
+    chance, package = seeded(1), Path(vstatics.__file__).parent
     for _ in range(100):
         with running("run", "box.yaml") as process:
             time.sleep(chance.uniform(0, 0.08))
             process.send_signal(signal.SIGINT)
             _, err = process.communicate(timeout=60)
-        assert f"{PACKAGE}{os.sep}".encode() not in err
+        assert f"{package}{os.sep}".encode() not in err

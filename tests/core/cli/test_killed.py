@@ -25,53 +25,52 @@ from tests.processes import children, names
 
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
-GRID = ("--vary", "D.ratio=-4:-2:500", "--vary", "D.efficiency=.9:1:800")
+GRID = "--vary D.ratio=-4:-2:500 --vary D.efficiency=.9:1:800"
 """400000 variants in 7 pieces."""
 CASES = 150
-BRAKES = ("--vary", "controls.brake.scale=.9:1.2:200", "--out", "locks[brake],heat[brake]")
-BOXES = (
-    *("--sets", "3", "--shift-elements", "5", "--engaged", "2"),
-    *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94"),
-)
+BRAKES = "--vary controls.brake.scale=.9:1.2:200 --out locks[brake],heat[brake]"
+BOXES = "--sets 3 --shift-elements 5 --engaged 2 --ratios 4.584,2.964,1.912,1.446,1,.746,-2.94"
 """Nine pieces of a second or less."""
 
 
 class Work(NamedTuple):
     """What is done, and disturbed."""
 
-    arguments: tuple[str, ...]
+    line: str
     output: str
 
 
 OF_CASES = {
-    f"run {form} -j {jobs}": Work(("run", "--files-from", "list", "-f", form, "-j", jobs), "out/")
+    f"run {form} -j {jobs}": Work(f"run --files-from list -f {form} -j {jobs}", "out/")
     for form in ("json", "listing")
-    for jobs in ("1", "2", "3")
+    for jobs in "123"
 }
 OF_VARIANTS = {
     **{
-        f"sweep {form} -j {jobs}": Work(("sweep", "box.yaml", *GRID, "-j", jobs), f"out.{form}")
+        f"sweep {form} -j {jobs}": Work(f"sweep box.yaml {GRID} -j {jobs}", f"out.{form}")
         for form in ("csv", "jsonl", "npz", "parquet")
         for jobs in "12"
     },
-    "sweep best": Work(("sweep", "box.yaml", *GRID, "--max", "ratio[low]"), "out.csv"),
-    "sweep where": Work(("sweep", "box.yaml", *GRID, "--where", "ratio[low] > 4"), "out.npz"),
+    "sweep best": Work(f"sweep box.yaml {GRID} --max ratio[low]", "out.csv"),
+    "sweep where": Work(f"sweep box.yaml {GRID} --where ratio[low]>4", "out.npz"),
 }
-CASES_AND_SWEEPS = {**OF_CASES, **(OF_VARIANTS if "sweep" in HERE else {})}
-SAMPLES = {
-    f"{form} -j {jobs}": Work(
-        ("simulate", "lock.yaml", "--samples", "200", "-j", jobs), f"out.{form}"
-    )
-    for form, jobs in (("csv", "1"), ("csv", "2"), ("npz", "2"))
+WORKS = {
+    "cases and sweeps": {**OF_CASES, **(OF_VARIANTS if "sweep" in HERE else {})},
+    "samples": {
+        f"{form} -j {jobs}": Work(f"simulate lock.yaml --samples 200 -j {jobs}", f"out.{form}")
+        for form, jobs in (("csv", "1"), ("csv", "2"), ("npz", "2"))
+    },
+    "sweeps of scenarios": {
+        "all": Work(f"sweep lock.yaml {BRAKES}", "out.jsonl"),
+        "best": Work(f"sweep lock.yaml {BRAKES} --min heat[brake]", "out.csv"),
+    },
+    "boxes": {
+        "a file": Work(f"synth box {BOXES} -j 2", "out.json"),
+        "a folder": Work(f"synth box {BOXES} -j 1", "out/"),
+    },
 }
-SCENARIOS = {
-    "all": Work(("sweep", "lock.yaml", *BRAKES), "out.jsonl"),
-    "best": Work(("sweep", "lock.yaml", *BRAKES, "--min", "heat[brake]"), "out.csv"),
-}
-FOUND = {
-    "a file": Work(("synth", "box", *BOXES, "-j", "2"), "out.json"),
-    "a folder": Work(("synth", "box", *BOXES, "-j", "1"), "out/"),
-}
+ANNEX = {"samples": "simulation", "sweeps of scenarios": "simulation", "boxes": "synthesis"}
+"""Annex that work of a kind needs."""
 
 
 def prepare(folder: Path) -> None:
@@ -95,7 +94,7 @@ def prepare(folder: Path) -> None:
 
 def begin(work: Work, folder: Path, *more: str) -> subprocess.Popen[bytes]:
     return subprocess.Popen(
-        [sys.executable, "-m", "vstatics", *work.arguments, "-o", work.output, *more],
+        [sys.executable, "-m", "vstatics", *work.line.split(), "-o", work.output, *more],
         cwd=folder,
         env=environment(),
         stdout=subprocess.DEVNULL,
@@ -130,34 +129,20 @@ def left(folder: Path) -> list[str]:
     ]
 
 
-def kill_group(process: subprocess.Popen[bytes]) -> None:
-    os.killpg(process.pid, signal.SIGKILL)
-
-
-def interrupt_group(process: subprocess.Popen[bytes]) -> None:
-    """As a terminal does at Ctrl-C."""
-    os.killpg(process.pid, signal.SIGINT)
-
-
 def kill_a_worker(process: subprocess.Popen[bytes]) -> None:
     """Or the process itself, where it works alone."""
     os.kill([*children(process.pid), process.pid][0], signal.SIGKILL)
 
 
-WAYS: dict[str, Callable[[subprocess.Popen[bytes]], None]] = {
-    "killed, all of it": kill_group,
-    "killed, the parent": subprocess.Popen.kill,
-    "killed, a worker": kill_a_worker,
-    "Ctrl-C": interrupt_group,
-    "SIGTERM": subprocess.Popen.terminate,
+WAYS: dict[str, tuple[Callable[[subprocess.Popen[bytes]], None], tuple[int, ...]]] = {
+    "killed, all of it": (lambda run: os.killpg(run.pid, signal.SIGKILL), (-9,)),
+    "killed, the parent": (subprocess.Popen.kill, (-9,)),
+    "killed, a worker": (kill_a_worker, (0, -9)),
+    "Ctrl-C": (lambda run: os.killpg(run.pid, signal.SIGINT), (130,)),  # as a terminal does
+    # a program that is being imported has nothing to keep
+    "SIGTERM": (subprocess.Popen.terminate, (143, -15)),
 }
-STATUSES = {
-    "killed, all of it": (-9,),
-    "killed, the parent": (-9,),
-    "killed, a worker": (0, -9),
-    "Ctrl-C": (130,),
-    "SIGTERM": (143, -15),  # a program that is being imported has nothing to keep
-}
+"""Ways to stop a process, and its exit status then."""
 
 
 def whole(work: Work, folder: Path) -> tuple[dict[str, bytes], float]:
@@ -171,17 +156,10 @@ def whole(work: Work, folder: Path) -> tuple[dict[str, bytes], float]:
 
 
 @pytest.mark.parametrize(
-    "works",
-    [
-        CASES_AND_SWEEPS,
-        pytest.param(SAMPLES, marks=needs("simulation")),
-        pytest.param(SCENARIOS, marks=needs("simulation")),
-        pytest.param(FOUND, marks=needs("synthesis")),
-    ],
-    ids=["cases and sweeps", "samples", "sweeps of scenarios", "boxes"],
+    "kind", [pytest.param(kind, marks=needs(*ANNEX.get(kind, "").split())) for kind in WORKS]
 )
 def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
-    works: dict[str, Work], tmp_path: Path, request: pytest.FixtureRequest
+    kind: str, tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
     """Up to three times in a row, then it is let alone; the bytes are the same."""
     kills = int(request.config.getoption("--kills"))
@@ -189,8 +167,8 @@ def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
     told: Counter[str] = Counter()
     undisturbed: dict[str, tuple[dict[str, bytes], float]] = {}
     while sum(told[way] for way in WAYS) < kills:
-        name = choose.choice(list(works))
-        work = works[name]
+        name = choose.choice(list(WORKS[kind]))
+        work = WORKS[kind][name]
         if name not in undisturbed:
             undisturbed[name] = whole(work, tmp_path / f"whole {len(undisturbed)}")
         expected, seconds = undisturbed[name]
@@ -198,14 +176,15 @@ def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
         prepare(folder)
         for _ in range(choose.randint(1, 3)):
             way = choose.choice(list(WAYS))
+            stop, statuses = WAYS[way]
             running = begin(work, folder, "--resume")
             time.sleep(choose.uniform(0.3, seconds))  # Python itself has started by then
             ended = running.poll() is not None
             if not ended:
-                WAYS[way](running)
+                stop(running)
             status, said = end(running)
-            assert status in (0, *STATUSES[way]), (name, way, said)
-            told[way if not ended and status in STATUSES[way] else "it had ended before"] += 1
+            assert status in (0, *statuses), (name, way, said)
+            told[way if not ended and status in statuses else "it had ended before"] += 1
         running = begin(work, folder, "--resume")
         status, said = end(running)
         assert (status, "failed" in said) == (0, False), (name, said)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import time
 from pathlib import Path
@@ -14,7 +13,7 @@ import pyarrow.parquet as pq  # type: ignore[import-untyped]
 import pytest
 
 from tests.chance import FRESH, count, seeded
-from tests.commands import CASES, json_answer, vstatics
+from tests.commands import CASES, vstatics
 from tests.mutated_results import tried
 
 CASE = CASES / "simpson.yaml"
@@ -28,100 +27,85 @@ def test_mutated_results_end_in_an_answer_or_in_words(part: int) -> None:
         assert not fault
 
 
-def _saved(file: Path, **arrays: Any) -> Path:
-    np.savez(file, **arrays)
-    return file
-
-
-def test_an_npz_of_ones_own_is_a_table_of_variants_as_the_same_csv(tmp_path: Path) -> None:
+def test_an_npz_of_ones_own_is_a_table_of_variants_as_the_same_csv(folder: Path) -> None:
     rng = seeded(10)
     for number in range(count(4, 40)):
         names = rng.sample(["P1.ratio", "P2.ratio", "P1.efficiency", "variant"], rng.randint(1, 4))
         names = names if {*names} - {"variant"} else ["P1.ratio"]
-        rows = rng.randint(1, 7)
-        numbers = {
-            name: [
-                rng.uniform(0.9, 0.99) if "eff" in name else -rng.uniform(2, 4) for _ in range(rows)
-            ]
+        rows = range(rng.randint(1, 7))
+        table: dict[str, list[float]] = {
+            name: [rng.uniform(0.9, 0.99) if "eff" in name else -rng.uniform(2, 4) for _ in rows]
             for name in names
         }
-        numbers |= {"variant": [float(n) for n in range(rows)]} if "variant" in names else {}
-        of_own = {name: np.array(column) for name, column in numbers.items()}
-        lines = [",".join(map(repr, row)) for row in zip(*numbers.values(), strict=True)]
-        (tmp_path / "own.csv").write_text("\n".join([",".join(numbers), *lines]), encoding="utf-8")
-        (tmp_path / "own.jsonl").write_text(
-            "\n".join(
-                json.dumps(dict(zip(numbers, row, strict=True)))
-                for row in zip(*numbers.values(), strict=True)
-            ),
-            encoding="utf-8",
-        )
-        pq.write_table(pa.table(numbers), tmp_path / "own.parquet")
-        _saved(tmp_path / "own.npz", **of_own)
-        said = [
-            vstatics(
-                "sweep", CASE, "--variants", tmp_path / f"own.{suffix}", "--out", "ratio", "-q"
-            )
+        table |= {"variant": [*map(float, rows)]} if "variant" in names else {}
+        lines = [*zip(*table.values(), strict=True)]
+        csv = [",".join(table), *(",".join(map(repr, row)) for row in lines)]
+        Path("own.csv").write_text("\n".join(csv), encoding="utf-8")
+        jsonl = [json.dumps(dict(zip(table, row, strict=True))) for row in lines]
+        Path("own.jsonl").write_text("\n".join(jsonl), encoding="utf-8")
+        pq.write_table(pa.table(table), folder / "own.parquet")
+        arrays: Any = {name: np.array(column) for name, column in table.items()}
+        np.savez(folder / "own.npz", **arrays)
+        first, *others = (
+            vstatics("sweep", CASE, "--variants", f"own.{suffix}", "--out", "ratio", "-q")
             for suffix in ("csv", "npz", "jsonl", "parquet")
-        ]
-        assert said[0].status == 0, said[0].err
-        assert [one.out for one in said] == [said[0].out] * 4, number
+        )
+        assert first.status == 0, first.err
+        assert [one.out for one in others] == [first.out] * 3, number
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ('{"P1.ratio": -2}\n{"P1.ratio": -2, "P1.ratio": -3}', ":2:1: error: not a table of variants: `P1.ratio` is given twice"),
-        ('{"P1.ratio": -2}\n\n{"variant": 3}', ":3:1: error: not a table of variants: the key `P1.ratio` is missing"),
-        ('{"P1.ratio": -2}\n{"P1.ratio": -2, "x": 1}', ":2:1: error: not a table of variants: the key `x` is not in the first line"),
-        ('{"P1.ratio": -2}\n' + '{"P1.ratio": ' + "[" * 100_000, ":2:1: error: not a table of variants: nested too deeply"),
-        ("[" * 100_000, ":1:1: error: "),
-        ('{"P1.ratio": -2}\n[1]', ":2:1: error: not a table of variants: read no JSON object"),
-        ('{"P1.ratio": [1]}', "P1.ratio: read"),
-        ('{"P1.ratio": 1e999}', "P1.ratio: read"),
-    ],
-)  # fmt: skip
-def test_json_lines_are_told_by_line_and_key(tmp_path: Path, text: str, said: str) -> None:
-    (tmp_path / "v.jsonl").write_text(text, encoding="utf-8")
-    begin = time.process_time()
-    told = vstatics("sweep", CASE, "--variants", tmp_path / "v.jsonl", "--out", "ratio")
-    assert time.process_time() - begin < 5
-    assert told.status == 1
-    assert f"v.jsonl{said}" in told.err or (said.startswith("P1") and said in told.err)
+NO_TABLE = ":{}:1: error: not a table of variants: {}".format
+FIRST = '{"P1.ratio": -2}\n'
+JSON_LINES = {
+    f'{FIRST}{{"P1.ratio": -2, "P1.ratio": -3}}': NO_TABLE(2, "`P1.ratio` is given twice"),
+    f'{FIRST}\n{{"variant": 3}}': NO_TABLE(3, "the key `P1.ratio` is missing"),
+    f'{FIRST}{{"P1.ratio": -2, "x": 1}}': NO_TABLE(2, "the key `x` is not in the first line"),
+    f'{FIRST}{{"P1.ratio": {"[" * 100_000}': NO_TABLE(2, "nested too deeply"),
+    "[" * 100_000: ":1:1: error: ",
+    f"{FIRST}[1]": NO_TABLE(2, "read no JSON object"),
+    '{"P1.ratio": [1]}': "P1.ratio: read",
+    '{"P1.ratio": 1e999}': "P1.ratio: read",
+}
+ARRAYS: tuple[tuple[str, dict[str, Any]], ...] = (
+    ("`P2.ratio` has 1 numbers, expected 2", {"P1.ratio": [-2.0, -3.0], "P2.ratio": [-2.0]}),
+    ("`P1.ratio` is not a row of numbers", {"P1.ratio": [[-2.0, -3.0]]}),
+    ("`P1.ratio` is not a row of numbers", {"P1.ratio": np.array(-2.0)}),
+    ("`P1.ratio` is not a row of numbers", {"P1.ratio": np.array([1j])}),
+    ("`status` has other numbers", {"status": [3], "statuses": ["ok"], "P1.ratio": [-2.0]}),
+)
 
 
-def test_results_and_boxes_nested_too_deeply_are_reported_so(tmp_path: Path) -> None:
-    file = tmp_path / "deep.json"
-    file.write_text('{"searched": 1, "boxes": ' + "[" * 100_000, encoding="utf-8")
-    compared = vstatics("compare", file, file)
-    assert compared.fails(
-        "deep.json: error: the file is not JSON that can be read: nested too deeply"
-    )
-    drawn = vstatics("plot", "-k", "boxes", file, "-o", tmp_path / "a.svg")
-    assert drawn.fails("deep.json: error: the JSON cannot be read: nested too deeply")
+def test_json_lines_are_told_by_line_and_key(folder: Path) -> None:
+    for text, words in JSON_LINES.items():
+        (folder / "v.jsonl").write_text(text, encoding="utf-8")
+        begin = time.process_time()
+        told = vstatics("sweep", CASE, "--variants", "v.jsonl", "--out", "ratio")
+        assert time.process_time() - begin < 5
+        assert told.fails(words if words[0] == "P" else f"v.jsonl{words}"), text[:80]
 
 
-@pytest.mark.parametrize(
-    ("arrays", "said"),
-    [
-        ({"P1.ratio": [-2.0, -3.0], "P2.ratio": [-2.0]}, "`P2.ratio` has 1 numbers, expected 2"),
-        ({"P1.ratio": [[-2.0, -3.0]]}, "`P1.ratio` is not a row of numbers"),
-        ({"P1.ratio": np.array(-2.0)}, "`P1.ratio` is not a row of numbers"),
-        ({"P1.ratio": np.array([1j])}, "`P1.ratio` is not a row of numbers"),
-        ({"status": [3], "statuses": ["ok"], "P1.ratio": [-2.0]}, "`status` has other numbers"),
-    ],
-)  # fmt: skip
-def test_arrays_that_are_no_table_are_told(
-    tmp_path: Path, arrays: dict[str, Any], said: str
-) -> None:
-    file = _saved(tmp_path / "own.npz", **arrays)
-    for words in (
-        ("sweep", CASE, "--variants", file, "--out", "ratio"),
-        ("compare", file, file),
-        ("plot", "-k", "map", file, "-o", tmp_path / "a.svg"),
+def test_arrays_and_columns_that_are_no_table_are_told(folder: Path) -> None:
+    for words, arrays in ARRAYS:
+        np.savez(folder / "own.npz", **arrays)
+        for line in (
+            f"sweep {CASE} --variants own.npz --out ratio",
+            "compare own.npz own.npz",
+            "plot -k map own.npz -o a.svg",
+        ):
+            assert vstatics(*line.split()).fails(words, "own.npz"), line
+    pq.write_table(pa.table({"variant": [0, 1], "P1.ratio": [-2.0, -3.0]}), "a.parquet")
+    assert vstatics("compare", "a.parquet", "a.parquet").fails("the column `status` is missing")
+
+
+def test_results_and_boxes_nested_too_deeply_are_reported_so(folder: Path) -> None:
+    text = '{"searched": 1, "boxes": ' + "[" * 100_000
+    (folder / "deep.json").write_text(text, encoding="utf-8")
+    for line, words in (
+        ("compare deep.json deep.json", "the file is not JSON that can be read"),
+        ("plot -k boxes deep.json -o a.svg", "the JSON cannot be read"),
     ):
-        told = vstatics(*words)
-        assert told.fails(said, "own.npz")
+        said = vstatics(*line.split())
+        assert said.fails(f"deep.json: error: {words}: nested too deeply")
 
 
 def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> None:
@@ -129,9 +113,8 @@ def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> Non
     arrays: Any = {"P1.ratio": np.zeros(30_000_000)}
     np.savez_compressed(large, **arrays)
     lying = tmp_path / "lying.npz"
-    _saved(lying, **{"P1.ratio": np.zeros(10)})
-    header = io.BytesIO()
-    np.save(header, np.zeros(10))
+    short: Any = {"P1.ratio": np.zeros(10)}
+    np.savez(lying, **short)
     lying.write_bytes(lying.read_bytes().replace(b"(10,)", b"(99,)"))
     packed = tmp_path / "packed.parquet"
     pq.write_table(pa.table({"P1.ratio": pa.array(np.zeros(30_000_000))}), packed)
@@ -140,42 +123,6 @@ def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> Non
         told = vstatics("sweep", CASE, "--variants", file, "--out", "ratio", "--dry-run")
         assert time.process_time() - begin < 5
         assert told.fails(said)
-
-
-def _result(**changes: Any) -> str:
-    made = json_answer("run", CASE)
-    return json.dumps(made | changes)
-
-
-def test_a_ratio_of_0_is_compared(tmp_path: Path) -> None:
-    old = json.loads(_result())["ratio"]
-    (tmp_path / "a.json").write_text(_result(), encoding="utf-8")
-    (tmp_path / "b.json").write_text(_result(ratio=[0.0, *old[1:]]), encoding="utf-8")
-    for one, other in (("a", "b"), ("b", "a")):
-        told = vstatics(
-            "compare", tmp_path / f"{one}.json", tmp_path / f"{other}.json", "-f", "json"
-        )
-        assert told.status == 1
-        assert told.json["changed"] == 1
-
-
-def test_a_sweep_without_status_is_told(tmp_path: Path) -> None:
-    pq.write_table(pa.table({"variant": [0, 1], "P1.ratio": [-2.0, -3.0]}), tmp_path / "a.parquet")
-    told = vstatics("compare", tmp_path / "a.parquet", tmp_path / "a.parquet")
-    assert told.fails("the column `status` is missing")
-
-
-@pytest.mark.parametrize("name", ["case", "step", "ratio", "column"])
-def test_a_column_of_a_sweep_may_have_the_name_of_a_table(tmp_path: Path, name: str) -> None:
-    for file, numbers in ("old", [1.0, 2.0]), ("new", [1.0, 2.5]):
-        table = {"variant": [0, 1], "P1.ratio": [1.0, 2.0], "status": ["ok"] * 2, name: numbers}
-        pq.write_table(pa.table(table), tmp_path / f"{file}.parquet")
-    files = tmp_path / "new.parquet", tmp_path / "old.parquet"
-    said = vstatics("compare", *files)
-    assert "1 of 2 variants, 1 of 2 columns differ" in said.out
-    assert f"{name:10}  variant 1  2.000 -> 2.500  +25.00 %" in said.out
-    [one] = json_answer("compare", *files)["cases"]
-    assert [(one["table"], one["row"]) for one in one["numbers"]] == [(name, "variant 1")]
 
 
 @pytest.mark.parametrize("size", [1e200, 1e299, 1e308])

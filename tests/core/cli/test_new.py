@@ -30,19 +30,20 @@ def test_a_name_means_one_file() -> None:
     """A template does not hide a case of the gallery; the signs between words are one."""
     shipped = {name.replace("-", "_") for name in example_files()}
     assert shipped.isdisjoint(TEMPLATES)
-    for name in ("simpson", "power-split", "power_split"):
+    names = ("simpson", "power-split", "power_split", "zf-8hp70", "scenarios/tarasik-box")
+    for name in (one for one in names if one.replace("_", "-") in example_files()):
         file = example_files()[name.replace("_", "-")]
         assert vstatics("new", "-t", name).out.encode() == file.data()
+    for name, nearest in (("ravigneau", "ravigneaux"), ("zf-8hp7", "zf-8hp70")):
+        said = vstatics("new", "--template", name)
+        assert said.is_wrong_use(f"did you mean `{nearest}`?")
 
 
 def test_new_does_not_overwrite(tmp_path: Path) -> None:
     file = tmp_path / "mine.yaml"
     file.write_text("mine", encoding="utf-8")
-    said = vstatics("new", file)
-    assert (said.status, file.read_text(encoding="utf-8")) == (1, "mine")
-    assert "already exists" in said.err
-    said = vstatics("new", "--template", "ravigneau")
-    assert said.is_wrong_use("did you mean `ravigneaux`?")
+    assert vstatics("new", file).fails("already exists")
+    assert file.read_text(encoding="utf-8") == "mine"
 
 
 def test_another_suffix_tells_how_such_a_file_is_made(tmp_path: Path) -> None:

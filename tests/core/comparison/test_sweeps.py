@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+import pytest
+
 from vstatics.core.comparison.compared_files import verdicts_of_files
 from vstatics.core.comparison.layout import text
 from vstatics.core.comparison.tolerances import Tolerances
@@ -40,3 +42,10 @@ def test_the_first_line_counts_what_differs_and_what_only_one_has() -> None:
         "  u           variant 2  2.000 -> 2.500      +25.00 %",
         "  u           variant 3  4.000 -> 4.100      +2.50 %",
     ]
+
+
+@pytest.mark.parametrize("name", ["case", "step", "ratio", "column"])
+def test_a_column_may_have_the_name_of_a_table(name: str) -> None:
+    old, new = (WrittenSweep([0, 1], ["ok"] * 2, {name: [1.0, end]}) for end in (2.0, 2.5))
+    line = f"  {name:10}  variant 1  2.000 -> 2.500  +25.00 %"
+    assert told(new, old) == ["new: 1 of 2 variants, 1 of 1 column differ", line]

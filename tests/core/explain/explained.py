@@ -21,12 +21,6 @@ def explained(name: str, gear: str) -> Explanation:
     return explain_gear(results, gear)
 
 
-def formula(name: str, gear: str) -> str:
-    found = explained(name, gear).formula
-    assert found is not None
-    return found.text
-
-
 def equations(system: System | None) -> list[str]:
     assert system is not None
     return [" ".join(in_numbers(equation)) for equation in system.equations]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -13,7 +11,7 @@ from tests.commands import CASES
 from tests.core.explain.explained import check, equations, explained
 from tests.trains import random_train
 from vstatics import load, solve
-from vstatics.core.explain.sums import Equation, in_symbols
+from vstatics.core.explain.sums import in_symbols
 
 SHIPPED = [
     CASES / f"{name}.yaml"
@@ -68,14 +66,3 @@ def test_equations_hold_and_formulas_give_the_ratios_of_random_trains() -> None:
     for _ in range(12):
         results = solve(random_train(rng, regular=False))
         check(results, range(len(results.case.gears)))
-
-
-def residual(equation: Equation, values: Mapping[str, float]) -> float:
-    """Left less right side at given values, NaN where one of them does not exist."""
-    terms = [term.coefficient * values[term.unknown] for term in equation.terms if term.coefficient]
-    return math.fsum([*terms, -equation.right])
-
-
-def test_a_residual_shows_what_does_not_hold() -> None:
-    speeds = explained("differential.yaml", "2").speeds
-    assert residual(speeds.equations[0], {**speeds.values, "w_1": 2.0}) == pytest.approx(1)

@@ -7,54 +7,23 @@ import importlib.util
 import pytest
 
 from tests.commands import CASES, vstatics
-from tests.core.explain.explained import check, explained, formula
+from tests.core.explain.explained import check, explained
 from tests.shipped import shipped_results
 from vstatics import load, loads, solve
 from vstatics.core.explain import explain_gear
+from vstatics.core.explain.formula import RatioFormula
 from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 
-
-def test_the_published_gearbox_has_its_closed_forms() -> None:
-    """Table AMLG of the source: output torques 6.230, 3.461, 1.8, 1, -5.538, -1.6."""
-    forms = ["(1 - u_D1)(1 - u_D3)", "1 - u_D3", "1 - u_D1", "1", "(1 - u_D2)(1 - u_D3)"]
-    assert [formula("mzkt7922.dat", gear) for gear in "123456"] == [*forms, "1 - u_D2"]
-    printed = [6.230, 3.461, 1.8, 1, -5.538, -1.6]
-    results = shipped_results("mzkt7922.dat")
-    for number, ratio in enumerate(printed):
-        found = explain_gear(results, number + 1).formula
-        assert found is not None
-        assert found.value == pytest.approx(ratio, abs=5e-4)
-
-
-def test_a_set_with_its_ring_or_its_sun_held() -> None:
-    """Ring held, sun in: 1 - u. Sun held, ring in: 1 - 1/u. Sun held, carrier in: u/(u - 1)."""
-    assert formula("wheel-hub.yaml", "left") == "1 - u1"
-    assert formula("simpson.yaml", "2") == "1 - 1/u_P1"
-    assert formula("zf-8hp70.yaml", "8") == "u_P2/(u_P2 - 1)"
-
-
-def test_simpson_gears_in_one_ratio() -> None:
-    """Two equal sets: 2 - 1/u, 1 - 1/u, 1 and u; with u = -73/35."""
-    first = explained("simpson.yaml", "1").formula
-    assert first is not None
-    assert (first.text, first.shared_text) == ("(u_P1 + u_P2 - 1)/u_P1", "2 - 1/u")
-    assert first.shared == {"u": ["u_P1", "u_P2"]}
-    assert first.value == pytest.approx(2 + 35 / 73)
-    assert formula("simpson.yaml", "3") == "1"
-    assert formula("simpson.yaml", "R") == "u_P2"
-
-
-def test_a_ratio_that_is_set_is_no_other_one() -> None:
-    """A pair of -2 behind a variator: i = u_pair/speed ratio, also where this is -1/2 just then."""
-    pair = Mechanism(2, 3, 0, -2.0, name="pair")
-    variator = Mechanism(1, 2, 0, -0.5, name="variator", kind="variator")
-    found = explain_gear(solve(Transmission(3, [], [variator, pair], [Gear()])), 1).formula
-    assert found is not None
-    assert found.text == "u_variator u_pair"
-    assert found.value == pytest.approx(4)
-    assert (found.shared, found.shared_text) == ({}, "")
-
-
+FORMS = {
+    "mzkt7922.dat": {
+        "1": "(1 - u_D1)(1 - u_D3)", "2": "1 - u_D3", "3": "1 - u_D1", "4": "1",
+        "5": "(1 - u_D2)(1 - u_D3)", "6": "1 - u_D2",
+    },
+    "wheel-hub.yaml": {"left": "1 - u1"},  # sun in, ring held
+    "simpson.yaml": {"2": "1 - 1/u_P1", "3": "1", "R": "u_P2"},  # ring in, sun held
+    "zf-8hp70.yaml": {"8": "u_P2/(u_P2 - 1)"},  # carrier in, sun held
+    "two-stage.yaml": {"1": "u_P0 u_P1"},  # gears of the other pairs change nothing
+}  # fmt: skip
 CVT = """
 links: [engine, first, second, sun, ring, out]
 mechanisms:
@@ -68,15 +37,58 @@ gears: {own: {engaged: [C], speed_ratios: {variator: 0.5}}, even: [C]}
 """
 
 
+def of(found: RatioFormula | None, value: float) -> RatioFormula:
+    """A formula that has a value."""
+    assert found is not None
+    assert found.value == pytest.approx(value, rel=1e-12)
+    return found
+
+
+def of_case(links: int, mechanisms: list[Mechanism], value: float, **more: object) -> RatioFormula:
+    gear = Gear(**more)  # type: ignore[arg-type]
+    return of(explain_gear(solve(Transmission(links, [], mechanisms, [gear])), 1).formula, value)
+
+
+def test_closed_forms_of_shipped_cases() -> None:
+    for name, forms in FORMS.items():
+        results = shipped_results(name)
+        for gear, form in forms.items():
+            found = explain_gear(results, gear).formula
+            assert found is not None
+            assert (found.text, name, gear) == (form, name, gear)
+
+
+def test_the_published_gearbox_has_its_ratios() -> None:
+    """Table AMLG of the source: output torques."""
+    results = shipped_results("mzkt7922.dat")
+    for number, ratio in enumerate([6.230, 3.461, 1.8, 1, -5.538, -1.6], 1):
+        found = explain_gear(results, number).formula
+        assert found is not None
+        assert found.value == pytest.approx(ratio, abs=5e-4)
+
+
+def test_equal_ratios_are_one_symbol() -> None:
+    """Simpson: two sets of -73/35, 2 - 1/u."""
+    first = of(explained("simpson.yaml", "1").formula, 2 + 35 / 73)
+    assert (first.text, first.shared_text) == ("(u_P1 + u_P2 - 1)/u_P1", "2 - 1/u")
+    assert first.shared == {"u": ["u_P1", "u_P2"]}
+
+
+def test_a_ratio_that_is_set_is_not_shared() -> None:
+    """A pair of -2 behind a variator: i = u_pair/speed ratio, also where this is -1/2 just then."""
+    pair = Mechanism(2, 3, 0, -2.0, name="pair")
+    found = of_case(3, [Mechanism(1, 2, 0, -0.5, name="variator", kind="variator"), pair], 4)
+    assert (found.text, found.shared, found.shared_text) == ("u_variator u_pair", {}, "")
+
+
 @pytest.mark.parametrize(("gear", "x"), [("own", 0.5), ("even", 1.0)])
 def test_a_variator_beside_drawn_elements_is_in_the_formula(gear: str, x: float) -> None:
     """Willis: w_sun - 1 = u (w_ring - 1); x = 1 is set, so nothing turns together by it."""
     ring = 1 + (x / 1.6 - 1) / (-70 / 30)
-    found = explain_gear(solve(loads(CVT)), gear)
-    assert found.formula is not None
-    assert found.formula.value == pytest.approx(-61 / 20 / ring, rel=1e-12)
-    assert {one.name: one.value for one in found.formula.symbols}["u_variator"] == 1 / x
-    assert [body.links for body in found.together] == [["engine", "first"]]
+    made = explain_gear(solve(loads(CVT)), gear)
+    found = of(made.formula, -61 / 20 / ring)
+    assert {one.name: one.value for one in found.symbols}["u_variator"] == 1 / x
+    assert [body.links for body in made.together] == [["engine", "first"]]
 
 
 def test_ratios_that_are_replaced_alone_are_those_of_the_formula() -> None:
@@ -87,73 +99,40 @@ def test_ratios_that_are_replaced_alone_are_those_of_the_formula() -> None:
         check(solve(case, ratios=others), range(len(case.gears)))
 
 
-def test_ravigneaux_gears_are_formulas_between_wheels() -> None:
+def test_ravigneaux_gears_are_formulas_between_toothed_gears() -> None:
     """Teeth 30, 36, 72: ring/small sun, then Willis for both suns; no planets in it."""
-    first, second = (explained("ravigneaux-aod.yaml", gear).formula for gear in "12")
-    assert first is not None
-    assert second is not None
-    assert (first.text, second.text) == ("k1", "(k1 - k2)/(1 - k2)")
+    assert of(explained("ravigneaux-aod.yaml", "1").formula, 72 / 30).text == "k1"
+    second = of(explained("ravigneaux-aod.yaml", "2").formula, (72 / 30 + 2) / (1 + 2))
+    assert second.text == "(k1 - k2)/(1 - k2)"
     assert [symbol.value for symbol in second.symbols] == pytest.approx([72 / 30, -72 / 36])
-    assert second.value == pytest.approx((72 / 30 + 72 / 36) / (1 + 72 / 36))
 
 
 def test_first_gear_of_the_zf_8hp() -> None:
     """Sun of the last set in, its ring held by both brakes: 1 + 85/23 = 4.696."""
     first = explained("zf-8hp70.yaml", "1")
-    assert first.formula is not None
-    assert first.formula.text == "1 - u_P4"
-    assert first.formula.value == pytest.approx(1 + 85 / 23)
+    assert of(first.formula, 1 + 85 / 23).text == "1 - u_P4"
     assert first.standing == ["P1"]
 
 
 def test_stages_in_a_row_are_a_product() -> None:
     """Each stage with its ring held has 1 - u; a pair has u."""
-    case = Transmission(
-        4,
-        [],
-        [Mechanism(1, 0, 2, -2), Mechanism(2, 0, 3, -3), Mechanism(3, 4, 0, -1.5)],
-        [Gear()],
-    )
-    found = explain_gear(solve(case), 1).formula
-    assert found is not None
-    assert found.text == "u_D3 (1 - u_D1)(1 - u_D2)"
-    assert found.value == pytest.approx(-1.5 * 3 * 4)
-
-
-def test_only_what_matters_is_in_the_formula() -> None:
-    """Gear 1 of a countershaft gearbox: the wheels of the others turn and change nothing."""
-    assert formula("two-stage.yaml", "1") == "u_P0 u_P1"
+    stages = [Mechanism(1, 0, 2, -2), Mechanism(2, 0, 3, -3), Mechanism(3, 4, 0, -1.5)]
+    assert of_case(4, stages, -1.5 * 3 * 4).text == "u_D3 (1 - u_D1)(1 - u_D2)"
+    of_case(61, [Mechanism(k, k + 1, 0, -1.1) for k in range(1, 61)], 1.1**60)
 
 
 def test_given_speeds_add_up() -> None:
-    """Sun and ring given: w_carrier = (w_sun - u w_ring)/(1 - u)."""
-    case = Transmission(
-        3,
-        [],
-        [Mechanism(1, 2, 3, -2, name="P")],
-        [Gear(speeds={2: 0.5})],
-        link_names=["sun", "ring", "carrier"],
-    )
-    found = explain_gear(solve(case), 1).formula
-    assert found is not None
-    assert (found.left, found.text) == ("w_carrier", "(w_sun - u_P w_ring)/(1 - u_P)")
-    assert found.value == pytest.approx((1 + 2 * 0.5) / 3)
+    """First and second link given: w_third = (w_first - u w_second)/(1 - u)."""
+    found = of_case(3, [Mechanism(1, 2, 3, -2, name="P")], (1 + 2 * 0.5) / 3, speeds={2: 0.5})
+    assert (found.left, found.text) == ("w_3", "(w_1 - u_P w_2)/(1 - u_P)")
 
 
-def test_equal_wheels_of_a_differential_are_no_symbol() -> None:
+def test_equal_gears_of_a_differential_are_no_symbol() -> None:
     """w_left + w_right = 2 w_carrier: its ratio is -1 whatever its teeth."""
     found = explained("toyota-p410.yaml", "electric").formula
     assert found is not None
     assert "u_axle" not in found.text
     assert [symbol.name for symbol in found.symbols] == ["u2", "u3", "u4"]
-
-
-def test_a_long_train_has_a_formula() -> None:
-    """Sixty pairs in a row: the product of their ratios."""
-    pairs = [Mechanism(k, k + 1, 0, -1.1) for k in range(1, 61)]
-    found = explain_gear(solve(Transmission(61, [], pairs, [Gear()])), 1).formula
-    assert found is not None
-    assert found.value == pytest.approx(1.1**60)
 
 
 def test_without_sympy_all_but_the_formula_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from tests.chance import seeded
-from tests.commands import CASES
+from tests.commands import CASES, SHIPPED
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
 from vstatics.core.errors import CaseError, ReadError
@@ -28,7 +28,8 @@ shift_elements: {C: {links: [in, mid], drag: "0.2 + 0.001*w"}, F: {kind: freewhe
 elements:
   pair: {kind: gear_pair, first: in, second: mid, teeth: {first: 20, second: 41}}
 mechanisms:
-  M: {first: mid, second: out, ratio: -1.5, efficiency: {over: torque, points: [[0, 0.9], [150, 0.97]]}}
+  M: {first: mid, second: out, ratio: -1.5,
+      efficiency: {over: torque, points: [[0, 0.9], [150, 0.97]]}}
 load: {speed: 1000 rpm, torque: 100 N*m}
 gears: {g: {engaged: [], drag: {out: 2 N*m}, torques: {mid: 10 N*m}}}
 """
@@ -101,10 +102,6 @@ def unsaid(case: Transmission, random: Random, most: int) -> list[str]:
     return missed
 
 
-def shipped() -> list[Path]:
-    return sorted((*CASES.glob("*.yaml"), *CASES.glob("*.dat")))
-
-
 def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
     file = tmp_path / "laws.yaml"
     file.write_text(LAWFUL, encoding="utf-8")
@@ -114,53 +111,52 @@ def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
     }
     assert unsaid(case, seeded(1), 99) == []
     random = seeded(2)
-    for path in random.sample(shipped(), 12):
+    for path in random.sample(SHIPPED, 12):
         assert unsaid(load(path), random, 4) == []
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
 def test_what_changes_a_blank_of_any_shipped_case_stands_on_its_sheet(path: Path) -> None:
     case = load(path)
     for seed in range(min(len(case.gears), 3)):
         assert unsaid(case, seeded(seed), 60) == []
 
 
+def asked(text: str) -> tuple[str, dict[tuple[str, str | None], float]]:
+    """The sheet of the first gear of a case, and the values of its blanks."""
+    sheet = worksheet(solve(loads(text)), 0)
+    return sheet.worksheet(), {(one.table, one.row): one.value for one in sheet.blanks}
+
+
 def test_what_is_given_is_not_asked() -> None:
     """Speeds of links, and signs that a convention sets."""
     case = load(CASES / "toyota-p410.yaml")
-    asked = {(one.table, one.row) for one in worksheet(solve(case), 0).blanks}
-    assert {row for table, row in asked if table == "speeds"} == set(case.link_names) - {
-        *("engine", "MG1", "right wheel")
-    }
-    case = load(CASES / "mzkt7922.yaml")
-    results = solve(case)
+    rows = {one.row for one in worksheet(solve(case), 0).blanks if one.table == "speeds"}
+    assert rows == {*case.link_names} - {"engine", "MG1", "right wheel"}
+    results = shipped_results("mzkt7922.yaml")
     assert results.idle[0].tolist() == [False, True, False]
-    assert ("power_sign", "D2") not in {
-        (one.table, one.row) for one in worksheet(results, 0).blanks
-    }
+    signs = [one.row for one in worksheet(results, 0).blanks if one.table == "power_sign"]
+    assert "D2" not in signs
 
 
 def test_a_converter_is_solved_from_its_sheet() -> None:
     """K at .3 lies between 2.2 and 1 at 0 and .6; its loss is what it does not pass on."""
-    case = loads(
-        """
-        links: [pump, turbine]
-        mechanisms: {TC: {kind: converter, first: pump, second: turbine, points: [[0, 2.2], [0.6, 1]]}}
-        gears: {g: {speed_ratios: {TC: 0.3}}}
-        """
-    )
-    sheet = worksheet(solve(case), 0)
-    told, _ = said_and_asked(case, 0)
+    text = """
+links: [pump, turbine]
+mechanisms: {TC: {kind: converter, first: pump, second: turbine, points: [[0, 2.2], [0.6, 1]]}}
+gears: {g: {speed_ratios: {TC: 0.3}}}
+"""
+    told, _ = said_and_asked(loads(text), 0)
     points = "(speed ratio, K): (0, 2.2), (0.6, 1)"
     assert f"| TC | converter | pump | turbine | - | - | 0.3 | {points} |" in told
     assert "Losses, third link held" not in told
     k = 2.2 + (1 - 2.2) * 0.3 / 0.6
-    blanks = {(one.table, one.row): one.value for one in sheet.blanks}
+    _, blanks = asked(text)
     assert blanks["lossy_torques", "Mx"] == pytest.approx(k)
     assert blanks["losses", "TC"] == pytest.approx(1 - k * 0.3)
     with pytest.raises(CaseError, match="gear g: TC is a converter"):
-        explain_gear(solve(case), "g")
+        explain_gear(solve(loads(text)), "g")
 
 
 def test_a_sheet_tells_over_what_a_law_goes() -> None:
@@ -181,45 +177,38 @@ def test_a_sheet_tells_over_what_a_law_goes() -> None:
 
 def test_a_gear_of_drag_alone_asks_for_torques_in_newton_metres() -> None:
     """2 N*m between two pairs, the second driven from the output: 2 * 3/.97 N*m."""
-    case = loads(
-        """
-        links: [in, mid, out]
-        load: {speed: 1000 rpm, torque: 0 N*m}
-        drag: {mid: 2 N*m}
-        mechanisms:
-          P: {first: in, second: mid, ratio: -2, efficiency: 0.98}
-          Q: {first: mid, second: out, ratio: -3, efficiency: 0.97}
-        gears: {g: []}
-        """
-    )
-    sheet = worksheet(solve(case), 0)
-    asked = {(one.table, one.row): one.value for one in sheet.blanks}
-    assert ("speeds", "in") not in asked
-    assert asked["lossy_torques_Nm", "Mx"] == pytest.approx(-6 / 0.97)
-    assert asked["power_sign", "Q"] == -1
-    assert asked["lossy_torques_Nm", "Q"] == pytest.approx(2)
-    assert "M (w_first - w_third) > 0, M with drag" in sheet.worksheet()
+    sheet, blanks = asked("""
+links: [in, mid, out]
+load: {speed: 1000 rpm, torque: 0 N*m}
+drag: {mid: 2 N*m}
+mechanisms:
+  P: {first: in, second: mid, ratio: -2, efficiency: 0.98}
+  Q: {first: mid, second: out, ratio: -3, efficiency: 0.97}
+gears: {g: []}
+""")
+    assert ("speeds", "in") not in blanks
+    assert blanks["lossy_torques_Nm", "Mx"] == pytest.approx(-6 / 0.97)
+    assert blanks["power_sign", "Q"] == -1
+    assert blanks["lossy_torques_Nm", "Q"] == pytest.approx(2)
+    assert "M (w_first - w_third) > 0, M with drag" in sheet
 
 
 def test_teeth_of_planets_that_fill_a_gap_are_told() -> None:
     """Long planets between the large sun (42) and the ring (84) have 21: w_ring 84/21."""
-    case = loads(
-        """
-        links: [small, large, ring, carrier]
-        output: ring
-        shift_elements: {C: [carrier, housing]}
-        elements:
-          set:
-            {kind: ravigneaux, small_sun: small, large_sun: large, ring: ring, carrier: carrier,
-             teeth: {small_sun: 30, large_sun: 42, ring: 84}}
-        gears: {g: [C]}
-        """
-    )
-    sheet = worksheet(solve(case), 0)
-    asked = {(one.table, one.row): one.value for one in sheet.blanks}
-    assert asked["planet_speeds", "set.long"] == pytest.approx(asked["speeds", "ring"] * 84 / 21)
+    sheet, blanks = asked("""
+links: [small, large, ring, carrier]
+output: ring
+shift_elements: {C: [carrier, housing]}
+elements:
+  set:
+    {kind: ravigneaux, small_sun: small, large_sun: large, ring: ring, carrier: carrier,
+     teeth: {small_sun: 30, large_sun: 42, ring: 84}}
+gears: {g: [C]}
+""")
+    long = blanks["planet_speeds", "set.long"]
+    assert long == pytest.approx(blanks["speeds", "ring"] * 84 / 21)
     rule = "A planet between a sun and a ring has (ring - sun)/2 teeth"
-    assert rule in sheet.worksheet()
+    assert rule in sheet
     assert rule not in worksheet(shipped_results("simpson.yaml"), 0).worksheet()
 
 
@@ -228,8 +217,7 @@ def test_a_neutral_gear_says_so_and_asks_nothing_of_power() -> None:
     case = Transmission(4, [clutch], [loose], [Gear([1])], coast=True)
     sheet = worksheet(solve(case), 0).worksheet()
     assert "neutral: the speed of the output is not determined" in sheet
-    assert "Coasting" not in sheet
-    assert "eta^x" not in sheet
+    assert ("Coasting" in sheet, "eta^x" in sheet) == (False, False)
 
 
 def test_conventions_of_a_calculation_stand_on_the_sheet() -> None:

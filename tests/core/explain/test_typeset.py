@@ -27,6 +27,10 @@ def value(formula: str, numbers: dict[str, float]) -> float:
     return float(eval(re.sub(r"(?<=[\d)]) ?(?=\()", "*", formula)))  # noqa: S307 - of our own
 
 
+def explanation(name: str, *options: str, form: str = "latex") -> str:
+    return vstatics("explain", CASES / f"{name}.yaml", *options, "-f", form).out
+
+
 def gears(name: str) -> list[Explanation]:
     results = shipped_results(f"{name}.yaml")
     return [explain_gear(results, gear.name) for gear in results.case.gears]
@@ -64,7 +68,7 @@ def test_coefficients_with_losses_have_the_efficiency_in_their_symbols(name: str
 def test_math_can_be_set_and_tables_have_all_their_cells() -> None:
     mathtext = pytest.importorskip("matplotlib.mathtext").MathTextParser("path")
     name = seeded(3).choice(SHOWN)
-    made = vstatics("explain", str(CASES / f"{name}.yaml"), "-f", "latex").out
+    made = explanation(name)
     assert made.count("{") - made.count(r"\{") == made.count("}") - made.count(r"\}")
     assert made.count(r"\begin{tabular}") == made.count(r"\end{tabular}")
     formulas = MATH.findall(made)
@@ -81,10 +85,9 @@ def test_math_can_be_set_and_tables_have_all_their_cells() -> None:
 
 def test_a_table_stays_below_its_title_and_begins_at_the_margin() -> None:
     """Seen in print: titles alone at the foot of a page, empty lines below cells of two lines."""
-    name = str(CASES / "simpson-th400.yaml")
     for lang in ("en", "ru"):
         options = ("--solution", "--seed", "3", "--lang", lang)
-        made = vstatics("explain", name, "--gear", "2", *options, "-f", "latex").out
+        made = explanation("simpson-th400", "--gear", "2", *options)
         assert made.count(r"\begin{tabular}") == made.count("\\nobreak\\smallskip\n")
         assert made.count(r"\begin{tabular}") == made.count(r"\noindent\begin{tabular}")
         assert r"\raggedright" in made
@@ -105,35 +108,30 @@ def test_names_of_any_letters_are_set() -> None:
 @pytest.mark.parametrize("lang", ["en", "ru"])
 def test_how_torques_count_is_a_list_of_sentences_with_formulas(lang: str) -> None:
     """No heading in bold, and no word of a formula outside math mode."""
-    asked = "--gear", "1", "--worksheet", "-f", "latex", "--lang", lang
-    made = vstatics("explain", str(CASES / "zf-8hp70.yaml"), *asked).out
+    asked = "--gear", "1", "--worksheet", "--lang", lang
+    made = explanation("zf-8hp70", *asked)
     [listed] = re.findall(r"\\begin\{itemize\}\n(.*?)\n\\end\{itemize\}", made, re.DOTALL)
     items = listed.split("\n")
     assert all(one.startswith(r"\item ") for one in items)
     assert not re.search(r"eta|_|\\text|\bMx\b", MATH.sub("", listed))
     assert len([one for one in MATH.findall(listed) if "eta" in one]) == 1
-    text = vstatics("explain", str(CASES / "zf-8hp70.yaml"), *asked[:3], "--lang", lang).out
+    text = explanation("zf-8hp70", *asked, form="text")
     for item in items:  # the same sentences as in text
         first = MATH.split(item.removeprefix(r"\item "))[0]
         assert f"\n{first}" in text
 
 
-@pytest.mark.parametrize(("lang", "said"), [("ru", "солнечная шестерня")])
 @pytest.mark.parametrize("form", ["text", "markdown"])
-def test_what_a_symbol_stands_for_is_told_in_the_language(lang: str, said: str, form: str) -> None:
-    """Of planets that are links a symbol tells which wheels, in every format."""
-    made = vstatics(
-        "explain", str(CASES / "ford-6r80.yaml"), "--gear", "1", "-f", form, "--lang", lang
-    ).out
-    [told] = [line for line in made.splitlines() if "k1" in line and "rear:" in line]
-    assert said in told
-    assert "sun" not in told
+def test_what_a_symbol_stands_for_is_told_in_the_language(form: str) -> None:
+    """Of planets that are links a symbol tells which gears, in every format."""
+    lines = explanation("ford-6r80", "--gear", "1", "--lang", "ru", form=form).splitlines()
+    [told] = [line for line in lines if "k1" in line and "rear:" in line]
+    assert ("солнечная шестерня" in told, "sun" in told) == (True, False)
 
 
 def test_tables_wider_or_longer_than_a_page_go_on_in_others_that_name_their_rows() -> None:
     """Seen in print: a matrix 320 pt too wide, and rows below the foot of the page."""
-    name = str(CASES / "driveline-8hp70.yaml")
-    made = vstatics("explain", name, "--gear", "1", "-f", "latex").out
+    made = explanation("driveline-8hp70", "--gear", "1")
     found: dict[str, list[list[str]]] = {}
     for title, body in re.findall(r"\\textbf\{([^}]*)\}.*?\\hline\n(.*?)\\end", made, re.DOTALL):
         rows = [line for line in body.splitlines() if line != r"\hline"]

@@ -57,21 +57,16 @@ def test_a_set_that_is_one_piece_by_coincidence_is_marked() -> None:
     assert "set" in marked(flow)
 
 
-def test_json_lists_what_a_convention_divides(tmp_path: Path) -> None:
-    file = tmp_path / "case.yaml"
-    file.write_text(
-        "links: [sun, ring, carrier]\n"
-        "shift_elements: {C: [sun, ring]}\n"
-        "mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -2.5}}\n"
-        "gears: {direct: {engaged: [C]}}\n",
-        encoding="utf-8",
-    )
-    [gear] = json_answer("flow", file)["gears"]
-    assert [(one["kind"], one["name"]) for one in gear["by_convention"]] == [
-        ("link", "ring"),
-        ("element", "C"),
-        ("mechanism", "set"),
-    ]
+def test_json_lists_what_a_convention_divides() -> None:
+    case = b"""\
+links: [sun, ring, carrier]
+shift_elements: {C: [sun, ring]}
+mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -2.5}}
+gears: {direct: {engaged: [C]}}
+"""
+    [gear] = json_answer("flow", "-", stdin=case)["gears"]
+    told = [(one["kind"], one["name"]) for one in gear["by_convention"]]
+    assert told == [("link", "ring"), ("element", "C"), ("mechanism", "set")]
 
 
 def differing(one: PowerFlow, other: PowerFlow) -> set[str]:

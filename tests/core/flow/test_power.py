@@ -10,12 +10,12 @@ import pytest
 
 from tests.commands import SHIPPED
 from tests.core.flow.worked import lost, only, sides, solved, through
-from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from tests.shipped import shipped_results
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, loads, solve
 from vstatics.core.flow.circulation import cancel
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.flow.text import text
-from vstatics.core.readers import from_dict
 from vstatics.core.tables.values import tables
 
 
@@ -48,12 +48,8 @@ def test_coasting_power_goes_from_the_output_to_the_input() -> None:
     The open clutch gives what it takes from link 1 (.01 * 1) less the loss of .0075 to link 2.
     """
     ideal, lossy = sides(only(replace(pair(), coast=True)))
-    assert {(str(edge.source), str(edge.target)) for edge in ideal.edges} == {
-        ("output", "2"),
-        ("2", "pair"),
-        ("pair", "1"),
-        ("1", "input"),
-    }
+    edges = {f"{edge.source} > {edge.target}" for edge in ideal.edges}
+    assert edges == {"output > 2", "2 > pair", "pair > 1", "1 > input"}
     assert lossy.leaving == pytest.approx(1)
     assert through(lossy)["pair"] == pytest.approx((1 + 0.01) / 0.95)
     assert lossy.entering == pytest.approx((1 + 0.01) / 0.95 - 0.0025)
@@ -77,11 +73,8 @@ def test_all_ports_count() -> None:
     ideal, _ = sides(only(Transmission(3, [], [Mechanism(1, 2, 3, -2.5, 0.97)], [gear])))
     assert ideal.entering == pytest.approx(2)
     assert through(ideal)["output"] == pytest.approx(2)
-    assert [str(node) for node in ideal.throughput if node.kind == "port"] == [
-        "input",
-        "2",
-        "output",
-    ]
+    ports = [str(node) for node in ideal.throughput if node.kind == "port"]
+    assert ports == ["input", "2", "output"]
 
 
 def closes(side: PowerFlow) -> None:
@@ -118,7 +111,7 @@ def test_the_power_of_every_shipped_case_closes(path: Path, coast: bool) -> None
 
 def test_members_of_drawn_elements_have_the_powers_of_the_printed_tables() -> None:
     """Planets are no links of the user: torques of AMLGP times speeds of W, by hand."""
-    results = solved(next(path for path in SHIPPED if path.stem == "umdm"), coast=False)
+    results = shipped_results("umdm.yaml")
     found = {table.quantity.name: table for table in tables(results)}
     speeds, torques = (
         dict(zip(found[name].rows, found[name].values, strict=True))
@@ -154,23 +147,16 @@ def test_the_flow_of_a_variator_closes_where_something_follows_the_load(
     ratio: float, coast: bool
 ) -> None:
     """A law on any part has each gear calculated at its load: eta of the power goes through."""
-    law = {"over": "speed", "points": [[0, 0.8], [50, 0.9]]}
-    variator = {"kind": "variator", "first": "eng", "second": "out", "speed_ratio": ratio}
-    pair = {"first": "out", "second": "axle", "ratio": -2.0, "efficiency": law}
-    for efficiency, behind in ((law, 1.0), (0.9, law)):
-        case = from_dict(
-            {
-                "links": ["eng", "out", "axle"],
-                "mechanisms": {
-                    "h": {**variator, "efficiency": efficiency},
-                    "p": {**pair, "efficiency": behind},
-                },
-                "gears": {"1": []},
-                "load": {"speed": "2000 rpm", "torque": "100 N*m"},
-                "coast": coast,
-            }
-        )
-        _, lossy = sides(only(case))
-        passed = 0.9 if behind == 1.0 else 0.9 * 0.9
+    law = "{over: speed, points: [[0, 0.8], [50, 0.9]]}"
+    for efficiency, behind, passed in ((law, "1.0", 0.9), ("0.9", law, 0.9 * 0.9)):
+        case = loads(f"""
+links: [eng, out, axle]
+load: {{speed: 2000 rpm, torque: 100 N*m}}
+mechanisms:
+  h: {{kind: variator, first: eng, second: out, speed_ratio: {ratio}, efficiency: {efficiency}}}
+  p: {{first: out, second: axle, ratio: -2.0, efficiency: {behind}}}
+gears: {{"1": []}}
+""")
+        _, lossy = sides(only(replace(case, coast=coast)))
         assert lossy.leaving / lossy.entering == pytest.approx(passed, rel=1e-9)
         assert lossy.balance == pytest.approx(0, abs=1e-12)

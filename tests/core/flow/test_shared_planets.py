@@ -11,28 +11,27 @@ second half and the carrier.
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
 from tests.chance import count, seeded, with_marked
 from tests.commands import json_answer, vstatics
 from tests.core.flow.worked import only, sides
-from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, loads
 from vstatics.core.flow.circulation import CommonLinks, Loop, Node
 from vstatics.core.flow.rows import flow_grids
 from vstatics.core.flow.shared_planets import shared
 from vstatics.core.flow.tables import remarks
 from vstatics.core.flow.text import text
-from vstatics.core.readers.named.reader import read_yaml
 
-NAMES = ("s1", "s2", "r", "c")
+AROUND = 1.26 / 1.54
 M1 = Mechanism(1, 3, 4, 84 / 30, 0.97, name="m1")
 M2 = Mechanism(2, 3, 4, -84 / 36, 0.97, name="m2")
 BRAKE = ShiftElement(2, 0, "B")
-SET = Transmission(4, [BRAKE], [M1, M2], [Gear([1])], output=3, link_names=NAMES)
+SET = Transmission(
+    *(4, [BRAKE], [M1, M2], [Gear([1])]), output=3, link_names=("s1", "s2", "r", "c")
+)
 DOUBT = "may be an artefact of the model: m1 and m2 share r and c"
-
 DECK = """
 KJG= 4 KL= 1 KG= 2
 NZF(I,1),I=1,KL: 2
@@ -51,18 +50,6 @@ NAME J4: c
 NAME D1: m1
 NAME D2: m2
 """
-
-YAML = """
-links: [s1, s2, r, c]
-output: r
-shift_elements: {B: [s2, housing]}
-elements:
-  half: {kind: planetary, sun: s2, ring: r, carrier: c, teeth: {sun: 36, ring: 84}}
-mechanisms:
-  m1: {first: s1, second: r, third: c, ratio: 2.8, efficiency: .97}
-gears: {"2": {engaged: [B]}}
-"""
-
 BESIDE = """
 links: [s1, s2, r, c, out]
 shift_elements: {B: [s2, housing]}
@@ -72,107 +59,84 @@ mechanisms:
   m2: {first: s2, second: r, third: c, ratio: -7/3}
 gears: {"2": {engaged: [B]}}
 """
+HALF = "half: {kind: planetary, sun: s2, ring: r, carrier: c, teeth: {sun: 36, ring: 84}}"
+WHOLE = (
+    "set: {kind: ravigneaux, small_sun: s1, large_sun: s2, ring: r, carrier: c, "
+    "teeth: {small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}"
+)
 
-RAVIGNEAUX = """
+
+def drawn(element: str, mechanisms: str = "") -> Transmission:
+    return loads(f"""
 links: [s1, s2, r, c]
 output: r
-shift_elements: {B: [s2, housing]}
+shift_elements: {{B: [s2, housing]}}
 elements:
-  set:
-    kind: ravigneaux
-    small_sun: s1
-    large_sun: s2
-    ring: r
-    carrier: c
-    teeth: {small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}
-gears: {"2": {engaged: [B]}}
-"""
+  {element}
+{mechanisms}
+gears: {{"2": {{engaged: [B]}}}}
+""")
 
 
 def test_two_halves_of_one_set_are_marked_with_the_links_that_they_share() -> None:
+    """In the flow, beside the sum and beside the loop of its tables, in text and JSON of a deck."""
     flow = only(SET)
     for side in sides(flow):
         [loop] = side.loops
         assert loop.note == DOUBT
         assert side.doubtful == side.circulating == loop.power
-    assert sides(flow)[0].circulating == pytest.approx(1.26 / 1.54)
+    assert sides(flow)[0].circulating == pytest.approx(AROUND)
     [line] = [line for line in remarks(flow) if DOUBT in line]
     assert line.strip().startswith(f"{sides(flow)[1].circulating:.3f}")
-
-
-def test_a_deck_says_so_as_text_and_as_json(tmp_path: Path) -> None:
-    file = tmp_path / "case.dat"
-    file.write_text(DECK, encoding="utf-8")
-    assert DOUBT in vstatics("flow", file).out
-    [gear] = json_answer("flow", file)["gears"]
-    assert [loop["note"] for loop in gear["lossy"]["loops"]] == [DOUBT]
-    assert gear["ideal"]["loops"][0]["power"] == pytest.approx(1.26 / 1.54)
-    assert gear["ideal"]["doubtful"] == gear["ideal"]["circulating"]
-
-
-def test_tables_say_so_beside_the_sum_and_beside_the_loop() -> None:
-    tables = {grid.title: grid for grid in flow_grids([only(SET)])}
-    [balance], [loop] = tables["Balance"].texts, tables["Recirculating power"].texts
+    tables = {grid.title: grid for grid in flow_grids([flow])}
+    [balance], [row] = tables["Balance"].texts, tables["Recirculating power"].texts
     assert balance[-1] == f"{balance[-2]} of it may be an artefact of the model"
-    assert loop[-1] == DOUBT
-
-
-def test_a_loop_inside_one_element_is_not_counted() -> None:
-    for side in sides(only(read_yaml(RAVIGNEAUX.encode(), "x").case)):
-        assert side.loops == ()
-
-
-def test_a_loop_through_an_element_and_a_mechanism_is_real() -> None:
-    """An element has planets of its own, so these are two sets; the power is that of one set."""
-    ideal, _ = sides(only(read_yaml(YAML.encode(), "x").case))
-    assert [loop.shared for loop in ideal.loops] == [()]
-    assert ideal.circulating == pytest.approx(1.26 / 1.54)
-    assert ideal.doubtful == 0
+    assert row[-1] == DOUBT
+    assert DOUBT in vstatics("flow", "-", stdin=DECK.encode()).out
+    [gear] = json_answer("flow", "-", stdin=DECK.encode())["gears"]
+    assert [loop["note"] for loop in gear["lossy"]["loops"]] == [DOUBT]
+    assert gear["ideal"]["loops"][0]["power"] == pytest.approx(AROUND)
+    assert gear["ideal"]["doubtful"] == gear["ideal"]["circulating"]
 
 
 def test_mechanisms_beside_elements_are_marked_like_any() -> None:
     """The same two mechanisms; behind them a final drive is an element."""
-    case = read_yaml(BESIDE.encode(), "x").case
-    assert case.drawing is not None
-    ideal, _ = sides(only(case))
+    ideal, _ = sides(only(loads(BESIDE)))
     [loop] = ideal.loops
     assert loop.note == DOUBT
-    assert loop.power == pytest.approx(1.26 / 1.54)
+    assert loop.power == pytest.approx(AROUND)
 
 
-def test_links_that_a_clutch_joins_are_not_common() -> None:
-    """Two carriers and a clutch between them are two sets: the power goes through the clutch."""
-    clutch = ShiftElement(4, 5, "C")
+def test_a_loop_inside_one_element_is_not_counted() -> None:
+    assert [side.loops for side in sides(only(drawn(WHOLE)))] == [(), ()]
+
+
+def test_loops_through_an_element_a_clutch_or_a_gear_pair_are_real() -> None:
+    """An element has planets of its own; two carriers that a clutch joins are those of two sets."""
+    mechanism = "mechanisms:\n  m1: {first: s1, second: r, third: c, ratio: 2.8, efficiency: .97}"
     apart = replace(
         SET,
         links=5,
         link_names=("s1", "s2", "r", "c1", "c2"),
-        shift_elements=[BRAKE, clutch],
+        shift_elements=[BRAKE, ShiftElement(4, 5, "C")],
         mechanisms=[M1, M2._replace(third=5)],
         gears=[Gear([1, 2])],
     )
-    ideal, _ = sides(only(apart))
-    assert ideal.circulating == pytest.approx(1.26 / 1.54)
-    assert [loop.shared for loop in ideal.loops] == [()]
-
-
-def test_a_gear_pair_shares_no_planets() -> None:
-    """A differential and a gear pair between two of its links: a loop of the textbooks."""
-    pair = Mechanism(1, 2, 0, -4.0, name="pair")
-    case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0), pair], [Gear()])
-    ideal, _ = sides(only(case))
-    assert ideal.circulating == pytest.approx(1)
-    assert ideal.doubtful == 0
-    assert "artefact" not in text(only(case))
+    pairs = [Mechanism(1, 2, 3, -2.0), Mechanism(1, 2, 0, -4.0, name="pair")]
+    textbook = Transmission(3, [], pairs, [Gear()])
+    for case, power in ((drawn(HALF, mechanism), AROUND), (apart, AROUND), (textbook, 1)):
+        ideal, _ = sides(only(case))
+        assert ideal.circulating == pytest.approx(power)
+        assert ideal.doubtful == 0
+        assert [loop.shared for loop in ideal.loops] == [()]
+        assert "artefact" not in text(only(case))
 
 
 def around(*names: str) -> Loop:
     """A loop through mechanisms 1, 2, 3, ... and links by their names."""
     kinds = {name: "mechanism" if name[0] == "m" else "link" for name in names}
-    return Loop(
-        tuple(Node(kinds[name], int(name[1:]), name) for name in names),  # type: ignore[arg-type]
-        1.0,
-    )
+    nodes = [Node(kinds[name], int(name[1:]), name) for name in names]  # type: ignore[arg-type]
+    return Loop(tuple(nodes), 1.0)
 
 
 def many(*links: tuple[int, int, int]) -> Transmission:
@@ -193,11 +157,30 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
 
 
 @pytest.mark.parametrize(
+    ("sets", "loop", "found"),
+    [
+        # cases/gm-thm440.yaml, joined twice: the carrier of each is the ring of the other
+        ([(1, 2, 3), (4, 3, 2)], "l2 m1 l3 m2", (CommonLinks("m1", "m2", ("l2", "l3")),)),
+        # halves of one set, and a third mechanism that shares one link with each
+        ([(1, 3, 5), (2, 3, 5), (1, 2, 6)], "l3 m2 l2 m3 l1 m1", ()),
+        # three sets in a ring that share one link each
+        ([(1, 2, 3), (2, 4, 5), (4, 1, 6)], "l2 m2 l4 m3 l1 m1", ()),
+        # four in a ring; each shares two links with the next, and none is in all of them
+        ([(1, 2, 3), (2, 3, 4), (3, 4, 5), (4, 5, 1)], "l2 m2 l3 m3 l5 m4 l1 m1", ()),
+    ],
+)
+def test_loops_are_real_where_no_carrier_can_be_common(
+    sets: list[tuple[int, int, int]], loop: str, found: tuple[CommonLinks, ...]
+) -> None:
+    assert shared(many(*sets), around(*loop.split())) == found
+
+
+@pytest.mark.parametrize(
     "seed",
     with_marked(range(60), range(60, count(60, 200)), pytest.mark.slow),
 )
 def test_every_loop_between_the_mechanisms_of_one_set_is_marked(seed: int) -> None:
-    """Wheels on one carrier, each written with any of those before it; one link is held.
+    """Toothed gears on one carrier, each written with any of those before it; one link is held.
 
     Of such loops the most run through two mechanisms, one in eight through three.
     """
@@ -213,28 +196,3 @@ def test_every_loop_between_the_mechanisms_of_one_set_is_marked(seed: int) -> No
     flow = only(Transmission(wheels + 1, held, sets, [Gear([1])], entry, output))
     for side in (flow.ideal, flow.lossy):
         assert all(loop.shared for loop in side.loops) if side else True
-
-
-def test_two_sets_that_are_joined_twice_are_marked_as_nobody_knows() -> None:
-    """Front and rear set of cases/gm-thm440.yaml: the carrier of each is the ring of the other."""
-    case = many((1, 2, 3), (4, 3, 2))
-    assert Loop((), 1.0, shared(case, around("l2", "m1", "l3", "m2"))).note == (
-        "may be an artefact of the model: m1 and m2 share l2 and l3"
-    )
-
-
-def test_a_loop_that_goes_on_through_another_set_is_real() -> None:
-    """Halves of one set, and between them a third mechanism that shares one link with each."""
-    case = many((1, 3, 5), (2, 3, 5), (1, 2, 6))
-    assert shared(case, around("l3", "m2", "l2", "m3", "l1", "m1")) == ()
-
-
-def test_three_sets_in_a_ring_that_share_one_link_each_are_real() -> None:
-    case = many((1, 2, 3), (2, 4, 5), (4, 1, 6))
-    assert shared(case, around("l2", "m2", "l4", "m3", "l1", "m1")) == ()
-
-
-def test_sets_without_a_link_common_to_all_have_no_common_carrier() -> None:
-    """Four in a ring; each shares two links with the next, and none is in all of them."""
-    case = many((1, 2, 3), (2, 3, 4), (3, 4, 5), (4, 5, 1))
-    assert shared(case, around("l2", "m2", "l3", "m3", "l5", "m4", "l1", "m1")) == ()

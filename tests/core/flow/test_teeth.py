@@ -11,13 +11,13 @@ from hypothesis import given
 
 from tests.commands import SHIPPED, json_answer
 from tests.core.flow.worked import only, sides, solved
+from tests.shipped import shipped_results
 from tests.trains import regular_trains, trains
-from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, loads, solve
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.flow.rows import flow_grids
 from vstatics.core.flow.tables import power_grid
-from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.summary.sensitivity import sensitivities
 
 
@@ -35,9 +35,10 @@ def planetary(
     return Transmission(3, elements, [mechanism], [Gear(engaged)], output=output)
 
 
-def test_with_the_carrier_held_it_is_the_input_power() -> None:
-    for side in sides(only(planetary(2, output=2))):
-        assert teeth(side) == pytest.approx({"set": 1})
+def test_with_the_carrier_held_it_is_the_input_power_and_as_one_piece_nothing() -> None:
+    for engaged, output, power in ((2, 2, 1), (3, 3, 0)):
+        for side in sides(only(planetary(engaged, output=output))):
+            assert teeth(side) == pytest.approx({"set": power})
 
 
 @pytest.mark.parametrize("u", [-4.0, -2.5, -1.2, 2.0, 0.5])
@@ -51,19 +52,13 @@ def test_with_the_ring_held_it_is_what_the_carrier_leaves(u: float) -> None:
     assert lossy.lost == pytest.approx(0.04 * teeth(lossy)["set"])
 
 
-def test_in_what_turns_as_one_piece_it_is_nothing() -> None:
-    for side in sides(only(planetary(3, output=3))):
-        assert teeth(side) == {"set": 0}
-
-
 def test_a_self_locking_train_has_many_times_the_input_power_in_its_teeth() -> None:
     """Carrier in, ring held, other ring out, u = 1.004 (cases/self-locking.yaml), by hand.
 
     The ring that goes out turns at (u - 1)/u, against the carrier at -1/u; its torque is
     u/(u - 1). So 1/(u - 1) = 250 times the input power goes through the teeth.
     """
-    results = solved(next(path for path in SHIPPED if path.stem == "self-locking"), coast=False)
-    ideal = flows(results)[0].ideal
+    ideal = flows(shipped_results("self-locking.yaml"))[0].ideal
     assert ideal is not None
     assert list(teeth(ideal).values()) == [pytest.approx(250)]
 
@@ -76,8 +71,7 @@ def test_a_wolfrom_reducer_has_sixty_times_the_input_power_in_its_teeth() -> Non
     planet go I/(1 - I) = 1176/20 times the input power, by the sun 1 - w_c = 56/66, and by
     the held ring both together.
     """
-    results = solved(next(path for path in SHIPPED if path.stem == "wolfrom"), coast=False)
-    [flow] = flows(results)
+    [flow] = flows(shipped_results("wolfrom.yaml"))
     ideal, _ = sides(flow)
     assert teeth(ideal) == pytest.approx(
         {
@@ -113,20 +107,15 @@ MESHES = ("small_sun-short", "large_sun-long", "ring-long", "short-long")
 def test_each_mesh_of_a_ravigneaux_set_takes_its_part() -> None:
     """The carrier is held: 1 goes by the small sun and both planets to the ring.
 
-    The large sun idles.
+    The large sun idles. 100 N*m at 955 rpm are 955/60 * 2 pi * 100 W = 10.00 kW.
     """
-    _, lossy = sides(only(read_yaml(RAVIGNEAUX.encode(), "x").case))
-    assert teeth(lossy) == pytest.approx(
-        {
-            "set": 1,
-            "set small_sun-short": 1,
-            "set short-long": 0.98,
-            "set ring-long": 0.98**2,
-            "set large_sun-long": 0,
-        }
+    flow = only(loads(RAVIGNEAUX))
+    _, lossy = sides(flow)
+    passed = {"": 1, "small_sun-short": 1, "short-long": 0.98, "ring-long": 0.98**2}
+    assert {one.mesh: one.power for one in lossy.teeth} == pytest.approx(
+        {**passed, "large_sun-long": 0}
     )
-    losses = {one.mesh: one.loss for one in lossy.teeth}
-    assert losses == pytest.approx(
+    assert {one.mesh: one.loss for one in lossy.teeth} == pytest.approx(
         {
             "": 1 - 0.98**2 * 0.99,
             "small_sun-short": 0.02,
@@ -135,26 +124,13 @@ def test_each_mesh_of_a_ravigneaux_set_takes_its_part() -> None:
             "large_sun-long": 0,
         }
     )
-
-
-def test_the_table_and_json_show_it_with_kilowatts(tmp_path: Path) -> None:
-    """100 N*m at 955 rpm are 955/60 * 2 pi * 100 W = 10.00 kW."""
-    file = tmp_path / "case.yaml"
-    file.write_text(RAVIGNEAUX, encoding="utf-8")
-    grid = power_grid(only(load(file)))
-    rows = {row[0]: row for row in grid.texts}
+    rows = {row[0]: row for row in power_grid(flow).texts}
     assert rows["teeth"][1:4] == ["1.000", "1.000", "10.001"]
-    assert rows["short-long"][1:4] == ["1.000", "0.980", "9.801"]
-    assert rows["short-long"][4] == "0.01960"
-    [gear] = json_answer("flow", file)["gears"]
+    assert rows["short-long"][1:5] == ["1.000", "0.980", "9.801", "0.01960"]
+    [gear] = json_answer("flow", "-", stdin=RAVIGNEAUX.encode())["gears"]
     shown = {one["mesh"]: (one["power"], one["loss"]) for one in gear["lossy"]["teeth"]}
     assert shown["short-long"] == pytest.approx((0.98, 0.0196))
-    assert shown[""][0] == pytest.approx(1)
-
-
-def test_a_spreadsheet_names_the_teeth_of_each_mesh() -> None:
-    power = next(flow_grids([only(read_yaml(RAVIGNEAUX.encode(), "x").case)]))
-    parts = [row[3] for row in power.texts if row[2] == "set"]
+    parts = [row[3] for row in next(flow_grids([flow])).texts if row[2] == "set"]
     assert parts[-5:] == ["teeth", *(f"teeth {mesh}" for mesh in MESHES)]
 
 
@@ -166,7 +142,7 @@ links: [in, out]
 mechanisms: {{H: {{kind: variator, {variator}, speed_ratio: 0.5, efficiency: 0.85}}}}
 gears: {{"1": {{}}}}
 """
-    _, lossy = sides(only(read_yaml(case.encode(), "x").case))
+    _, lossy = sides(only(loads(case)))
     assert teeth(lossy) == {}
     assert lossy.losses == pytest.approx(dict.fromkeys(lossy.losses, 0.15))
 
@@ -180,7 +156,7 @@ elements:
   three: {kind: gear_pair, first: side, second: out, teeth: {first: 20, second: 41}}
 gears: {"1": {}}
 """
-    _, lossy = sides(only(read_yaml(case.encode(), "x").case))
+    _, lossy = sides(only(loads(case)))
     assert teeth(lossy) == pytest.approx({"three": 0.99})
 
 
@@ -202,7 +178,7 @@ def test_every_mesh_loses_its_part_of_the_tooth_power(path: Path, coast: bool) -
 
 @pytest.mark.parametrize("stem", ["umdm", "wolfrom", "ravigneaux-gf4a"])
 def test_losses_of_meshes_are_those_of_the_results(stem: str) -> None:
-    results = solved(next(path for path in SHIPPED if path.stem == stem), coast=False)
+    results = shipped_results(f"{stem}.yaml")
     for number, flow in enumerate(flows(results)):
         _, lossy = sides(flow)
         found = [one.loss for one in lossy.teeth if one.mesh]

@@ -24,22 +24,14 @@ def headings(tables: list[Grid], key: str) -> list[str]:
 
 
 @pytest.mark.parametrize("load", [None, Load(2000, 300), Load(torque=300), Load(2000)])
-def test_keys_are_small_letters_each_once_and_all_columns_are_headed(load: Load | None) -> None:
+def test_keys_and_titles_are_short_and_differ_and_all_columns_are_headed(load: Load | None) -> None:
     one = summary(load)
     for tables in (list(summary_grids(one)), list(contrasted([one, one]))):
-        keys = [grid.key for grid in tables]
+        keys, titles = [grid.key for grid in tables], [grid.title for grid in tables]
         assert all(key and key == key.lower() for key in keys)
-        assert len({*keys}) == len(keys)
-        assert all(column.heading for grid in tables for column in grid.columns)
-
-
-@pytest.mark.parametrize("load", [None, Load(2000, 300), Load(torque=300)])
-def test_titles_differ_and_have_ten_words_at_most(load: Load | None) -> None:
-    one = summary(load)
-    for tables in (list(summary_grids(one)), list(contrasted([one, one]))):
-        titles = [grid.title for grid in tables]
-        assert len({*titles}) == len(titles)
+        assert len({*keys}) == len({*titles}) == len(tables)
         assert all(len(title.split()) <= 10 for title in titles)
+        assert all(column.heading for grid in tables for column in grid.columns)
     in_results = [table.quantity.title for table in result_tables(one.results)]
     assert len({*in_results}) == len(in_results)
     assert all(len(title.split()) <= 10 for title in in_results)
@@ -51,12 +43,7 @@ def test_units_stand_behind_a_comma() -> None:
         "slip, rpm", "torque, N*m", "with losses, N*m",
     ]  # fmt: skip
     assert headings(loaded, "margins")[1] == "torque capacity, N*m"
-    assert headings(loaded, "ports")[1:] == [
-        "port",
-        "speed, rpm",
-        "torque, N*m",
-        "power, kW",
-        "direction",
-    ]
+    ports = ["port", "speed, rpm", "torque, N*m", "power, kW", "direction"]
+    assert headings(loaded, "ports")[1:] == ports
     only_torque = list(summary_grids(summary(Load(torque=300))))
     assert headings(only_torque, "shift elements with load")[1] == "torque, N*m"

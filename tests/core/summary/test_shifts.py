@@ -12,6 +12,9 @@ from vstatics.core.model.parts import OfLoad
 from vstatics.core.summary import Summary, summarize
 from vstatics.core.summary.shifts import transitions
 
+KILOWATTS = math.pi / 30 / 1000
+"""Power of 1 N*m at 1 rpm."""
+
 
 def test_each_shift_of_the_8hp_changes_one_element(zf: Summary) -> None:
     """A property that the source names: one clutch opens and one closes, up to skips of one."""
@@ -28,39 +31,27 @@ def test_a_freewheel_takes_part_in_a_shift_by_itself() -> None:
     assert first.engaged == ["intermediate clutch"]
 
 
-def test_two_elements_out_and_two_in_is_a_double_transition() -> None:
-    """MZKT 7922, from its deck: gear 2 is F2 and T4, gear 3 is T1 and F5."""
-    shifts = {(one.start, one.end): one for one in summary_of("mzkt7922.dat").transitions}
-    assert shifts["2", "3"].word == "double"
-    assert shifts["1", "2"].word == "single"
-
-
-def test_reverse_gears_are_neighbours_of_reverse_gears_only() -> None:
-    """MZKT 7922: four forward and two reverse gears."""
+def test_shifts_of_the_published_box() -> None:
+    """Four forward and two reverse gears; gear 2 is F2 and T4, gear 3 is T1 and F5."""
     found = summary_of("mzkt7922.dat")
+    words = {(one.start, one.end): one.word for one in found.transitions}
+    assert (words["1", "2"], words["2", "3"]) == ("single", "double")
     assert found.design.forward == ["1", "2", "3", "4"]
     assert {line.gear: line.next for line in found.design.gears}["5"] == "6"
 
 
-def test_most_gears_are_forward_whatever_sign_the_final_drive_gives_them() -> None:
+def test_gears_are_forward_by_their_majority_and_neighbours_by_ratio() -> None:
+    """Whatever sign the final drive gives them, and in whatever order."""
     case = differential()
-    turned = Transmission(
-        links=4,
-        shift_elements=case.shift_elements,
-        mechanisms=[*case.mechanisms, Mechanism(3, 4, 0, -2.0)],
-        gears=case.gears,
-    )
-    made = summarize(solve(turned)).design
-    assert made.forward == ["low", "direct"]
-    assert made.spread == pytest.approx(3.5)
-
-
-def test_gears_are_neighbours_by_ratio_and_not_by_place() -> None:
-    case = differential()
-    turned = Transmission(3, case.shift_elements, case.mechanisms, case.gears[::-1])
-    made = summarize(solve(turned))
-    assert made.design.forward == ["low", "direct"]
-    assert [(one.start, one.end) for one in made.transitions] == [("low", "direct")]
+    turned = [*case.mechanisms, Mechanism(3, 4, 0, -2.0)]
+    for other in (
+        Transmission(4, case.shift_elements, turned, case.gears),
+        Transmission(3, case.shift_elements, case.mechanisms, case.gears[::-1]),
+    ):
+        made = summarize(solve(other))
+        assert made.design.forward == ["low", "direct"]
+        assert made.design.spread == pytest.approx(3.5)
+        assert [(one.start, one.end) for one in made.transitions] == [("low", "direct")]
 
 
 @pytest.mark.parametrize("links", [(1, 2), (2, 1)])
@@ -70,36 +61,31 @@ def test_slip_power_is_the_torque_after_by_the_slip_before(links: tuple[int, int
     Which link of the clutch comes first changes the signs of torque and slip only.
     """
     u, n = -2.5, 0.96
-    case = Transmission(
-        3,
-        [ShiftElement(*links, "C"), ShiftElement(2, 0, "B")],
-        [Mechanism(1, 2, 3, u, n)],
-        [Gear([2]), Gear([1])],
-        load=Load(1000.0, 100.0),
-    )
+    elements = [ShiftElement(*links, "C"), ShiftElement(2, 0, "B")]
+    gears = [Gear([2]), Gear([1])]
+    case = Transmission(3, elements, [Mechanism(1, 2, 3, u, n)], gears, load=Load(1000.0, 100.0))
     [shift] = transitions(solve(case))
-    assert shift.slip_power == pytest.approx({"C": u / (u - 1), "B": -u * n})
-    power = 100 * 1000 * math.pi / 30 / 1000
-    assert shift.slip_power_kW == pytest.approx({k: v * power for k, v in shift.slip_power.items()})
+    slip = {"C": u / (u - 1), "B": -u * n}
+    assert shift.slip_power == pytest.approx(slip)
+    kilowatts = {name: power * 1000 * 100 * KILOWATTS for name, power in slip.items()}
+    assert shift.slip_power_kW == pytest.approx(kilowatts)
 
 
 def test_a_dog_clutch_does_not_slip_when_it_closes() -> None:
     clutches = [ShiftElement(1, 2, "C"), ShiftElement(1, 3, "D", kind="dog_clutch")]
     pairs = [Mechanism(2, 4, 0, 3.0), Mechanism(3, 4, 0, 2.0)]
     [made] = transitions(solve(Transmission(4, clutches, pairs, [Gear([1]), Gear([2])])))
-    assert made.engaged == ["D"]
-    assert [*made.slip_power] == ["C"]
+    assert (made.engaged, [*made.slip_power]) == (["D"], ["C"])
 
 
 def test_slip_power_is_at_the_load_of_the_gear_before() -> None:
-    """Upward the clutch closes at the load of `low`, downward the brake at that of `high`."""
-    u = -2.5
-    elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
-    gears = [Gear([2], load=Load(1000.0, 100.0)), Gear([1], load=Load(500.0, 40.0))]
-    case = Transmission(3, elements, [Mechanism(1, 2, 3, u)], gears)
-    [shift] = transitions(solve(case))
-    rad = math.pi / 30 / 1000
-    expected = {"C": u / (u - 1) * 100 * 1000 * rad, "B": -u * 40 * 500 * rad}
+    """Upward the clutch closes at the load of `low`, downward the brake at that of `direct`."""
+    case = differential()
+    u, n = case.mechanisms[0].ratio, case.mechanisms[0].efficiency
+    loads = {"low": Load(1000.0, 100.0), "direct": Load(500.0, 40.0)}
+    gears = [gear._replace(load=loads[gear.name]) for gear in case.gears]
+    [shift] = transitions(solve(case.replace(gears=gears)))
+    expected = {"C": u / (u - 1) * 100 * 1000 * KILOWATTS, "B": -u * n * 40 * 500 * KILOWATTS}
     assert shift.slip_power_kW == pytest.approx(expected)
 
 
@@ -107,8 +93,6 @@ def test_without_an_input_torque_no_slip_power_is_relative_to_it() -> None:
     """10 N*m on the output from outside: the brake holds u/(1 - u) of them."""
     torque = Gear([2], torques={3: OfLoad(10.0, 1.0)}, load=Load(1000.0, 0.0), output=1, input=3)
     elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
-    case = Transmission(
-        3, elements, [Mechanism(1, 2, 3, -2.5)], [torque, torque._replace(engaged=[1])]
-    )
-    [shift] = transitions(solve(case))
+    gears = [torque, torque._replace(engaged=[1])]
+    [shift] = transitions(solve(Transmission(3, elements, [Mechanism(1, 2, 3, -2.5)], gears)))
     assert [*map(math.isnan, shift.slip_power.values())] == [True, True]

@@ -69,8 +69,8 @@ def simulate_command(asked: SimulateOptions) -> int:
       vstatics simulate scenarios/starts.yaml --samples 10 --seed 1 -o starts.csv
 
     \b
-    Exit status 1: the scenario or its case has an error, or the simulation stopped
-    early, for example by --limit.
+    Exit status 1: the scenario or its case has an error, or the simulation
+    stopped early, for example by --limit.
     """
     scenario, case, telling = asked.scenario, asked.case, asked.telling
     inputs = [scenario, *([case] if case else [])]

@@ -157,7 +157,8 @@ def sweep_command(
           --max 'min(efficiency)' --best 10
       vstatics new car.yaml --template moskvich412
       vstatics sweep car.yaml --vary load.torque='50 N*m:150 N*m:3' --by gear
-      vstatics sweep car.yaml --vary propshaft.stiffness=2e4:4e4:5 --out 'omega[1]'
+      vstatics sweep car.yaml --vary propshaft.stiffness=2e4:4e4:5 \\
+          --out 'omega[1]'
       vstatics new moskvich-start.yaml --template moskvich-start
       vstatics new scenarios/start.yaml --template scenarios/moskvich-start
       vstatics sweep scenarios/start.yaml --vary start.speeds.engine=200:260:3 \\

@@ -120,7 +120,8 @@ def combinations_command(
       vstatics synth combinations box.yaml
       vstatics synth combinations box.yaml --engaged 1,2 -f json
       vstatics synth combinations box.yaml --shift-elements auto --sort torques
-      vstatics synth combinations box.yaml --shift-elements auto --write gears.yaml
+      vstatics synth combinations box.yaml --shift-elements auto \\
+          --write gears.yaml
       vstatics synth combinations box.yaml --ports all -f json
 
     Exit status 1: the case has an error, or no gear can be written.

@@ -121,7 +121,8 @@ def damping_command(
     \b
     Examples:
       vstatics new car.yaml --template moskvich412
-      vstatics torsion damping car.yaml --gear 1 --decrements propshaft=0.03,damper=0.2
+      vstatics torsion damping car.yaml --gear 1 \\
+          --decrements propshaft=0.03,damper=0.2
       vstatics torsion damping car.yaml --gear 1 --decrements tyres=0.4 --omega 83
 
     Exit status 1: the case has an error, or the gear has no such mode.

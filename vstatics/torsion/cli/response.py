@@ -181,7 +181,8 @@ def response_command(
       vstatics new car.yaml --template moskvich412
       vstatics torsion response car.yaml --orders 2 --speed 600:3000:9
       printf 'order,amplitude [N*m],phase [rad]\\n2,150,0\\n4,40,0.5\\n' > engine.csv
-      vstatics torsion response car.yaml --at engine --torque engine.csv --speed 900
+      vstatics torsion response car.yaml --at engine \\
+          --torque engine.csv --speed 900
 
     Exit status 1: the case has an error, or a gear has no response.
     """

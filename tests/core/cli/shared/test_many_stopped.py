@@ -18,9 +18,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import BAD, MZKT, NEUTRAL, environment, on_terminal, process, vstatics
+from tests.commands import BAD, MZKT, NEUTRAL, environment, on_terminal, process, shell
+from tests.processes import children, names, wait_for
 from vstatics.core.cli.shared import progress
 
+pytestmark = pytest.mark.slow
 CASES = ("a.dat", "b.dat", "pipe.dat", "c.dat", "d.dat")
 
 
@@ -47,9 +49,10 @@ def running(*arguments: str, jobs: int = 1) -> Iterator[subprocess.Popen[bytes]]
 
 
 def ended(run: subprocess.Popen[bytes]) -> tuple[int, list[str]]:
-    """The exit status, and the lines of stderr."""
+    """The exit status, and the lines of stderr but those of progress, which slow runs have."""
     _, err = run.communicate(timeout=60)
-    return run.returncode, err.decode().splitlines()
+    lines = err.decode().splitlines()
+    return run.returncode, [line for line in lines if not line.startswith("cases: ")]
 
 
 def opened_for_reading() -> int:
@@ -57,20 +60,43 @@ def opened_for_reading() -> int:
     return os.open("pipe.dat", os.O_WRONLY)
 
 
-def workers(run: subprocess.Popen[bytes]) -> list[int]:
-    return list(map(int, Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()))
+def stopped_at_pipe(
+    sent: signal.Signals, *arguments: str, jobs: int = 1
+) -> tuple[int, list[str], list[int]]:
+    """Send a signal to a run that waits at the pipe: its end, and its workers."""
+    with running(*arguments, jobs=jobs) as run:
+        pipe = opened_for_reading()
+        found = children(run.pid)
+        run.send_signal(sent)
+        told = ended(run)
+        os.close(pipe)
+    return *told, found
+
+
+def mend_pipe() -> None:
+    Path("pipe.dat").unlink()
+    Path("pipe.dat").write_bytes(MZKT.read_bytes())
+
+
+def called(*arguments: str) -> tuple[int, bytes, bytes]:
+    """Call `vstatics run` as a process."""
+    return process("run", *arguments, cwd=Path.cwd())
 
 
 def reader(run: subprocess.Popen[bytes]) -> int:
     """The worker that reads the pipe; its end appears a moment after it was opened."""
-    end = time.monotonic() + 30
-    while time.monotonic() < end:
-        for worker in workers(run):
+    pipe = Path("pipe.dat").absolute()
+
+    def reading() -> list[int]:
+        found = []
+        for worker in children(run.pid):
             with contextlib.suppress(OSError):
                 handles = [one.readlink() for one in Path(f"/proc/{worker}/fd").iterdir()]
-                if Path("pipe.dat").absolute() in handles:
-                    return worker
-    raise AssertionError
+                found += [worker] * (pipe in handles)
+        return found
+
+    wait_for(reading)
+    return reading()[0]
 
 
 def is_alive(process_id: int) -> bool:
@@ -85,57 +111,44 @@ def is_alive(process_id: int) -> bool:
 
 def wait_for_end(processes: list[int]) -> None:
     """Wait until processes have ended, so that their files are closed."""
-    end = time.monotonic() + 30
-    while any(map(is_alive, processes)):
-        assert time.monotonic() < end
-        time.sleep(0.01)
+    wait_for(lambda: not any(map(is_alive, processes)))
 
 
-def names(path: str) -> list[str]:
+def written(folder: str = "out") -> list[str]:
     """What is in a folder, the record aside."""
-    return sorted(one for one in os.listdir(path) if one != ".vstatics-run-json")  # noqa: PTH208
+    return [name for name in names(Path(folder)) if name != ".vstatics-run-json"]
 
 
 TO_DIRECTORY = (*CASES, "-f", "json", "-o", "out")
 KEPT = "results are in out; the same command with --resume goes on"
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
+SIGNALS = pytest.mark.parametrize(
     ("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)], ids=["INT", "TERM"]
 )
+
+
+@SIGNALS
 def test_a_signal_leaves_what_is_finished(sent: signal.Signals, status: int) -> None:
-    with running(*TO_DIRECTORY) as run:
-        pipe = opened_for_reading()
-        run.send_signal(sent)
-        told = ended(run)
-        os.close(pipe)
-    assert told == (status, [f"stopped after 2 of 5 cases; {KEPT}"])
-    assert names("out") == ["a.json", "b.json"]
-    Path("pipe.dat").unlink()
-    Path("pipe.dat").write_bytes(MZKT.read_bytes())
-    again = process("run", *TO_DIRECTORY, "--resume", cwd=Path.cwd())
+    told = stopped_at_pipe(sent, *TO_DIRECTORY)
+    assert told[:2] == (status, [f"stopped after 2 of 5 cases; {KEPT}"])
+    assert written() == ["a.json", "b.json"]
+    mend_pipe()
+    again = called(*TO_DIRECTORY, "--resume")
     assert again == (0, b"", b"5 of 5 cases calculated (2 of them before)\n")
-    assert process("run", *TO_DIRECTORY, cwd=Path.cwd())[0] == 0
+    assert called(*TO_DIRECTORY)[0] == 0
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@SIGNALS
 def test_a_signal_ends_the_workers_too(sent: signal.Signals, status: int) -> None:
     """Cases behind the one that waits may be finished too; they were not told of yet."""
-    with running(*TO_DIRECTORY, jobs=2) as run:
-        pipe = opened_for_reading()
-        found = workers(run)
-        run.send_signal(sent)
-        told = ended(run)
-        os.close(pipe)
-    assert told[0] == status
-    assert re.fullmatch(f"stopped after [012] of 5 cases; {KEPT}", "".join(told[1]))
-    assert set(names("out")) <= {"a.json", "b.json", "c.json", "d.json"}
+    ended_with, lines, found = stopped_at_pipe(sent, *TO_DIRECTORY, jobs=2)
+    assert (ended_with, len(found)) == (status, 2)
+    assert re.fullmatch(f"stopped after [012] of 5 cases; {KEPT}", "".join(lines))
+    assert set(written()) <= {"a.json", "b.json", "c.json", "d.json"}
     assert not any(map(is_alive, found))
 
 
-@pytest.mark.slow
 def test_a_stream_of_lines_is_whole_lines_and_a_file_is_not_there() -> None:
     with running(*CASES, "-f", "jsonl") as run:
         pipe = opened_for_reading()
@@ -144,18 +157,10 @@ def test_a_stream_of_lines_is_whole_lines_and_a_file_is_not_there() -> None:
         os.close(pipe)
     assert len([json.loads(line) for line in out.splitlines()]) == 2
     assert err == b"stopped after 2 of 5 cases; what was written ends there\n"
-    with running(*CASES, "-f", "jsonl", "-o", "all.jsonl") as run:
-        pipe = opened_for_reading()
-        run.send_signal(signal.SIGTERM)
-        told = ended(run)
-        os.close(pipe)
-    assert told == (
-        143,
-        [
-            "stopped after 2 of 5 cases; all.jsonl was not written; the same command with --resume goes on"
-        ],
-    )
-    assert names(".") == sorted([*CASES, "all.jsonl.parts"])
+    told = stopped_at_pipe(signal.SIGTERM, *CASES, "-f", "jsonl", "-o", "all.jsonl")
+    kept = "all.jsonl was not written; the same command with --resume goes on"
+    assert told[:2] == (143, [f"stopped after 2 of 5 cases; {kept}"])
+    assert written(".") == sorted([*CASES, "all.jsonl.parts"])
 
 
 def kill_the_reader(run: subprocess.Popen[bytes]) -> None:
@@ -169,8 +174,6 @@ def kill_the_reader(run: subprocess.Popen[bytes]) -> None:
     run.send_signal(signal.SIGCONT)
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 @pytest.mark.parametrize("jobs", [2, 3])
 def test_what_a_dead_worker_was_at_is_tried_once_more(jobs: int) -> None:
     with running(*TO_DIRECTORY, jobs=jobs) as run:
@@ -180,31 +183,27 @@ def test_what_a_dead_worker_was_at_is_tried_once_more(jobs: int) -> None:
         os.close(pipe)
         told = ended(run)
     assert told == (0, ["5 of 5 cases calculated"])
-    results = [json.loads(Path("out", name).read_bytes()) for name in names("out")]
+    results = [json.loads(Path("out", name).read_bytes()) for name in written()]
     assert sorted(one.pop("file") for one in results) == sorted(CASES)
     assert results == 5 * results[:1]
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 def test_a_case_at_which_two_workers_die_fails_and_the_others_go_on() -> None:
     with running(*TO_DIRECTORY, jobs=2) as run:
         kill_the_reader(run)
         kill_the_reader(run)
         status, lines = ended(run)
-    message = "pipe.dat: error: the process that calculated it died, twice"
+    message = "pipe.dat: error: the process that calculated it died twice"
     assert status == 1
     assert lines[0].startswith(message)
     assert lines[1:] == ["4 of 5 cases calculated, 1 failed:", f"  {lines[0]}"]
-    assert names("out") == ["a.json", "b.json", "c.json", "d.json"]
+    assert written() == ["a.json", "b.json", "c.json", "d.json"]
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 def test_workers_do_not_outlive_the_run() -> None:
     with running(*TO_DIRECTORY, jobs=2) as run:
         pipe = opened_for_reading()
-        found = workers(run)
+        found = children(run.pid)
         run.kill()
         run.wait()
         assert len(found) == 2
@@ -212,37 +211,16 @@ def test_workers_do_not_outlive_the_run() -> None:
         os.close(pipe)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
     """No file may be longer than 4096 bytes; the result of the published deck is."""
-    Path("pipe.dat").unlink()
     Path("small.yaml").write_text(NEUTRAL, encoding="utf-8")
-    command = f'"{sys.executable}" -m vstatics run small.yaml a.dat b.dat -f json -o out -j {jobs}'
-    done = subprocess.run(
-        ["bash", "-c", f"ulimit -f 4; {command}"],
-        capture_output=True,
-        check=False,
-        env=environment(),
-        timeout=60,
-    )
-    *_, message, last = done.stderr.decode().splitlines()
-    assert (done.returncode, done.stdout) == (1, b"")
+    line = f"run small.yaml a.dat b.dat -f json -o out -j {jobs}"
+    status, out, err = shell(f"cd {Path.cwd()}; ulimit -f 4; vstatics {line}")
+    *_, message, last = err.decode().splitlines()
+    assert (status, out, written()) == (1, b"", ["small.json"])
     assert message == "out/a.json: error: cannot be written: File too large [E030]"
     assert last == f"stopped after 1 of 3 cases; {KEPT}"
-    assert names("out") == ["small.json"]
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
-@pytest.mark.parametrize("form", ["json", "jsonl"])
-def test_a_stream_that_is_full_ends_the_run(form: str) -> None:
-    line = f'"{sys.executable}" -m vstatics run a.dat b.dat -f {form} > /dev/full'
-    done = subprocess.run(
-        ["bash", "-c", line], capture_output=True, check=False, env=environment(), timeout=60
-    )
-    message = "<stdout>: error: cannot be written: No space left on device [E030]\n"
-    assert (done.returncode, done.stderr.decode()) == (1, message)
 
 
 # the bar
@@ -253,13 +231,12 @@ def plain(shown: str) -> str:
     return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", shown)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("variables", [{}, {"NO_COLOR": "1"}], ids=["colour", "NO_COLOR"])
 def test_a_bar_on_a_terminal_leaves_messages_whole(variables: dict[str, str]) -> None:
     Path("bad.yaml").write_text(BAD, encoding="utf-8")
     given = ("run", "a.dat", "bad.yaml", "b.dat", "-f", "json", "-o", "out")
     shown = on_terminal(*given, cwd=Path.cwd(), **variables)
-    messages = process(*given, cwd=Path.cwd())[2].decode()
+    messages = called(*given[1:])[2].decode()
     assert re.search("0/3.* cases", shown)
     assert ("\x1b[3" in shown) == (not variables)  # a colour
     for line in messages.splitlines():
@@ -267,20 +244,19 @@ def test_a_bar_on_a_terminal_leaves_messages_whole(variables: dict[str, str]) ->
     assert plain(shown).endswith(messages[messages.index("2 of 3 cases") :])
 
 
-@pytest.mark.slow
 def test_there_is_no_bar_between_results_on_a_terminal_nor_on_one_that_cannot() -> None:
     shown = on_terminal("run", "a.dat", "b.dat", cwd=Path.cwd())
-    assert shown == process("run", "a.dat", "b.dat", cwd=Path.cwd())[1].decode()
+    assert shown == called("a.dat", "b.dat")[1].decode()
     shown = on_terminal("run", "a.dat", "b.dat", "-o", "out", cwd=Path.cwd(), terminal="dumb")
     assert shown == "2 of 2 cases calculated\n"
 
 
-@pytest.mark.slow
 def test_a_bar_tells_rate_and_time_left(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(progress, "PERIOD", 0.0)
-    monkeypatch.setattr(progress, "_is_watched", lambda: True)
+    monkeypatch.setattr(progress, "_is_terminal", lambda _: True)
+    monkeypatch.delenv("TERM", raising=False)
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.setenv("TTY_COMPATIBLE", "1")
     monkeypatch.setenv("FORCE_COLOR", "1")
@@ -293,49 +269,27 @@ def test_a_bar_tells_rate_and_time_left(
     assert max(map(len, shown.splitlines())) <= 80
 
 
-@pytest.mark.slow
 def test_two_runs_do_not_write_one_directory() -> None:
     """Neither another one, nor one that would go on; other formats have a run of their own."""
     with running(*TO_DIRECTORY) as run:
         pipe = opened_for_reading()
         for more in (("--coast",), ("--resume",)):
-            said = process("run", "a.dat", "b.dat", *TO_DIRECTORY[5:], *more, cwd=Path.cwd())
+            said = called("a.dat", "b.dat", *TO_DIRECTORY[5:], *more)
             message = f"out: error: another run (process {run.pid}) is writing this output [E034]\n"
             assert said == (1, b"", message.encode())
-        assert process("run", "a.dat", "-f", "csv", "-o", "out/", cwd=Path.cwd())[0] == 0
+        assert called("a.dat", "-f", "csv", "-o", "out/")[0] == 0
         os.write(pipe, MZKT.read_bytes())
         os.close(pipe)
         assert ended(run) == (0, ["5 of 5 cases calculated"])
     assert not list(Path("out").glob(".*.lock"))
-    assert process("run", "a.dat", *TO_DIRECTORY[5:], "--coast", cwd=Path.cwd())[0] == 0
+    assert called("a.dat", *TO_DIRECTORY[5:], "--coast")[0] == 0
 
 
-@pytest.mark.slow
 def test_what_a_killed_run_was_writing_is_removed_by_the_next() -> None:
     """Not what a run into another format writes, or into a file of its own."""
     Path("out").mkdir()
     own = [".vstatics-7-0", ".vstatics-csv-7-0", ".vstatics-of-mine"]
     for name in (".vstatics-json-7-0", ".vstatics-json-7-1", *own):
         Path("out", name).touch()
-    assert process("run", "a.dat", "-f", "json", "-o", "out/", cwd=Path.cwd())[0] == 0
-    assert names("out") == sorted([*own, "a.json"])
-
-
-@pytest.mark.slow
-def test_a_run_that_was_killed_holds_nothing_and_another_trusts_its_own_only() -> None:
-    """To drive, killed; to coast, killed; to coast, resumed: all results are of the last."""
-    for options in ((), ("--coast",)):
-        with running(*TO_DIRECTORY, *options, jobs=2) as run:
-            pipe = opened_for_reading()
-            found = [run.pid, *workers(run)]
-            run.kill()
-            os.close(pipe)
-            wait_for_end(found)
-    Path("pipe.dat").unlink()
-    Path("pipe.dat").write_bytes(MZKT.read_bytes())
-    said = process("run", *TO_DIRECTORY, "--resume", cwd=Path.cwd())
-    assert (said[0], b"--coast was true, is not given" in said[2]) == (2, True)
-    assert process("run", *TO_DIRECTORY, "--coast", "--resume", cwd=Path.cwd())[0] == 0
-    for case in CASES:
-        expected = vstatics("run", case, "--coast", "-f", "json").out
-        assert Path("out", case).with_suffix(".json").read_text("utf-8") == expected
+    assert called("a.dat", "-f", "json", "-o", "out/")[0] == 0
+    assert written() == sorted([*own, "a.json"])

@@ -7,40 +7,34 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import MZKT, NEUTRAL, TIED_UP, on_terminal, vstatics
+from tests.commands import MZKT, NEUTRAL, on_terminal, vstatics
 
 WARNED = "open.yaml"
 """A and B hold the same link in one gear."""
 NOTED = str(MZKT)
 """Mechanisms that may share planets are worth a note, no more."""
 READING = {
-    "run": ["run"],
-    "check": ["check"],
-    "flow": ["flow"],
-    "summary": ["summary"],
-    "explain": ["explain"],
+    **{name: [name] for name in ("run", "check", "flow", "summary", "explain")},
     "report": ["report", "-o", "page.html"],
     "plot": ["plot", "--kind", "structure", "-o", "plot.svg"],
 }
-"""How each command is called that calculates a case."""
+"""Call of each command that calculates a case."""
+QUIET_FAILURE = "error: 1 warning ({}), which --strict makes fail; without -q it is shown\n"
+VARIED = ["sweep", "doubtful.yaml", "--vary", "D.efficiency=.9,.95"]
 
 
 @pytest.fixture(autouse=True)
 def _here(files: Path) -> None:
-    (files / "doubtful.yaml").write_text(
-        NEUTRAL.replace("-2.5", "2.5").replace("N: {}, ", ""), encoding="utf-8"
-    )
-
-
-QUIET_FAILURE = (
-    "open.yaml: error: 1 warning (W416), which --strict makes fail; without -q it is shown\n"
-)
+    text = NEUTRAL.replace("-2.5", "2.5").replace("N: {}, ", "")
+    (files / "doubtful.yaml").write_text(text, encoding="utf-8")
 
 
 @pytest.mark.usefixtures("without_pictures")
 @pytest.mark.parametrize("command", READING)
-def test_a_warning_is_printed_unless_quiet_and_fails_if_strict(command: str) -> None:
+def test_problems_are_printed_unless_quiet_and_fail_if_strict(command: str) -> None:
+    """Errors always; notes by `check` alone, and they never fail."""
     call = [*READING[command], WARNED]
+    plain = vstatics(*call)
     for options, status, is_told in (
         ([], 0, True),
         (["-q"], 0, False),
@@ -50,24 +44,15 @@ def test_a_warning_is_printed_unless_quiet_and_fails_if_strict(command: str) -> 
         said = vstatics(*call, *options)
         assert said.status == status, options
         assert ("warning: gear both: A and B impose" in said.err) is is_told, options
-        assert is_told or said.err == (QUIET_FAILURE if status else "")
-    assert vstatics(*call, "-q", "--strict").out == vstatics(*call).out
-
-
-@pytest.mark.parametrize("command", READING)
-@pytest.mark.parametrize("case", ["bad.yaml", "tied.yaml"])
-def test_errors_are_printed_whoever_is_quiet(command: str, case: str) -> None:
-    said = vstatics(*READING[command], "-q", case)
-    assert said.fails("error: ")
-    assert "warning" not in said.err
-
-
-@pytest.mark.usefixtures("without_pictures")
-@pytest.mark.parametrize("command", READING)
-def test_a_note_does_not_fail_and_is_told_by_check_alone(command: str) -> None:
+        quiet = f"open.yaml: {QUIET_FAILURE.format('W416')}" if status else ""
+        assert is_told or said.err == quiet, options
+    assert said.out == plain.out
+    for case in ("bad.yaml", "tied.yaml"):
+        said = vstatics(*READING[command], "-q", case)
+        assert said.fails("error: ")
+        assert "warning" not in said.err
     said = vstatics(*READING[command], NOTED, "--strict")
-    assert said.status == 0
-    assert ("note: " in said.err) is (command == "check")
+    assert (said.status, "note: " in said.err) == (0, command == "check")
     assert "note: " not in vstatics(*READING[command], NOTED, "-q").err
 
 
@@ -75,24 +60,30 @@ def test_a_note_does_not_fail_and_is_told_by_check_alone(command: str) -> None:
     "call",
     [
         ["convert", "doubtful.yaml", "-", "--to", "json"],
-        ["sweep", "doubtful.yaml", "--vary", "D.efficiency=.9,.95"],
-        ["sweep", "doubtful.yaml", "--vary", "D.efficiency=.9,.95", "-o", "out.csv"],
-        ["sweep", "doubtful.yaml", "--vary", "D.efficiency=.9,.95", "--dry-run"],
+        VARIED,
+        [*VARIED, "-o", "out.csv"],
+        [*VARIED, "--dry-run"],
     ],
 )
 def test_commands_without_results_tell_the_warnings_of_the_input(call: list[str]) -> None:
-    assert vstatics(*call).status == 0
-    assert "warning: " in vstatics(*call).err
+    said = vstatics(*call)
+    assert (said.status, "warning: " in said.err) == (0, True)
     assert vstatics(*call, "--strict").status == 1
     quiet = vstatics(*call, "-q", "--strict")
     assert quiet.status == 1
-    assert quiet.err.endswith(
-        ": error: 1 warning (W201), which --strict makes fail; without -q it is shown\n"
-    )
+    assert quiet.err.endswith(f": {QUIET_FAILURE.format('W201')}")
+
+
+def test_what_a_command_allows_is_not_part_of_the_case() -> None:
+    """It is for the call: a case that is written, and a result, are what they are without it."""
+    for call in (["convert", "doubtful.yaml", "-", "--to", "json"], ["run", WARNED, "-f", "json"]):
+        told, allowed = vstatics(*call), vstatics(*call, "--allow", "W201,w416")
+        assert ("warning: " in told.err, allowed.err) == (True, "")
+        assert "W416" not in allowed.out
+    assert allowed.json["case"] == told.json["case"]
 
 
 def test_a_quiet_sweep_counts_where_variants_are_unlike() -> None:
-    """At a ratio of 1 the held link of the differential stops its output."""
     call = ["sweep", "neutral.yaml", "--vary", "D.ratio=-2,-3", "--out", "ratio[low]", "-q"]
     assert vstatics(*call).err == ""
     Path("tied.csv").write_text("D.efficiency\n.9\n.8\n", encoding="utf-8")
@@ -101,13 +92,16 @@ def test_a_quiet_sweep_counts_where_variants_are_unlike() -> None:
 
 
 def test_errors_of_a_text_are_told_without_its_warnings() -> None:
-    """A deck that is cut off before its last field, with a link 9 of 6."""
-    deck = MZKT.read_text(encoding="utf-8").rpartition("KM Z(I)")[0].replace("1 1 4", "1 1 9", 1)
+    """A deck that is cut off before its last field, with a link 9 of 6; then only cut off."""
+    cut_off = MZKT.read_text(encoding="utf-8").rpartition("KM Z(I)")[0]
+    deck = cut_off.replace("1 1 4", "1 1 9", 1).encode()
     for call in (["convert", "-", "-", "--to", "json"], ["run", "-"]):
-        assert "warning: " in vstatics(*call, stdin=deck.encode()).err
-        quiet = vstatics(*call, "-q", stdin=deck.encode())
+        assert "warning: " in vstatics(*call, stdin=deck).err
+        quiet = vstatics(*call, "-q", stdin=deck)
         assert quiet.fails("error: ")
         assert "warning: " not in quiet.err
+    said = vstatics("check", "-", stdin=cut_off.encode()).err
+    assert re.findall("(?m)^<stdin>:[0-9:]+ (warning|note): ", said) == ["warning", "note"]
 
 
 # several cases
@@ -123,40 +117,29 @@ def test_the_count_stays_unless_all_is_well(jobs: int, output: str) -> None:
     assert said.status == 1
     count, first, second = said.err.splitlines()
     assert count == "2 of 2 cases calculated, 2 with errors or warnings:"
-    assert first.startswith("  open.yaml:4:")
-    assert "warning: gear both: " in first
+    assert re.match(r"  open\.yaml:4:\d+: warning: gear both: ", first)
     assert second.startswith("  locked.yaml:")
-    assert (
-        vstatics(*call, "tied.yaml", "-q")
-        .err.splitlines()[-2]
-        .startswith("3 of 3 cases calculated, 1 with")
-    )
+    last = vstatics(*call, "tied.yaml", "-q").err.splitlines()[-2]
+    assert last.startswith("3 of 3 cases calculated, 1 with")
 
 
 def test_a_list_of_cases_is_strict_too() -> None:
-    call = ["run", "--files-from", "-", "-f", "jsonl", "-q"]
-    assert vstatics(*call, "--strict", stdin=WARNED.encode()).status == 1
-    assert vstatics(*call, "--strict", stdin=NOTED.encode()).status == 0
+    call = ["run", "--files-from", "-", "-f", "jsonl", "-q", "--strict"]
+    assert vstatics(*call, stdin=WARNED.encode()).status == 1
+    assert vstatics(*call, stdin=NOTED.encode()).status == 0
 
 
-def test_what_a_run_that_was_not_strict_has_done_is_no_proof_for_one_that_is() -> None:
-    call = ["run", WARNED, "-f", "json", "-o", "out/"]
-    assert vstatics(*call).status == 0
-    said = vstatics(*call, "--resume", "--strict")
-    assert said.is_wrong_use("--strict was false, is true")
-    assert vstatics(*call, "--strict").status == 1
-    assert vstatics(*call, "--resume", "--strict").status == 1
+def test_a_strict_run_that_failed_fails_again_when_resumed() -> None:
+    call = ["run", WARNED, "-f", "json", "-o", "out/", "--strict"]
+    assert vstatics(*call).status == 1
+    assert vstatics(*call, "--resume").status == 1
 
 
-def test_what_was_done_before_is_not_mentioned_quietly() -> None:
+def test_a_quiet_run_mentions_no_earlier_run_and_draws_no_bar(files: Path) -> None:
     call = ["run", "locked.yaml", "-f", "json", "-o", "out/", "--resume"]
     assert "there is no earlier run to resume" in vstatics(*call).err
     Path("out/.vstatics-run-json").unlink()
     assert vstatics(*call, "-q").err == ""
-
-
-def test_no_bar_is_drawn_quietly(files: Path) -> None:
-    (files / "tied.yaml").write_text(TIED_UP, encoding="utf-8")
     call = ["sweep", "neutral.yaml", "--vary", "D.ratio=-3:-2:5000", "-o", "out.csv"]
     assert "\x1b[" in on_terminal(*call, cwd=files)
     assert on_terminal(*call, "-q", cwd=files) == ""
@@ -176,16 +159,9 @@ def test_one_text_about_several_gears_is_one_line_and_a_message_of_each() -> Non
 
 
 def test_shared_torques_are_told_with_the_element_in_excess() -> None:
-    said = vstatics("run", "open.yaml").err
+    said = vstatics("run", WARNED).err
     [warning] = [line for line in said.splitlines() if "warning" in line]
     assert warning.endswith(
         "gear both: A and B impose the same constraint on the speeds, so one is redundant; the "
         "torque of B and A is indeterminate, release one"
     )
-
-
-def test_notes_stand_behind_the_warnings() -> None:
-    text = MZKT.read_text(encoding="utf-8").rpartition("KM Z(I)")[0]
-    said = vstatics("check", "-", stdin=text.encode()).err
-    told = re.findall("(?m)^<stdin>:[0-9:]+ (warning|note): ", said)
-    assert told == ["warning", "note"]
