@@ -60,7 +60,7 @@ controls: {{L: "5*abs(slip('L'))^{power}"}}
     assert [one.event for one in motion.events if one.time > 1e-3] == ["reverses"]
 
 
-@pytest.mark.parametrize("power", [pytest.param(0.5, marks=pytest.mark.slow), 0.8, 1.5])
+@pytest.mark.parametrize("power", [pytest.param(0.5, marks=pytest.mark.slow), 0.8, 1.0, 1.5])
 def test_a_link_without_inertia_slips_between_two_laws(power: float) -> None:
     """Both carry T = 4 x^p = 8 y^p, so y = x/2^(1/p), and T = 4 (s/(1 + 2^(-1/p)))^p of s = x + y."""
     motion = simulated(
@@ -74,35 +74,3 @@ controls: {{L: "4*abs(slip('L'))^{power}", K: "8*abs(slip('K'))^{power}"}}
     factor = 4 / (1 + 0.5 ** (1 / power)) ** power
     assert motion.speeds[-1][[0, 2]] == pytest.approx(by_slip(power, factor, (1, 2)), abs=1e-6)
     assert {one.event for one in motion.events if one.time < 1.5} <= {"reverses"}
-
-
-@pytest.mark.parametrize("inertia", ["", ", m: 0.3", ", m: 0.001"])
-@pytest.mark.parametrize("housed", [False, True])
-def test_a_link_between_two_viscous_clutches_leaves_rest(housed: bool, inertia: str) -> None:
-    """Linear equations of their own, by Radau; without inertia the dampers are in series."""
-    case = (
-        f"links: [a, m, b]\ninertias: {{a: 1, b: 2{inertia}}}\nshift_elements:\n"
-        f"  L: {{links: [a, m]}}\n  K: {{links: [m, {'housing' if housed else 'b'}]}}\n"
-    )
-    motion = simulated(
-        """duration: 2
-start: {speeds: {a: 0, b: 0INERTIA}}
-torques: {a: [[0, 0], [1, 10]]}
-controls: {L: "4*abs(slip('L'))", K: "8*abs(slip('K'))"}
-""".replace("INERTIA", ", m: 0" if inertia else ""),
-        case,
-    )
-
-    def changes(t: float, speeds: Any) -> list[float]:
-        a, b, m = speeds
-        end = 0.0 if housed else b
-        m = m if inertia else (4 * a + 8 * end) / 12
-        first, second = 4 * (a - m), 8 * (m - end)
-        middle = (first - second) / float(inertia[5:]) if inertia else 0.0
-        return [10 * min(t, 1) - first, 0.0 if housed else second / 2, middle]
-
-    speeds = [0.0, 0.0, 0.0]
-    for span in ((0, 1), (1, 2)):
-        speeds = solve_ivp(changes, span, speeds, "Radau", rtol=1e-9, atol=1e-11).y[:, -1].tolist()
-    assert motion.speeds[-1][[0, 2]] == pytest.approx(speeds[:2], abs=1e-6)
-    assert not motion.events

@@ -52,39 +52,6 @@ def test_a_limit_that_rises_with_time_takes_what_it_is(limit: str) -> None:
     assert closes(made)
 
 
-def test_a_limit_by_the_speed_it_brakes_is_an_exponential() -> None:
-    """With ``L = 60 + 5 w`` while it slips ``w`` tends to (T - 60)/5, time constant J/5."""
-    made = simulated(
-        "duration: 0.5\nstart: {speeds: {w: 0}}\ntorques: {w: 200}\n"
-        "limits: {S: \"60 + 5*speed('w')\"}\n",
-        WHEEL % "",
-    )
-
-    def sticks(t: float) -> float:
-        return 200 * (1 - math.cos(Q * t)) - 60 - 5 * 200 / (2 * Q) * math.sin(Q * t)
-
-    t0 = brentq(sticks, 1e-3, math.pi / Q, xtol=1e-15)
-    w0 = 200 / (2 * Q) * math.sin(Q * t0)
-    end = 28 + (w0 - 28) * math.exp(-2.5 * (0.5 - t0))
-    assert made.events[0].time == pytest.approx(t0, abs=1e-9)
-    assert made.speeds[-1, 0] == pytest.approx(end, rel=1e-9)
-    assert made.energy.elastic == pytest.approx((60 + 5 * end) ** 2 / 6000, rel=1e-7)
-    assert closes(made)
-
-
-def test_it_grips_where_the_twist_falls_faster_than_its_limit() -> None:
-    """``w = (dL/dt)/k`` with ``J dw/dt = -L`` and ``L = 60 + 5 w``: w = -300/(J k + 25)."""
-    made = simulated(
-        "duration: 1\nstart: {speeds: {w: 8}}\nlimits: {S: \"60 + 5*speed('w')\"}\n", WHEEL % ""
-    )
-    slips, locks = made.events[:2]
-    assert (slips.event, locks.event) == ("slips", "locks")
-    place = int(np.abs(made.time - locks.time).argmin())
-    assert made.time[place] == locks.time
-    assert made.speeds[place, 0] == pytest.approx(-300 / (2 * 3000 + 25), rel=1e-6)
-    assert closes(made)
-
-
 @pytest.mark.parametrize("after", [40.0, 0.0])
 def test_what_a_limit_that_drops_no_longer_holds_is_heat(after: float) -> None:
     made = simulated(

@@ -42,11 +42,6 @@ def test_a_steady_run_closes(number: int) -> None:
     assert motion.speeds == pytest.approx(np.full_like(motion.speeds, speed), rel=1e-9)
 
 
-def test_a_wheel_that_nothing_moves_closes() -> None:
-    motion = simulate(Scenario(links(2.0), 1.0, Start(speeds={1: 100.1})))
-    assert motion.stopped is None
-
-
 def test_energy_that_is_lost_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """1e-6 of the work of 100 N*m at 50 rad/s for 1 s, 5000 J, is missing."""
 

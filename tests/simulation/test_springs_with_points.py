@@ -33,28 +33,6 @@ def closes(motion: Motion, size: float) -> bool:
     return motion.stopped is None and abs(motion.energy.balance) <= 1e-8 * size
 
 
-def test_a_mass_on_a_spring_with_play_swings_in_its_period() -> None:
-    """``4 (pi/2 sqrt(J/k) + a/v)``: quarters of a swing, and ways through the play."""
-    period = 4 * (math.pi / 2 * math.sqrt(2 / 500) + 0.05 / 3)
-    case = links(2.0, springs=(Spring(between(1), points=PLAY, name="S"),))
-    motion = simulate(Scenario(case, 3 * period, Start(speeds={1: 3.0})))
-    assert motion.speeds[-1, 0] == pytest.approx(3.0, rel=1e-10)
-    assert torque(motion)[-1] == pytest.approx(0.0, abs=1e-6)
-    assert np.abs(torque(motion)).max() == pytest.approx(3 * math.sqrt(2 * 500), rel=1e-10)
-    assert closes(motion, 9.0)
-    assert not motion.events
-
-
-def test_play_holds_nothing_until_it_is_passed() -> None:
-    """Two free masses: 0.05 rad at 3 - 1 rad/s take 0.025 s."""
-    case = links(2.0, 1.0, springs=(Spring(between(1, 2), points=PLAY, name="S"),))
-    motion = run(case, 0.1, {1: 3.0, 2: 1.0})
-    before = motion.time <= 0.025
-    assert not torque(motion)[before].any()
-    assert torque(motion)[~before][-1] > 1
-    assert motion.speeds[before][:, 0] == pytest.approx(3.0)
-
-
 def test_a_damper_alone_acts_in_the_play_of_a_spring_beside_it() -> None:
     oil = Spring(between(1), damping=4.0, name="S")
     case = links(2.0, springs=(Spring(between(1), points=PLAY, damping=9.0, name="P"), oil))
@@ -117,19 +95,6 @@ def test_a_torque_that_points_do_not_reach_is_told() -> None:
     )
     with pytest.raises(CaseError, match=r"S never reaches its torque of 9 N\*m"):
         simulate(scenario)
-
-
-def test_points_of_a_straight_line_are_a_stiffness() -> None:
-    either = [
-        run(links(2.0, 3.0, springs=(one,)), 0.5, {1: 5.0, 2: 0.0}).speeds[-1]
-        for one in (
-            Spring(between(1, 2), 700.0, name="S"),
-            Spring(between(1, 2), points=[(0, 0), (0.1, 70), (0.3, 210)], name="S"),
-            Spring(between(1, 2), points=[(-0.1, -70), (0.2, 140)], name="S"),
-        )
-    ]
-    assert either[1] == pytest.approx(either[0], rel=1e-9)
-    assert either[2] == pytest.approx(either[0], rel=1e-12)
 
 
 def test_a_link_without_inertia_between_springs_passes_their_corners() -> None:

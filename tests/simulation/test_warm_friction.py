@@ -54,12 +54,11 @@ def test_a_clutch_that_fades_with_its_own_heat_locks_when_it_should() -> None:
     assert closes(made)
 
 
-@pytest.mark.parametrize("stiffness", ["", "stiffness: 1e6, "])
-def test_beyond_the_columns_the_coefficient_is_constant(stiffness: str) -> None:
+def test_beyond_the_columns_the_coefficient_of_an_elastic_clutch_is_constant() -> None:
     """It is warmer than all columns from the start, so it is that of the last."""
     made = simulated(
         "duration: 0.1\nstart: {speeds: {e: 300, o: 0}}\ncontrols: {C: 5 bar}\n",
-        case("{columns: [0, 20], rows: [[0, 0.2, 0.1]]}", stiffness),
+        case("{columns: [0, 20], rows: [[0, 0.2, 0.1]]}", "stiffness: 1e6, "),
     )
     assert made.speeds[-1, 1] == pytest.approx(5e5 * PER_PRESSURE * 0.1 / 3 * 0.1, rel=1e-3)
     assert closes(made)
@@ -76,15 +75,6 @@ def test_what_sticks_breaks_away_as_it_is_warm() -> None:
     [slips] = made.events
     held = 1e5 * PER_PRESSURE * 0.10
     assert slips.time == pytest.approx(held / (200 * 3 / 5), abs=1e-9)
-
-
-def test_equal_columns_are_the_points_without_temperature() -> None:
-    text = "duration: 1\nstart: {speeds: {e: 300, o: 0}}\ncontrols: {C: [[0, 2 bar], [1, 4 bar]]}\n"
-    plain = simulated(text, case("[[0, 0.12], [50, 0.1], [200, 0.09]]"))
-    rows = "[[0, 0.12, 0.12], [50, 0.1, 0.1], [200, 0.09, 0.09]]"
-    table = simulated(text, case(f"{{columns: [30, 40], rows: {rows}}}"))
-    assert table.speeds[-1] == pytest.approx(plain.speeds[-1], rel=1e-9)
-    assert table.energy.heat == pytest.approx(plain.energy.heat, rel=1e-9)
 
 
 def test_a_shift_engages_the_capacity_of_the_case_at_the_begin() -> None:
@@ -143,32 +133,24 @@ def test_what_is_written_is_read_again() -> None:
         assert loads(case_data(read, form)[0]) == read
 
 
-@pytest.mark.parametrize(
-    ("coefficient", "heat", "expected"),
-    [
-        (FADING, "cooling: 0", "expected a `heat_capacity` as well"),
-        ("{columns: [], rows: [[0]]}", "heat_capacity: 900", "read no temperatures"),
-        (
-            "{columns: [30], rows: []}",
-            "heat_capacity: 900",
-            "read no points, expected at least one",
-        ),
-        ("{columns: [9, 9], rows: [[0, 1, 1]]}", "heat_capacity: 900", "read 9 after 9, expected"),
-        ("{columns: [9], rows: [[0, 1, 1]]}", "heat_capacity: 900", "read 3 numbers, expected 2"),
-        ("{columns: [9], rows: [[]]}", "heat_capacity: 900", "read 0 numbers, expected 2"),
-        ("{columns: [9], rows: [[0, -1]]}", "heat_capacity: 900", "expected a coefficient above 0"),
-        ("{columns: [9]}", "heat_capacity: 900", "`rows` is missing"),
-        (
-            "{columns: [.nan], rows: [[0, 1]]}",
-            "heat_capacity: 900",
-            "read '.nan', expected a number",
-        ),
-    ],
-)
-def test_mistakes_are_told_where_they_stand(coefficient: str, heat: str, expected: str) -> None:
-    with pytest.raises(ReadError, match=expected) as caught:
-        loads(case(coefficient, of_heat=heat))
-    assert {one.place.line for one in caught.value.problems if one.place} == {5}
+FAULTS = [
+    ("{columns: [], rows: [[0]]}", "read no temperatures"),
+    ("{columns: [30], rows: []}", "read no points, expected at least one"),
+    ("{columns: [9, 9], rows: [[0, 1, 1]]}", "read 9 after 9, expected"),
+    ("{columns: [9], rows: [[0, 1, 1]]}", "read 3 numbers, expected 2"),
+    ("{columns: [9], rows: [[]]}", "read 0 numbers, expected 2"),
+    ("{columns: [9], rows: [[0, -1]]}", "expected a coefficient above 0"),
+    ("{columns: [9]}", "`rows` is missing"),
+    ("{columns: [.nan], rows: [[0, 1]]}", "read '.nan', expected a number"),
+]
+
+
+def test_mistakes_are_told_where_they_stand() -> None:
+    cooled = case(FADING, of_heat="cooling: 0"), "expected a `heat_capacity` as well"
+    for text, expected in [cooled, *((case(one), expected) for one, expected in FAULTS)]:
+        with pytest.raises(ReadError, match=expected) as caught:
+            loads(text)
+        assert {one.place.line for one in caught.value.problems if one.place} == {5}
 
 
 def test_the_published_method_refuses_it() -> None:

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import math
-import re
-from pathlib import Path
 
 import pytest
 
-from tests.commands import vstatics
 from tests.simulation.control.written import faults, simulated, steps_of, written
 from vstatics.core.errors import path_text
 from vstatics.simulation.run import simulate
@@ -302,20 +299,3 @@ def test_formulas_of_one_text_call_each_their_own_table() -> None:
     text = REST.replace("{e: 20}", '{e: "m(t)"}') + "tables: {m: [[0, 20]]}\n"
     ends = [simulated(one).speeds[-1, 0] for one in (text, text.replace("[0, 20]", "[0, 30]"))]
     assert ends == pytest.approx([4 * 20 / 2, 4 * 30 / 2])
-
-
-def test_a_control_that_is_cut_is_told_on_stderr(tmp_path: Path) -> None:
-    """300 N*m of a clutch of 200, with a lag of 60 ms: 200 N*m are passed at .06 ln 3 s."""
-    (tmp_path / "box.yaml").write_text(
-        "links: [e, o]\ninertias: {e: 2, o: 3}\nload: {speed: 100 rpm, torque: 1 N*m}\n"
-        "shift_elements: {C: {links: [e, o], capacity: 200 N*m}}\ngears: {g: [C]}\n",
-        encoding="utf-8",
-    )
-    (tmp_path / "s.yaml").write_text(
-        "case: box.yaml\nduration: 1\nstart: {speeds: {e: 300, o: 0}}\n"
-        'states: {p: {rate: "(300 - p)/0.06"}}\ncontrols: {C: p}\n',
-        encoding="utf-8",
-    )
-    said = vstatics("simulate", str(tmp_path / "s.yaml"))
-    [time] = re.findall(r"note: at (\S+) s the control of C is above the capacity", said.err)
-    assert float(time) == pytest.approx(0.06 * math.log(3), abs=1e-6)

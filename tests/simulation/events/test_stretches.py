@@ -86,22 +86,6 @@ def taken(what: Callable[[], object]) -> float:
     return min(found)
 
 
-def stick_slip(*coefficient: tuple[float, float]) -> Scenario:
-    """A body on a spring whose other end goes at constant speed, some fifty times."""
-    pack = Friction(0.1, 60e-4, 8, coefficient)
-    brake = ShiftElement(1, 0, "C", static=1.3, friction=pack)
-    case = links(0.5, 1e6, elements=(brake,), springs=(Spring(between(2, 1), 200.0),))
-    pressure = Capacity(constant(10 / pack.per_pressure / 0.1))
-    return Scenario(case, 8.0, Start(speeds={1: 0.0, 2: 0.8}, engaged=(1,)), {1: pressure})
-
-
-@pytest.mark.slow
-def test_an_event_with_friction_by_points_takes_as_long_as_with_a_number() -> None:
-    number = taken(lambda: simulate(stick_slip((0.0, 0.1))))
-    points = taken(lambda: simulate(stick_slip((0.0, 0.1), (10.0, 0.05))))
-    assert points < 3 * number
-
-
 @pytest.mark.slow
 def test_a_chain_of_200_links_takes_no_more_than_some_eigenvalues() -> None:
     """On one thread, or what waits for another counts; 24 times as long, 150 before."""

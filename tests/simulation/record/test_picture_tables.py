@@ -10,7 +10,7 @@ import pytest
 
 from tests.chance import with_marked
 from tests.commands import CASES
-from tests.simulation.test_rolling_radius import CASE, ROAD
+from tests.simulation.test_roads import CASE, ROAD
 from vstatics import load_scenario
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.run import simulate

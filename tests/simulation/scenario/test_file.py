@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.core.readers.named.test_converters import CASE as CONVERTERS
 from vstatics import ReadError, solve
 from vstatics.core import readers
 from vstatics.core.model.converters import Converter
@@ -283,3 +284,15 @@ def test_a_dog_clutch_takes_no_capacity() -> None:
     case = CASE.replace(b"lock up: {links", b"lock up: {kind: dog_clutch, links")
     with pytest.raises(ReadError, match="a dog clutch, which has no friction"):
         _ = scenario_file(f"{START}\ncontrols: {{lock up: 100}}", case).scenario
+
+
+def test_a_scenario_without_converters_has_those_of_the_case() -> None:
+    reading = readers.read(CONVERTERS.encode(), "case.yaml")
+    scenario = b"{case: case.yaml, duration: 1, start: {speeds: {engine: 1, turbine: 1}}%s}"
+    own = b", converters: {C2: {links: [engine, out], points: [[0, 1, 1]]}}"
+    without, other = (
+        read_scenario(scenario % more, "s.yaml").with_case(reading).scenario.converters
+        for more in (b"", own)
+    )
+    assert without == reading.case.converters
+    assert other == (Converter("C2", 1, 3, ((0.0, 1.0, 1.0),)),)
