@@ -15,7 +15,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded, with_marked
-from tests.simulation.boxes import RPM, held, planetary_set, points
+from tests.simulation.boxes import held, planetary_set, points
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
 from vstatics.core.model.springs import Spring, between
@@ -57,29 +57,6 @@ def test_a_limiter_is_left_where_the_load_exceeds_its_torque(limiter: TorqueLaw)
     motion = run(links(2.0), 20.0, {1: 300.0}, ((1, limiter), (1, load)))
     assert np.interp(15.0, motion.time, motion.speeds[:, 0]) == pytest.approx(300.0, rel=1e-9)
     assert motion.speeds[-1, 0] == pytest.approx(237.5, rel=EXACT)
-
-
-def test_friction_as_a_formula_is_a_resistance() -> None:
-    """A ring that it brakes, in a set with losses that is driven and loaded."""
-    case = planetary_set(0.96)
-    speeds = {1: 500 * RPM, 2: 0.0}
-    apart = []
-    for law in (Resistance(120.0), Formula("-120*sign(speed)")):
-        laws: Laws = ((1, constant(40.0)), (2, constant(-60.0)), (3, law))
-        apart.append(run(case, 1.0, speeds, laws))
-    assert apart[0].speeds[-1] == pytest.approx(apart[1].speeds[-1], rel=1e-12, abs=1e-12)
-    heat = sum(apart[0].energy.heat.values())
-    assert apart[1].energy.work == pytest.approx(apart[0].energy.work - heat, rel=1e-10)
-
-
-def test_a_limiter_through_a_clutch_gives_the_clutch_the_load() -> None:
-    case = links(2.0, 3.0, elements=(ShiftElement(1, 2, "C"),))
-    laws: Laws = ((1, Formula("100*(speed < 300)")), (2, constant(-30.0)))
-    start = Start(speeds={1: 300.0}, engaged=(1,))
-    motion = simulate(Scenario(case, 4.0, start, {1: held(200)}, laws))
-    assert motion.stopped is None
-    assert motion.speeds == pytest.approx(np.full_like(motion.speeds, 300.0), rel=1e-13)
-    assert motion.torques[-1, 0] == pytest.approx(30.0, rel=1e-12)
 
 
 def test_a_limiter_on_a_link_without_inertia() -> None:
@@ -164,14 +141,6 @@ def test_a_limiter_that_rises_with_time_is_followed(law: str) -> None:
     assert motion.speeds[sliding, 0] == pytest.approx(expected, rel=1e-13)
     assert motion.energy.work == pytest.approx(303**2 - 299**2, rel=EXACT)
     assert not motion.events
-
-
-@pytest.mark.parametrize("power", ["t^2", "t*t", "(t^3 + t^2*1)/(t + 1)"])
-def test_a_limiter_that_rises_too_fast_is_left(power: str) -> None:
-    """300 + 10 t^2 wants 2*20 t N*m of its 100, up to 2.5 s: 300 + 62.5 + 50*1.5 rad/s at 4 s."""
-    laws: Laws = ((1, Formula(f"100*(speed < 300 + 10*{power})")),)
-    motion = run(links(2.0), 4.0, {1: 300.0}, laws)
-    assert motion.speeds[-1, 0] == pytest.approx(437.5, rel=EXACT)
 
 
 def test_a_law_that_brings_speed_and_angle_to_rest() -> None:

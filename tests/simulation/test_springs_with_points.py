@@ -33,14 +33,6 @@ def closes(motion: Motion, size: float) -> bool:
     return motion.stopped is None and abs(motion.energy.balance) <= 1e-8 * size
 
 
-def test_a_damper_alone_acts_in_the_play_of_a_spring_beside_it() -> None:
-    oil = Spring(between(1), damping=4.0, name="S")
-    case = links(2.0, springs=(Spring(between(1), points=PLAY, damping=9.0, name="P"), oil))
-    motion = run(case, 0.015, {1: 3.0})  # 2 dw/dt = -4 w
-    assert motion.speeds[-1, 0] == pytest.approx(3 * math.exp(-2 * 0.015), rel=1e-10)
-    assert torque(motion)[-1] == pytest.approx(4 * motion.speeds[-1, 0])
-
-
 def test_dry_friction_takes_as_much_of_the_swing_each_time() -> None:
     """Amplitudes fall by 2 F/k from one to the next, 4 F/k a cycle, until friction holds."""
     stiffness, friction = 500.0, 14.0

@@ -113,38 +113,6 @@ def test_a_brake_behind_freewheels_stops_a_shaft_in_one_direction(seed: int, by:
     assert math.isfinite(motion.speeds[0, 1])
 
 
-SIMPSON = """links: [input, sun, rear carrier, race, output]
-inertias: {input: 0.2, sun: 0.02, rear carrier: 0.03, output: 6}
-elements:
-  front: {kind: planetary, sun: sun, ring: input, carrier: output, teeth: {sun: 35, ring: 73}}
-  rear: {kind: planetary, sun: sun, ring: output, carrier: rear carrier, teeth: {sun: 35, ring: 73}}
-shift_elements:
-  B: {links: [input, sun], capacity: 300 N*m}
-  C: {links: [race, housing], capacity: 250 N*m}
-  H: {kind: freewheel, links: [sun, race]}
-  J: {kind: freewheel, links: [rear carrier, housing]}
-gears: {"1": [], "2": [C], "3": [B, C]}
-load: {speed: 2000 rpm, torque: 150 N*m}
-"""
-"""A Simpson set whose intermediate brake acts through a freewheel, as in the TH350 or A340."""
-
-
-def test_the_race_of_an_intermediate_brake_turns_with_the_sun_in_first_gear() -> None:
-    """By gear as by elements that are engaged at the start."""
-    text = """duration: 2
-start: %s
-torques: {input: 150, output: -200}
-controls: {C: [[0.3, 0], [0.6, 250]], B: [[1.5, 0], [1.9, 300]]}
-"""
-    by_gear = simulated(text % "{gear: '1', speed: 200}", SIMPSON)
-    by_speeds = simulated(text % "{speeds: {input: 200}, engaged: [J, H]}", SIMPSON)
-    times = [[one.time for one in motion.events] for motion in (by_gear, by_speeds)]
-    assert times[0] == pytest.approx(times[1])
-    assert [one.word for one in by_gear.events] == ["overruns", "locks", "overruns", "locks"]
-    race, sun = (by_gear.links.index(name) for name in ("race", "sun"))
-    assert by_gear.speeds[0, race] == pytest.approx(by_gear.speeds[0, sun])
-
-
 def test_a_link_without_inertia_between_open_clutches_that_drag_needs_no_start() -> None:
     """Both drags are 1 N*m: the middle link may turn with either, and passes 1 N*m."""
     case = """links: [a, middle, b]

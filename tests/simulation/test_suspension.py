@@ -200,28 +200,6 @@ def test_grip_follows_what_bends_and_comes_back_from_nothing(rear: Spring) -> No
     assert abs(motion.energy.balance) < 1e-8
 
 
-@pytest.mark.slow
-def test_a_limit_by_a_formula_comes_back_from_nothing() -> None:
-    """A formula that is bent, where it rises from 0 as fast as the spring is wound up."""
-    motion = simulated(
-        "duration: 0.75\nstart: {speeds: {a: 9, b: 0, c: -.3}}\n"
-        "limits: {tyre: \"20 + 8000*(twist('rear') + 3*twist('rear')**2)\"}\n",
-        "{inertias: {a: 1, b: 3, c: 500}, springs: {rear: {links: [c], stiffness: 8e5},"
-        " tyre: {links: [a, b], stiffness: 900}}}",
-    )
-    assert abs(motion.energy.balance) < 1e-8
-
-
-def test_a_wheel_that_lifts_off_has_no_grip() -> None:
-    """The limit is cut at 0, beyond which the load would be below 0."""
-    start = Start(speeds={1: 0.0, 2: 0.0, 3: 3.0})
-    motion = simulate(Scenario(grip(50.0, -0.5, 0.0), 0.05, start))
-    rear, tyre = (motion.torques[:, motion.devices.index(name)] for name in ("rear", "tyre"))
-    lifted = rear > 101
-    assert lifted.any()
-    assert tyre[lifted] == pytest.approx(0.0, abs=1e-6)
-
-
 def test_masses_take_forces_and_velocities() -> None:
     """A constant force: ``v = v0 + F t/m``."""
     text = "duration: 2\nstart: {speeds: {body: 18 km/h}}\ntorques: {body: 3 kN}\n"

@@ -77,17 +77,6 @@ def test_what_sticks_breaks_away_as_it_is_warm() -> None:
     assert slips.time == pytest.approx(held / (200 * 3 / 5), abs=1e-9)
 
 
-def test_a_shift_engages_the_capacity_of_the_case_at_the_begin() -> None:
-    """50 N*m at 30 degrees and no slip; the table halves it at 300 rad/s."""
-    made = simulated(
-        "duration: 0.01\nstart: {speeds: {e: 300, o: 0}}\nshifts: [{at: 0, to: g}]\n",
-        case(
-            "{columns: [30, 1e6], rows: [[0, 0.1, 0.1], [300, 0.05, 0.05]]}", "capacity: 50 N*m, "
-        ),
-    )
-    assert made.torques[1, made.devices.index("C")] == pytest.approx(25, rel=1e-2)
-
-
 def random_table(rng: Random) -> tuple[list[float], list[list[float]]]:
     columns = sorted(rng.uniform(20, 120) for _ in range(rng.randint(1, 3)))
     slips = [0.0, *sorted(rng.uniform(5, 250) for _ in range(rng.randint(0, 2)))]

@@ -82,14 +82,9 @@ def smooth_loop(rng: Random) -> Smooth:
     for name in elements:
         grip = rng.choice([20, 100, 300])
         seen = rng.choice([*elements])
-        controls[name] = rng.choice(
-            [
-                f"{grip}*({rng.choice(shapes)})",
-                f"{grip}*abs(slip('{seen}'))",
-                f"{many.number(0, 9)}",
-                f"{grip}*abs(slip('{seen}'))/9 + {grip}*({rng.choice(shapes)})",
-            ]
-        )
+        forms = "{0}*({1}); {0}*abs(slip('{2}')); {3}; {0}*abs(slip('{2}'))/9 + {0}*({1})"
+        form = rng.choice(forms.split("; "))
+        controls[name] = form.format(grip, rng.choice(shapes), seen, many.number(0, 9))
     torques = dict.fromkeys(links, "0")
     for link in rng.sample(links, rng.randint(1, 2)):
         torques[link] = f"{rng.choice([-90, 20, 60])}*({rng.choice(shapes)})" + many.load(link)

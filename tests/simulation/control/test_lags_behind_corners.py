@@ -97,19 +97,11 @@ def chain(rng: Random) -> Chain:
     if word == "v":
         states["v"] = f"(u - v)/{number(0.05, 0.3)}", start
     above = f"max({word} - {kink}, 0)"
-    corner = rng.choice(
-        [
-            above,
-            f"abs({word} - {kink}) + {word} - {kink}",
-            f"{word} - min({word}, {kink})",
-            f"fill({word})",
-            f"{above}*(1 + u)",
-            f"{above}*max({word} - {kink + 0.1}, 0)",
-            f"{above}^2",
-            f"({word} > {kink})",
-            f"({word} > {kink})*({word} - {kink})",
-        ]
+    forms = (
+        "{0}; abs({1} - {2}) + {1} - {2}; {1} - min({1}, {2}); fill({1}); {0}*(1 + u); "
+        "{0}*max({1} - {3}, 0); {0}^2; ({1} > {2}); ({1} > {2})*({1} - {2})"
     )
+    corner = rng.choice(forms.format(above, word, kink, kink + 0.1).split("; "))
     speed, last = number(1, 20), "m"
     states["m"] = rng.choice([f"{speed}*({corner})", f"{speed}*({corner} - m)"]), 0.0
     if rng.random() < 0.3:

@@ -18,78 +18,43 @@ torques: {e: 20}
 """The engine runs up with 10 rad/s^2."""
 
 
-def test_a_step_waits_for_its_condition_and_then_for_its_time() -> None:
-    motion = simulated(
-        REST
-        + """set: {a: 0}
-sequences:
-  up:
-    - {when: "speed('e') > 7", set: {a: 1}}
-    - {wait: 0.25, set: {a: 2}}
-    - {when: "speed('e') >= 20 and a == 2", wait: 0.5, set: {a: 3}}
-"""
-    )
-    assert steps_of(motion) == [
-        (1, pytest.approx(0.7, abs=1e-9)),
-        (2, pytest.approx(0.95, abs=1e-9)),
-        (3, pytest.approx(2.5, abs=1e-9)),
-    ]
+FAST = "speed('e') >= 20 and a == 2"
+TIMED = [
+    # a step waits for its condition, then for its time
+    (f"""up: [{{when: "speed('e') > 7", set: {{a: 1}}}}, {{wait: 0.25, set: {{a: 2}}}},
+       {{when: "{FAST}", wait: 0.5, set: {{a: 3}}}}]""",
+     [("up", 1, 0.7), ("up", 2, 0.95), ("up", 3, 2.5)]),
+    # what is true at once begins at once, and a wait outlasts its condition
+    ("early: [{when: \"speed('e') < 5\", wait: 1, set: {a: 1}}]", [("early", 1, 1.0)]),
+    # a comparison that is equal goes by the way on which it moves next
+    ("""above: [{when: "speed('e') > 0", set: {a: 1}}]
+  still: [{when: "speed('o') > 0", set: {a: 2}}]
+  equal: [{when: "speed('o') >= 0", set: {a: 3}}]""", [("above", 1, 0.0), ("equal", 1, 0.0)]),
+    # in written order, one step at a time, from the first sequence again
+    ("""one: [{when: "t >= 1", set: {a: "a + 1"}}, {when: "b > 0.5", set: {a: "a + 10"}}]
+  two: [{when: "a > 0.5", set: {b: a}}, {when: "a > 5", set: {b: "b + 100"}}]""",
+     [("one", 1, 1.0), ("two", 1, 1.0), ("one", 2, 1.0), ("two", 2, 1.0)]),
+]  # fmt: skip
 
 
-def test_what_is_true_at_once_is_done_at_once_and_a_wait_outlasts_its_condition() -> None:
-    motion = simulated(
-        REST
-        + """set: {a: 0}
-sequences:
-  early: [{when: "speed('e') < 5", wait: 1, set: {a: 1}}]
-"""
-    )
-    assert steps_of(motion) == [(1, 1.0)]
+@pytest.mark.parametrize(("sequences", "expected"), TIMED)
+def test_steps_are_done_in_their_order_and_time(
+    sequences: str, expected: list[tuple[str, int, float]]
+) -> None:
+    motion = simulated(f"{REST}set: {{a: 0, b: 0}}\nsequences:\n  {sequences}\n")
+    assert [(one.element, one.step) for one in motion.events] == [one[:2] for one in expected]
+    times = [one[2] for one in expected]
+    assert [one.time for one in motion.events] == pytest.approx(times, abs=1e-9)
 
 
 def test_what_is_not_true_in_time_stops_the_run_and_names_its_step() -> None:
-    motion = simulate(
-        written(
-            REST
-            + """set: {a: 0}
-sequences:
-  late:
-    - {when: "t >= 0.5", set: {a: 1}}
-    - {when: "speed('e') > 30", set: {a: 2}, within: 1.5}
-"""
-        )
-    )
+    late = """late: [{when: "t >= 0.5", set: {a: 1}},
+         {when: "speed('e') > 30", set: {a: 2}, within: 1.5}]"""
+    motion = simulate(written(f"{REST}set: {{a: 0}}\nsequences:\n  {late}\n"))
     assert motion.stopped is not None
     assert "late, step 2" in motion.stopped.message
     assert motion.time[-1] == pytest.approx(2.0, abs=1e-12)
     assert motion.speeds[-1, 0] == pytest.approx(20.0)
-
-
-def test_a_comparison_that_is_equal_goes_by_where_it_moves_next() -> None:
-    motion = simulated(
-        REST
-        + """set: {a: 0}
-sequences:
-  above: [{when: "speed('e') > 0", set: {a: 1}}]
-  still: [{when: "speed('o') > 0", set: {a: 2}}]
-  equal: [{when: "speed('o') >= 0", set: {a: 3}}]
-"""
-    )
-    assert [(one.element, one.time) for one in motion.events] == [("above", 0.0), ("equal", 0.0)]
-
-
-def test_sequences_act_in_written_order_one_step_at_a_time_from_the_first_again() -> None:
-    motion = simulated(
-        REST
-        + """set: {a: 0, b: 0}
-sequences:
-  one: [{when: "t >= 1", set: {a: "a + 1"}}, {when: "b > 0.5", set: {a: "a + 10"}}]
-  two: [{when: "a > 0.5", set: {b: a}}, {when: "a > 5", set: {b: "b + 100"}}]
-"""
-    )
-    order = [(one.element, one.step) for one in motion.events]
-    assert order == [("one", 1), ("two", 1), ("one", 2), ("two", 2)]
-    assert {one.time for one in motion.events} == {1.0}
 
 
 def test_a_sequence_that_repeats_begins_again() -> None:
@@ -112,50 +77,30 @@ sequences:
 
 
 def test_steps_without_end_at_one_instant_are_told() -> None:
-    motion = simulate(
-        written(
-            REST
-            + """set: {a: 0}
-sequences:
-  mad: {repeat: true, steps: [{when: "t >= 1", set: {a: "a + 1"}}]}
-"""
-        )
-    )
-    assert motion.stopped is not None
-    assert "mad" in motion.stopped.message
-    assert "1000 steps" in motion.stopped.message
+    mad = 'mad: {repeat: true, steps: [{when: "t >= 1", set: {a: "a + 1"}}]}'
+    stopped = simulate(written(f"{REST}set: {{a: 0}}\nsequences: {{{mad}}}\n")).stopped
+    assert stopped is not None
+    assert "mad" in stopped.message
+    assert "1000 steps" in stopped.message
 
 
 def test_a_step_shifts_and_what_has_a_control_goes_by_that() -> None:
-    case = """links: [e, o]
+    case = """links: [e, o, m]
 inertias: {e: 2, o: 3}
 mechanisms: {low: {first: m, second: o, ratio: 2}}
 shift_elements:
   C: {links: [e, o], capacity: 100 N*m}
   L: {links: [e, m], capacity: 100 N*m}
 gears: {"1": [L], "2": [C]}
-""".replace("links: [e, o]\ni", "links: [e, o, m]\ni")
-    motion = simulated(
-        """duration: 4
-start: {gear: "1", speed: 100}
-torques: {e: 20}
-sequences:
-  up: [{when: "speed('o') > 60", shift: {to: "2", overlap: 0.2}}, {when: "locks('C')", set: {}, dog: {}}]
-""".replace(", {when: \"locks('C')\", set: {}, dog: {}}", ""),
-        case,
-    )
+"""
+    begin = 'duration: 4\nstart: {gear: "1", speed: 100}\ntorques: {e: 20}\n'
+    shift = '{when: "speed(\'o\') > 60", shift: {to: "2", overlap: 0.2}}'
+    motion = simulated(f"{begin}sequences: {{up: [{shift}]}}\n", case)
     [(_, shifted)] = steps_of(motion)
     # 2 + 3/4 kg*m^2 at the engine: the output reaches 60 when the engine has 120 rad/s
     assert shifted == pytest.approx(20 * (2 + 3 / 4) / 20, abs=1e-9)
     assert [one.element for one in motion.events if one.event == "locks"] == ["C"]
-    same = simulated(
-        f"""duration: 4
-start: {{gear: "1", speed: 100}}
-torques: {{e: 20}}
-shifts: [{{at: {shifted!r}, to: "2", overlap: 0.2}}]
-""",
-        case,
-    )
+    same = simulated(f'{begin}shifts: [{{at: {shifted!r}, to: "2", overlap: 0.2}}]\n', case)
     assert motion.speeds[-1].tolist() == pytest.approx(same.speeds[-1].tolist(), rel=1e-8)
     assert motion.energy.heat["C"] == pytest.approx(same.energy.heat["C"], rel=1e-7)
 
@@ -266,20 +211,15 @@ def test_a_torque_that_would_see_itself_is_told_as_a_loop() -> None:
         ('states: {p: {start: 1, rate: "p^2"}}', "E700", "states.p.rate"),
         ('states: {p: {rate: "sqrt(1 - t)"}}', "E700", "states.p.rate"),
         ('speeds: {o: "sqrt(1 - t) - 1"}', "E700", "speeds.o"),
+        ("controls: {C: \"sqrt(20 - speed('e'))\"}", "E700", "controls.C"),
     ],
 )  # fmt: skip
 def test_what_is_no_number_stops_the_run_and_is_named(text: str, identity: str, path: str) -> None:
-    stopped = simulate(written(f"{REST}{text}\n")).stopped
+    rest = REST.replace("controls: {C: 0}\n", "") if "controls" in text else REST
+    stopped = simulate(written(f"{rest}{text}\n")).stopped
     assert stopped is not None
     assert stopped.id == identity
     assert path_text(stopped.path) == path
-
-
-def test_a_control_that_is_no_number_stops_the_run_and_is_named() -> None:
-    text = REST.replace("{C: 0}", "{C: \"sqrt(20 - speed('e'))\"}")
-    stopped = simulate(written(text)).stopped
-    assert stopped is not None
-    assert (stopped.id, stopped.path) == ("E700", ("controls", "C"))
 
 
 def test_a_state_that_a_formula_sets_beyond_its_limits_is_told_once() -> None:

@@ -16,7 +16,7 @@ from scipy.integrate import quad
 from tests.chance import count, seeded, some
 from tests.simulation.control.smooth import integrated, smooth
 from tests.simulation.control.smooth_rows import smooth_loop, smooth_row
-from tests.simulation.control.written import TWO_WHEELS, simulated, written
+from tests.simulation.control.written import simulated, written
 from vstatics.simulation.run import simulate
 
 ONE_TO_FIVE = "links: [a, b]\ninertias: {a: 1, b: 5}\nshift_elements: {C: {links: [a, b]}}\n"
@@ -181,21 +181,6 @@ controls: {C: "5 + 2*(x > 0)"}
     assert motion.speeds[-1] == pytest.approx([40 - impulse, 10 + impulse / 5], rel=1e-7)
 
 
-def test_everything_sticks_while_a_torque_sees_a_table() -> None:
-    """Nothing moves: the brake takes 100 + 300 t, the torque is 60 at most."""
-    motion = simulated(
-        """duration: 1
-start: {speeds: {a: 0, b: 0}}
-tables: {m: [[0, 0], [0.2, 0.93], [0.5, -0.02], [1, 0.43]]}
-controls: {C: "90 + abs(slip('C'))", B: "100 + 300*t + abs(slip('C'))"}
-torques: {a: "60*abs(m(t) - abs(speed('a') - speed('b'))/50)"}
-""",
-        ONE_TO_FIVE.replace("{links: [a, b]}", "{links: [a, b]}, B: {links: [b, housing]}"),
-    )
-    assert not motion.events
-    assert motion.speeds == pytest.approx(0.0, abs=1e-12)
-
-
 def test_a_clutch_of_a_loop_has_no_events_while_its_links_are_held_together() -> None:
     """C and D hold a and d together, so E has no slip, and F no capacity.
 
@@ -237,27 +222,6 @@ def test_random_scenarios_that_start_on_corners_agree_with_an_implicit_solver(
     speeds = integrated(given)
     accuracy = 1e-3 if kind is smooth_loop else 1e-4  # of creep, which laws of slip take up there
     assert motion.speeds[-1] == pytest.approx(speeds, abs=accuracy * max(1, np.abs(speeds).max()))
-
-
-def test_a_state_at_its_limit_is_left_by_another_one_that_leaves_its_own() -> None:
-    """P = (t - 0.2)^2/2, q its integral, r that of q: each is held at 0 before."""
-    motion = simulate(
-        written(
-            """duration: 1
-start: {speeds: {e: 0, o: 0}}
-states:
-  p: {rate: "t - 0.2", min: 0}
-  q: {rate: p, min: 0}
-  r: {rate: "q - max(-p, 0)", min: 0}
-controls: {C: 0}
-torques: {e: r}
-""",
-            TWO_WHEELS,
-        )
-    )
-    # p = u^2/2 with u = t - 0.2, q = u^3/6, r = u^4/24, and the momentum of 2 kg*m^2 is u^5/120
-    assert motion.stopped is None
-    assert motion.speeds[-1, 0] == pytest.approx(0.8**5 / 120 / 2, rel=1e-8)
 
 
 @pytest.mark.parametrize(

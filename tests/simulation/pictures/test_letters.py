@@ -9,8 +9,6 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES
-from tests.shipped import shipped_results
-from tests.simulation.pictures.test_shift import run
 from vstatics import Results, load_scenario, solve
 from vstatics.pictures import pages
 from vstatics.pictures.drawing.labels import width
@@ -70,20 +68,6 @@ def wrong(browser: Any, results: Results, motion: Motion, style: Style) -> list[
 def test_no_letters_cover_others(browser: Any, file: str, style: Style) -> None:
     scenario = load_scenario(CASES / "scenarios" / file)
     assert wrong(browser, solve(scenario.case), simulate(scenario), style) == []
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("count", [3, 40, 400])
-def test_many_events_cover_nothing(browser: Any, count: int) -> None:
-    """Those without a word are counted below the title."""
-    time = np.linspace(0.0, 1.0, count + 2)[1:-1]
-    events = tuple(
-        Event(float(at), name, ("locks", "slips", "reverses")[n % 3])
-        for n, at in enumerate(time)
-        for name in ("brake", "ring", "carrier")
-    )
-    results = shipped_results("tarasik-set.yaml")
-    assert wrong(browser, results, run()._replace(events=events), Style()) == []
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -13,7 +13,7 @@ from tests.pictures.drawn import titled
 from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, solve
-from vstatics.pictures import picture, render
+from vstatics.pictures import picture
 from vstatics.pictures.drawing.line_styles import thing_look
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.plan.course import course, visited
@@ -204,9 +204,3 @@ def test_no_label_covers_another(results: Results, kind: str, style: Style) -> N
     many = tuple(Event(n / 40, "brake", "slips" if n % 2 else "locks") for n in range(1, 40))
     for motion in (run(), run()._replace(events=()), run()._replace(events=many)):
         assert overlaps(results, kind, style, motion) == []
-
-
-@pytest.mark.slow
-def test_the_same_run_gives_the_same_bytes(results: Results) -> None:
-    made = {render(results, kind, "svg", Style(), motion=run()) for kind in ("shift", "plan") * 2}
-    assert len(made) == 2

@@ -120,23 +120,6 @@ def test_a_vehicle_goes_by_its_radius_and_rolling_takes_of_the_power() -> None:
     assert power == pytest.approx(-1000 * rolling * speed, rel=1e-9)
 
 
-def test_formulas_see_the_same_power() -> None:
-    """A load that turns a wheel down, and one that its given speed takes: dW/dt = power."""
-    motion, [work, of_load, of_speed] = asked(
-        "duration: 2\nstart: {speeds: {e: 20, o: 10}}\nspeeds: {e: [[0, 20], [2, 30]]}\n"
-        "controls: {C: 15}\ntorques: {o: {resistance: 40}}\n"
-        "states: {w: {rate: \"power('e') + power('o')\"}}",
-        "links: [e, o]\ninertias: {e: 2, o: 3}\nshift_elements: {C: {links: [e, o]}}\n"
-        "gears: {g: [C]}\n",
-        "states[w]",
-        "powers[o]",
-        "powers[e]",
-    )
-    assert of_load[0] == pytest.approx(-40 * 10)
-    assert of_speed[0] == pytest.approx((2 * 5 + 15) * 20)  # J dw/dt, and the clutch
-    assert work[-1] == pytest.approx(motion.energy.work - motion.energy.heat["o"], rel=1e-8)
-
-
 def test_formulas_see_the_acceleration_of_a_link_without_inertia_behind_a_damper() -> None:
     """Its integral is the change of the speed; spring and damper share what the link carries."""
     motion, [speed] = asked(
