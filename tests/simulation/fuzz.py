@@ -6,12 +6,13 @@ from functools import cache
 
 from tests.commands import CASES
 from tests.fuzz import Kind
+from vstatics import VariedScenario
 from vstatics.core.readers import read
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.reading import Reading
+from vstatics.simulation import Formula
 from vstatics.simulation.scenario.file import read_scenario
-from vstatics.simulation.scenario.formula import Formula, read_formula
-from vstatics.simulation.variants.subject import VariedScenario
+from vstatics.simulation.scenario.formula import read_formula
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.results.columns import read_columns

@@ -16,11 +16,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
-from vstatics.core.model.transmission import Mechanism, ShiftElement, Transmission
+from vstatics import Mechanism, ShiftElement, Transmission
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points, Resistance
-from vstatics.simulation.scenario.parts import Capacity, Scenario
+from vstatics.simulation import Capacity, Formula, Points, Resistance, Scenario
 
 
 def mechanism_column(mechanism: Mechanism, links: int, exponent: float = 0.0) -> Floats:

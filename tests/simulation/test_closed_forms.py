@@ -9,14 +9,21 @@ import pytest
 
 from tests.simulation.boxes import capacity, held, points
 from tests.simulation.test_golden import closes, happened
+from vstatics import Gear, ShiftElement, Spring, Transmission
 from vstatics.core.model.converters import Converter
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
-from vstatics.simulation import simulate
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Resistance, Road, TorqueLaw, constant
-from vstatics.simulation.scenario.parts import Control, Scenario, Start
+from vstatics.core.model.springs import between
+from vstatics.simulation import (
+    Formula,
+    Motion,
+    Resistance,
+    Road,
+    Scenario,
+    Start,
+    constant,
+    simulate,
+)
+from vstatics.simulation.scenario.laws import TorqueLaw
+from vstatics.simulation.scenario.parts import Control
 
 EXACT = 1e-8
 

@@ -14,12 +14,10 @@ from scipy.integrate import solve_ivp
 from tests.chance import count, seeded, with_marked
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_closed_forms import links
-from vstatics.core.errors import CaseError
-from vstatics.core.model.springs import Spring, between
+from vstatics import CaseError, Spring
+from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation import simulate
-from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics.simulation import Points, Scenario, Start, simulate
 
 BACKLASH = """links: [a]
 inertias: {a: 5}

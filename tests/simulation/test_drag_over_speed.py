@@ -13,12 +13,11 @@ from tests.core.statics.points.test_laws import EAXLE
 from tests.simulation.boxes import capacity
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
-from vstatics import CaseError, Gear, Load, Transmission
+from vstatics import CaseError, Gear, Load, ShiftElement, Transmission, loads
 from vstatics.core.model.laws import PointLaw
-from vstatics.core.model.parts import Law, ShiftElement
-from vstatics.core.readers import loads
+from vstatics.core.model.parts import Law
 from vstatics.core.readers.named.drag_formulas import DragFormula
-from vstatics.simulation.scenario.laws import constant
+from vstatics.simulation import constant
 from vstatics.simulation.system.devices import drags
 
 LOAD = Load(100, 20)

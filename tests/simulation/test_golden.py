@@ -24,10 +24,7 @@ from tests.simulation.boxes import (
     second_gear,
 )
 from tests.simulation.reference import start_speeds
-from vstatics.simulation import simulate
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.scenario.laws import constant
-from vstatics.simulation.scenario.parts import Dog, Scenario, Start
+from vstatics.simulation import Dog, Motion, Scenario, Start, constant, simulate
 
 
 def happened(motion: Motion) -> list[tuple[str, str, Any]]:

@@ -18,14 +18,12 @@ from tests.chance import count, seeded, with_marked
 from tests.simulation.boxes import held, planetary_set, points
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import ShiftElement
+from vstatics import ShiftElement, Spring
+from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation import simulate
+from vstatics.simulation import Formula, Points, Resistance, Scenario, Start, constant, simulate
 from vstatics.simulation.bounds import wall_limit
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
-from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics.simulation.scenario.laws import TorqueLaw
 
 LIMITERS = [
     pytest.param(Points((0.0, 300.0, 300.0), (100.0, 100.0, 0.0), "speed"), id="points"),

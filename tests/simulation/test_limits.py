@@ -16,7 +16,7 @@ from tests.chance import count, seeded
 from tests.simulation.control.written import faults, simulated, written
 from tests.simulation.test_golden import closes
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.run import simulate
+from vstatics.simulation import simulate
 
 WHEEL = "{links: [w], inertias: {w: 2}, springs: {S: {links: [w, housing], stiffness: 3000%s}}}"
 """A wheel on a spring to the housing, J = 2 and k = 3000: under T it carries T (1 - cos(q t))."""

@@ -9,13 +9,20 @@ import pytest
 from tests.chance import count, seeded
 from tests.simulation.runs import random_capacity
 from tests.simulation.test_closed_forms import links, run
-from vstatics.core.errors import CaseError
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import ShiftElement
-from vstatics.simulation import simulate
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
-from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
+from vstatics import CaseError, ShiftElement, Spring
+from vstatics.core.model.springs import between
+from vstatics.simulation import (
+    Capacity,
+    Formula,
+    Points,
+    Resistance,
+    Scenario,
+    Start,
+    constant,
+    simulate,
+)
+from vstatics.simulation.scenario.laws import TorqueLaw
+from vstatics.simulation.scenario.parts import Control
 
 OVER_SPEED = Points((-50.0, 0.0, 60.0), (20.0, 0.0, -15.0), "speed")
 

@@ -17,9 +17,7 @@ from tests.simulation.control.written import faults, simulated
 from vstatics import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.constants import AIR, GRAVITY
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.laws import Road, constant
-from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics.simulation import Road, Scenario, Start, constant, simulate
 
 
 def wheels(inertia: float) -> Transmission:

@@ -12,14 +12,10 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded, with_marked
 from tests.simulation.test_closed_forms import links, run
-from vstatics.core.errors import CaseError
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import ShiftElement
+from vstatics import CaseError, ShiftElement, Spring
+from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation import simulate
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.scenario.laws import Points, constant
-from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
+from vstatics.simulation import Capacity, Motion, Points, Scenario, Start, constant, simulate
 
 Line = list[tuple[float, float]]
 PLAY: Line = [(0, 0), (0.05, 0), (1.05, 500)]

@@ -13,9 +13,7 @@ from tests.chance import count, seeded, with_marked
 from tests.simulation.control.written import faults, simulated
 from tests.simulation.reference import mechanism_column
 from tests.simulation.runs import random_box
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation import Points, Scenario, simulate
 
 STARTS = ("", "start:\n", "start: {}\n", "start: {speeds: {}}\n", "start: {engaged: []}\n")
 

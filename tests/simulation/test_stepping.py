@@ -10,10 +10,8 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import simulated, written
-from vstatics.core.errors import CaseError
-from vstatics.simulation import begin
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.stepping import SteppedRun
+from vstatics import CaseError
+from vstatics.simulation import Motion, SteppedRun, begin
 
 LAG = """duration: 5
 start: {speeds: {e: 200, o: 0}}

@@ -14,15 +14,11 @@ from scipy.optimize import brentq
 from tests.chance import count, generator
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links
-from vstatics.core.errors import CaseError
-from vstatics.core.model.springs import Spring, SpringLimit, between
+from vstatics import CaseError, Spring, Transmission
+from vstatics.core.model.springs import SpringLimit, between
 from vstatics.core.model.struts import Strut, StrutCurve
-from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation import simulate
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import constant
-from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics.simulation import Formula, Scenario, Start, constant, simulate
 
 GAS = Strut(38 * 98066.5, 208.9e-4, 0.11, 1.02, 17 * 98066.5, 77e-4, 0.16)
 """Tsitovich, Algin, table 4.2: BelAZ-540A, front, laden; in Pa, m^2, m."""

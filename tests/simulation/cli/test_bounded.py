@@ -17,12 +17,10 @@ import numpy as np
 import pytest
 
 from tests.commands import environment, vstatics
+from vstatics import VariedScenario
 from vstatics.core.cli.shared import progress
-from vstatics.simulation import bounds
+from vstatics.simulation import bounds, load_scenario, simulate
 from vstatics.simulation.cli import documents
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.file import load_scenario
-from vstatics.simulation.variants.subject import VariedScenario
 
 CASE = """\
 links: [m, n]

@@ -16,7 +16,7 @@ import pytest
 from tests.commands import CASES, json_answer, vstatics
 from tests.core.cli.test_schemas import validator
 from tests.processes import names
-from vstatics.core.errors import Problem
+from vstatics import Problem
 from vstatics.simulation import run as module
 
 CASE = """\

@@ -32,6 +32,7 @@ BETWEEN = {"C": ("a", "b"), "B": ("b", "")}
 """Links of each shift element; no second one: the housing."""
 
 
+SOURCES = "t; min(3*t, 1); max(t - 0.2, 0); command; t*t; abs(t - 0.3)"
 ATOMS = (
     "t; min(t, 0.5); max(t - 0.2, 0); t^2; t^3; abs(slip('C'))/30; min(abs(slip('C')), 5)/5; "
     "abs(speed('a'))/100; max(speed('b'), 0)/50; abs(speed('a') - speed('b'))/50"
@@ -148,7 +149,7 @@ class Writer:
     def states(self) -> dict[str, tuple[str, float, float, float]]:
         """Lags one after the other, and what begins below 0."""
         rng, made = self.rng, {}
-        source = rng.choice("t|min(3*t, 1)|max(t - 0.2, 0)|command|t*t|abs(t - 0.3)".split("|"))
+        source = rng.choice(SOURCES.split("; "))
         for number in range(1, rng.randint(1, 4)):
             name, lag = f"p{number}", self.number(0.05, 0.3)
             least = rng.choice([-math.inf, 0.0])

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded, with_marked
 from tests.simulation.control.written import simulated, steps_of, written
-from vstatics.simulation.run import simulate
+from vstatics.simulation import simulate
 
 
 @pytest.mark.parametrize("control", ["p", "p + 0*speed('e')", "12.5*speed('x')"])

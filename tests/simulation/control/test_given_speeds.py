@@ -10,10 +10,8 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import faults, simulated, written
-from vstatics import loads, solve
-from vstatics.core.errors import CaseError
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.run import simulate
+from vstatics import CaseError, loads, solve
+from vstatics.simulation import Motion, simulate
 
 
 def test_a_ramp_takes_the_torque_of_its_inertia_besides_that_of_the_clutch() -> None:

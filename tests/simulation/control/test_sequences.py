@@ -8,7 +8,7 @@ import pytest
 
 from tests.simulation.control.written import faults, simulated, steps_of, written
 from vstatics.core.errors import path_text
-from vstatics.simulation.run import simulate
+from vstatics.simulation import simulate
 
 REST = """duration: 4
 start: {speeds: {e: 0, o: 0}}

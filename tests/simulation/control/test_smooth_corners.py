@@ -17,7 +17,7 @@ from tests.chance import count, seeded, some
 from tests.simulation.control.smooth import integrated, smooth
 from tests.simulation.control.smooth_rows import smooth_loop, smooth_row
 from tests.simulation.control.written import simulated, written
-from vstatics.simulation.run import simulate
+from vstatics.simulation import simulate
 
 ONE_TO_FIVE = "links: [a, b]\ninertias: {a: 1, b: 5}\nshift_elements: {C: {links: [a, b]}}\n"
 

@@ -18,7 +18,7 @@ from tests.chance import count, seeded, with_marked
 from tests.simulation.boxes import capacity
 from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
-from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
 from vstatics.simulation.scenario.parts import Control
 

@@ -23,10 +23,8 @@ from tests.commands import CASES
 from tests.simulation.events.plain import PlainGear
 from tests.simulation.reference import element_column, mechanism_column
 from tests.trains import random_train
-from vstatics import solve
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import Gear, Mechanism, Transmission
-from vstatics.core.readers import load
+from vstatics import Gear, Mechanism, Spring, Transmission, load, solve
+from vstatics.core.model.springs import between
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
 
 SHIPPED = sorted([*CASES.glob("*.yaml"), *CASES.glob("*.dat")])

@@ -18,9 +18,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.simulation.test_closed_forms import links, run
+from vstatics import ShiftElement, Spring
 from vstatics.core.model.parts import Friction
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import ShiftElement
+from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Capacity, Formula, Scenario, Start, constant, simulate
 

@@ -18,10 +18,9 @@ from tests.chance import count, seeded
 from vstatics import Results, solve
 from vstatics.pictures import render
 from vstatics.pictures.drawing.style import Style
-from vstatics.simulation import load_scenario, simulate
+from vstatics.simulation import Motion, load_scenario, simulate
 from vstatics.simulation.pictures.elements import states
 from vstatics.simulation.pictures.gears import ShiftPhase, element_sets, gear_pieces, phases
-from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.report.runs.record import recorded
 
 BOX = """

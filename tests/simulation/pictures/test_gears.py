@@ -14,9 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.simulation.pictures.test_shift import run
+from vstatics.simulation import Motion
 from vstatics.simulation.pictures.elements import ElementStates
 from vstatics.simulation.pictures.gears import ShiftPhase, common, gear_pieces, phases
-from vstatics.simulation.record.motion import Motion
 
 GEARS = {"1": frozenset("AB"), "2": frozenset("AC"), "3": frozenset("CD")}
 ROWS = [

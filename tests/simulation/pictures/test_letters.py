@@ -13,9 +13,9 @@ from vstatics import Results, load_scenario, solve
 from vstatics.pictures import pages
 from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
+from vstatics.simulation import Motion, simulate
 from vstatics.simulation.pictures.events import placed_words
-from vstatics.simulation.record.motion import Event, Motion
-from vstatics.simulation.run import simulate
+from vstatics.simulation.record.motion import Event
 
 CAPITALS = 0.73
 """Height of capitals over the size of letters, of DejaVu Sans."""

@@ -14,8 +14,8 @@ from tests.commands import CASES, vstatics
 from vstatics import load_scenario, solve
 from vstatics.pictures import pages
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
+from vstatics.simulation import simulate
 from vstatics.simulation.pictures.rows import WORD_HEIGHT
-from vstatics.simulation.run import simulate
 
 SVG = "{http://www.w3.org/2000/svg}"
 QUICK = ("8l90-shifts", "gf4a-upshifts", "moskvich-start", "tarasik-box", "tarasik-set-lock")

@@ -19,11 +19,12 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.plan.course import course, visited
 from vstatics.pictures.plan.rays import plans
 from vstatics.pictures.runs import event_text, named_events
+from vstatics.simulation import Motion
 from vstatics.simulation.pictures.elements import states
 from vstatics.simulation.pictures.lines import thinned
 from vstatics.simulation.pictures.panels import panels
 from vstatics.simulation.record.asked import TABLES
-from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+from vstatics.simulation.record.motion import Energy, Event, Peak
 
 LOCK = 34.906585 / 85.126799
 """Slip at the start by its acceleration. [s]"""

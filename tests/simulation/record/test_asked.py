@@ -6,15 +6,14 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded, with_marked
-from tests.simulation.control.written import written
+from tests.simulation.control.written import TWO_WHEELS, written
 from tests.simulation.runs import random_run
 from vstatics import CaseError
 from vstatics.core.numerics.arrays import Floats
+from vstatics.simulation import Motion, simulate
 from vstatics.simulation.record.answer import AskedAnswer
 from vstatics.simulation.record.asked import TABLES
-from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.row_names import rows_of_kind
-from vstatics.simulation.run import simulate
 
 WHEEL = "links: [o]\ninertias: {o: 2}\ngears: {g: []}\n"
 OSCILLATOR = """links: [m, o]
@@ -75,8 +74,7 @@ def test_a_clutch_turns_energy_into_heat() -> None:
     """Two wheels of 2 and 3 kg*m^2 at 100 rad/s and at rest, 60 N*m between: 1/2 J w^2."""
     motion, [heat, power, given] = asked(
         "duration: 3\nstart: {speeds: {e: 100, o: 0}}\ncontrols: {C: 60}",
-        "links: [e, o]\ninertias: {e: 2, o: 3}\nshift_elements: {C: {links: [e, o]}}\n"
-        "gears: {g: [C]}\n",
+        TWO_WHEELS,
         "heat[C]",
         "slip_power[C]",
         "powers[o]",

@@ -14,15 +14,11 @@ from scipy.linalg import eigh
 
 from tests.chance import count, seeded, with_marked
 from tests.simulation.runs import random_run
-from vstatics.core.model.springs import Spring
-from vstatics.core.model.transmission import Gear, Transmission
+from vstatics import Gear, Spring, Transmission
 from vstatics.core.numerics.arrays import Floats
+from vstatics.simulation import Motion, Points, Scenario, Start, constant, simulate
 from vstatics.simulation.record import record
 from vstatics.simulation.record.curves import Curves, drawn_times, ranges
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.laws import Points, constant
-from vstatics.simulation.scenario.parts import Scenario, Start
 
 CHORD = 1e-3
 

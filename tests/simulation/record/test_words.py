@@ -12,12 +12,12 @@ from tests.chance import count, seeded
 from tests.simulation.boxes import held, points
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
-from vstatics.core.model.parts import ShiftElement
+from vstatics import ShiftElement
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+from vstatics.simulation import Capacity, Dog, Motion, Resistance, Road, constant
+from vstatics.simulation.record.motion import Energy, Event, Peak
 from vstatics.simulation.record.tables import motion_grids
-from vstatics.simulation.scenario.laws import Resistance, Road, constant
-from vstatics.simulation.scenario.parts import Capacity, Control, Dog
+from vstatics.simulation.scenario.parts import Control
 
 
 def words(motion: Motion) -> list[tuple[str, str | None]]:

@@ -12,11 +12,21 @@ from vstatics import ReadError, solve
 from vstatics.core import readers
 from vstatics.core.model.converters import Converter
 from vstatics.core.writers import named
+from vstatics.simulation import (
+    Capacity,
+    Dog,
+    Formula,
+    Points,
+    Resistance,
+    Road,
+    Scenario,
+    Shift,
+    Start,
+    constant,
+    load_scenario,
+)
 from vstatics.simulation.scenario.distribution import Distribution
-from vstatics.simulation.scenario.file import ScenarioFile, load_scenario, read_scenario
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
-from vstatics.simulation.scenario.parts import Capacity, Dog, Scenario, Shift, Start
+from vstatics.simulation.scenario.file import ScenarioFile, read_scenario
 from vstatics.simulation.scenario.programme import newton_metres
 from vstatics.simulation.system.devices import drags
 

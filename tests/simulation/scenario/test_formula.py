@@ -9,7 +9,8 @@ import pytest
 
 from vstatics import ReadError
 from vstatics.core.readers.expressions.excerpt import Excerpt
-from vstatics.simulation.scenario.formula import Formula, read_formula
+from vstatics.simulation import Formula
+from vstatics.simulation.scenario.formula import read_formula
 
 
 @pytest.mark.parametrize(

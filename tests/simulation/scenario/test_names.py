@@ -9,7 +9,7 @@ import yaml
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import faults, simulated, written
-from vstatics.core.readers import loads
+from vstatics import loads
 from vstatics.core.writers.named import write_json, write_yaml
 
 SHORT = ("n", "y", "N", "Y")

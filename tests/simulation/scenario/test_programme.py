@@ -12,15 +12,11 @@ from tests.commands import CASES, vstatics
 from tests.simulation.boxes import held
 from tests.simulation.test_closed_forms import links
 from tests.simulation.test_golden import happened
+from vstatics import CaseError, Gear, ShiftElement, Transmission
 from vstatics.core import readers
-from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import OfLoad
-from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.run import simulate
+from vstatics.simulation import Motion, Points, Scenario, Shift, Start, constant, simulate
 from vstatics.simulation.scenario.checks import scenario_doubts
-from vstatics.simulation.scenario.laws import Points, constant
-from vstatics.simulation.scenario.parts import Scenario, Shift, Start
 from vstatics.simulation.scenario.programme import programmes
 
 WHEEL = """\

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from tests.simulation.variants.scenarios import SCENARIO, subject
-from vstatics.core.errors import ReadError
-from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
+from vstatics import ReadError
+from vstatics.simulation import Motion
+from vstatics.simulation.record.motion import Energy, Event, Peak, Reached
 from vstatics.simulation.variants.motion_tables import MotionTables
 from vstatics.sweep.build import plan
 from vstatics.sweep.options import SweepOptions

@@ -5,12 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.simulation.variants.scenarios import CASE, subject
-from vstatics import loads
-from vstatics.core.errors import ReadError
+from vstatics import ReadError, VariedScenario, loads
 from vstatics.core.writers.workbook import write
-from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.scenario.parts import Capacity
-from vstatics.simulation.variants.subject import VariedScenario
+from vstatics.simulation import Capacity, Points
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.variants.subject import Document

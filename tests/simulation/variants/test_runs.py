@@ -14,14 +14,13 @@ import pytest
 import vstatics
 from tests.commands import CASES
 from tests.simulation.variants.scenarios import CASE, SCENARIO, subject
-from vstatics.core.errors import ReadError
+from vstatics import Chunk, ReadError, VariedScenario, load_varied
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.run import simulate
+from vstatics.simulation import simulate
 from vstatics.simulation.variants.samples import sample_plan
-from vstatics.simulation.variants.subject import VariedScenario, load_varied
 from vstatics.sweep import build
 from vstatics.sweep.blocks import calculate
-from vstatics.sweep.chunk import STATUS, Chunk, joined
+from vstatics.sweep.chunk import STATUS, joined
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.runs import piece_of_runs
 from vstatics.sweep.variants.scenario_numbers import NumberPath
