@@ -78,32 +78,22 @@ def test_a_row_of_a_sweep_is_stopped_and_the_next_goes_on() -> None:
     assert vstatics("sweep", "mass.yaml", "--vary", "inertia.m=1,2", "--limit", "1").status == 2
 
 
-def test_a_long_run_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also where stderr is no terminal; not with -q."""
+def test_long_runs_say_how_far_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where no run has ended yet, and with several processes; with -q nothing is said."""
     assert progress.FIRST_WORD < 10
     monkeypatch.setattr(progress, "FIRST_WORD", 0.05)
-    said = vstatics("simulate", "long.yaml", "--limit", "0.2", "-o", "out.json")
-    assert "long.yaml: " in said.err
-    assert " % after " in said.err
-    assert " left\n" in said.err
-    said = vstatics("simulate", "long.yaml", "--limit", "0.1", "-o", "out.json", "-q")
-    assert " % after " not in said.err
-
-
-def test_long_sweeps_and_samples_say_how_far_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also where no run has ended yet, and with several processes; with -q nothing is said."""
-    monkeypatch.setattr(progress, "FIRST_WORD", 0.05)
-    Path("few.yaml").write_text(
-        SCENARIO.replace("DURATION", LONG)[:-1] + ", samples: {duration: {uniform: [1e9, 2e9]}}}",
-        encoding="utf-8",
-    )
+    few = ", samples: {duration: {uniform: [1e9, 2e9]}}}"
+    Path("few.yaml").write_text(SCENARIO.replace("DURATION", LONG)[:-1] + few, encoding="utf-8")
     sweep = ("sweep", "long.yaml", "--vary", "duration=2e9", "--out", "work")
-    for command, what in (
+    for command, said in (
+        (("simulate", "long.yaml", "-o", "out.json"), " left\n"),
         (sweep, "variants: 0 % after a second\n"),
         ((*sweep, "--jobs", "2", "-o", "out.csv"), "variants: 0 % after a second\n"),
         (("simulate", "few.yaml", "--samples", "1", "--out", "work"), "runs: 0 % after a second\n"),
     ):
-        assert what in vstatics(*command, "--limit", "0.2").err
+        shown = vstatics(*command, "--limit", "0.2").err
+        assert said in shown
+        assert " % after " in shown
         assert " % after " not in vstatics(*command, "--limit", "0.06", "-q").err
 
 
