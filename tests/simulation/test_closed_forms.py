@@ -91,19 +91,6 @@ def test_coast_down_to_rest() -> None:
     assert motion.energy.heat["1"] == pytest.approx(30 * angle, rel=EXACT)
 
 
-def test_road_to_rest() -> None:
-    """J dw/dt = -(a + b w^2): w = sqrt(a/b) tan(atan(w0 sqrt(b/a)) - sqrt(ab) t/J)."""
-    road = Road(1000.0, 0.3, rolling=0.015, drag_area=0.8)
-    a, b = 0.3 * 1000 * 9.81 * 0.015, 0.3 * 1.2 * 0.8 * 0.3**2 / 2
-    inertia, start, time = 1000 * 0.3**2, 100.0, 20.0
-    motion = run(links(inertia), time, {1: start}, ((1, road),))
-    phase = math.atan(start * math.sqrt(b / a)) - math.sqrt(a * b) * time / inertia
-    assert motion.speeds[-1, 0] == pytest.approx(math.sqrt(a / b) * math.tan(phase), rel=EXACT)
-    stop = math.atan(start * math.sqrt(b / a)) * inertia / math.sqrt(a * b)
-    motion = run(links(inertia), stop + 5, {1: start}, ((1, road),))
-    assert happened(motion) == [("1", "locks", pytest.approx(stop, rel=EXACT))]
-
-
 def test_speed_reached_on_a_road() -> None:
     """Constant acceleration on a slope."""
     road = Road(1000.0, 0.3, slope=0.05)

@@ -80,17 +80,17 @@ controls: {{C: {control}}}
 
 
 def test_where_a_control_is_cut_its_clutch_slips_at_the_exact_instant() -> None:
-    """It sticks up to 225 N*m, 3/5 of 375; from pi/6 on it is open, and the output keeps its speed."""
+    """It sticks while 1.2 of it is above 225 N*m, 3/5 of 375; from pi/6 on it is open."""
     motion = simulated(
         """duration: 1.5
 start: {speeds: {e: 100, o: 100}}
 controls: {C: "400*cos(3*t)"}
 torques: {e: 375}
 """,
-        CUT.replace("200", "900"),
+        CUT.replace("200 N*m", "900 N*m, static: 1.2"),
     )
     [slips] = motion.events
-    slipped, open_at = math.acos(225 / 400) / 3, math.pi / 6
+    slipped, open_at = math.acos(225 / 480) / 3, math.pi / 6
     assert slips.time == pytest.approx(slipped, abs=1e-9)
     output = 100 + 375 / 5 * slipped + 400 / 3 * (1 - math.sin(3 * slipped)) / 3
     place = int(np.abs(motion.time - open_at).argmin())

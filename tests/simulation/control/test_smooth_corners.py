@@ -127,19 +127,13 @@ JUMPS_OF_LIMITS = [
 @pytest.mark.parametrize("text", JUMPS_OF_LIMITS)
 def test_an_undamped_limit_that_jumps_with_its_own_motion_is_reported(text: str) -> None:
     """On each side of the jump, the twist goes to the other side at once."""
-    motion = simulate(
-        written(
-            f"""duration: 2
-start: {{speeds: {{wheel: 0, road: 0}}}}
-torques: {{wheel: [[0, 0], [1, 900]]}}
-limits: {{tyre: "{text}"}}
-""",
-            """links: [wheel, road]
+    case = """links: [wheel, road]
 inertias: {wheel: 1.2, road: 40}
 springs: {tyre: {links: [wheel, road], stiffness: 20000}}
-""",
-        )
-    )
+"""
+    start = "duration: 2\nstart: {speeds: {wheel: 0, road: 0}}\n"
+    given = f'torques: {{wheel: [[0, 0], [1, 900]]}}\nlimits: {{tyre: "{text}"}}\n'
+    motion = simulate(written(start + given, case))
     assert motion.stopped is not None
     assert (motion.stopped.id, motion.stopped.path) == ("E601", ("limits", "tyre"))
     assert text[:30] in motion.stopped.message
@@ -149,17 +143,13 @@ springs: {tyre: {links: [wheel, road], stiffness: 20000}}
 @pytest.mark.slow
 def test_a_relay_behind_a_lag_whose_periods_shrink_is_reported() -> None:
     """Near slip 20 the n-th period is about 1/n, so the time grows as log n without end."""
-    motion = simulate(
-        written(
-            """duration: 2
+    text = """duration: 2
 start: {speeds: {a: 24, b: 0}}
 states: {p: {rate: "(400*(slip('C') > 20) - p)/0.02"}}
 controls: {C: p}
 torques: {a: 50}
-""",
-            ONE_TO_FIVE,
-        )
-    )
+"""
+    motion = simulate(written(text, ONE_TO_FIVE))
     assert motion.stopped is not None
     assert (motion.stopped.id, motion.stopped.path) == ("E601", ("states", "p", "rate"))
     assert "back and forth faster and faster" in motion.stopped.message

@@ -43,16 +43,15 @@ def test_a_path_names_a_number_of_the_scenario_or_its_case(
 
 def test_a_variant_is_the_documents_with_other_numbers() -> None:
     varied = subject()
-    names = (
-        "duration",
-        "controls.brake.1.2",
-        "controls.lock-up.scale",
-        "shift_elements.brake.static",
-        "ring.inertia",
-        "start.speeds.sun [rpm]",
-    )
-    paths = [varied.target(name) for name in names]
-    made = varied.variant(paths, [2.0, 99.5, 0.5, 1.25, 0.1, 30.0]).scenario
+    changed = {
+        "duration": 2.0,
+        "controls.brake.1.2": 99.5,
+        "controls.lock-up.scale": 0.5,
+        "shift_elements.brake.static": 1.25,
+        "ring.inertia": 0.1,
+        "start.speeds.sun [rpm]": 30.0,
+    }
+    made = varied.variant([*map(varied.target, changed)], [*changed.values()]).scenario
     assert made.duration == 2.0
     assert made.controls is not None
     assert made.controls[1] == Capacity(Points((0.0,), (99.5,)))
