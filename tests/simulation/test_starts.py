@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from random import Random
 
 import numpy as np
@@ -19,14 +18,10 @@ STARTS = ("", "start:\n", "start: {}\n", "start: {speeds: {}}\n", "start: {engag
 
 
 @pytest.mark.parametrize("start", STARTS)
-def test_given_speeds_of_all_links_need_no_start(start: str) -> None:
+def test_a_start_is_needed_unless_the_speeds_of_all_links_are_given(start: str) -> None:
     """30 N*m at a slip of 20 rad/s for 60 s."""
     motion = simulated(f"duration: 60\n{start}speeds: {{e: 70, o: 50}}\ncontrols: {{C: 30}}\n")
     assert motion.energy.heat["C"] == pytest.approx(30 * 20 * 60)
-
-
-@pytest.mark.parametrize("start", STARTS)
-def test_without_given_speeds_a_start_is_needed(start: str) -> None:
     [fault] = faults(f"duration: 60\n{start}controls: {{C: 30}}\n")
     assert "expected `gear`, or `speeds`" in fault or "is empty" in fault
 
@@ -108,7 +103,7 @@ def test_a_brake_behind_freewheels_stops_a_shaft_in_one_direction(seed: int, by:
         if last < 0:
             last = 0.0  # it comes to rest on the brake, which holds
     assert motion.speeds[-1, 0] == pytest.approx(last, abs=1e-7)
-    assert math.isfinite(motion.speeds[0, 1])
+    assert motion.speeds[0] == pytest.approx([begin] * len(chain))  # all races turn with it
 
 
 def test_a_link_without_inertia_between_open_clutches_that_drag_needs_no_start() -> None:

@@ -41,22 +41,20 @@ gears: {g: [C]}
 """
 
 
-def _of_a_sine() -> tuple[float, float, float]:
-    """400 sin 3t in a period of 2 pi/3, within 0 and 200: its integral, when it is cut and let."""
-    first, half = math.asin(0.5) / 3, math.pi / 3
-    rise = 400 / 3 * (1 - math.cos(3 * first))
-    return 2 * rise + 200 * (half - 2 * first), first, half
+SINE_CUT, PERIOD = math.asin(0.5) / 3, 2 * math.pi / 3
+SINE = 800 / 3 * (1 - math.cos(3 * SINE_CUT)) + 200 * (PERIOD / 2 - 2 * SINE_CUT)
+"""The integral of 400 sin 3t over a period of 2 pi/3, within 0 and 200 from and to its cuts."""
 
 
 @pytest.mark.parametrize(
     ("control", "impulse", "cut"),
     [
-        ('"400*sin(3*t)"', _of_a_sine()[0], _of_a_sine()[1]),
-        ("[[0, -100], [1, 300]]", 0.5 * 200 * 0.5 + 200 * (2 * math.pi / 3 - 0.75), 0.75),
-        ('"400*t - 100"', 0.5 * 200 * 0.5 + 200 * (2 * math.pi / 3 - 0.75), 0.75),
-        ("{points: [[0, 0], [1, 800]], scale: 0.5}", 50 + 200 * (2 * math.pi / 3 - 0.5), 0.5),
-        ("{formula: 800*x, scale: 0.5}", 50 + 200 * (2 * math.pi / 3 - 0.5), 0.5),
-        ("300", 200 * 2 * math.pi / 3, 0.0),
+        ('"400*sin(3*t)"', SINE, SINE_CUT),
+        ("[[0, -100], [1, 300]]", 0.5 * 200 * 0.5 + 200 * (PERIOD - 0.75), 0.75),
+        ('"400*t - 100"', 0.5 * 200 * 0.5 + 200 * (PERIOD - 0.75), 0.75),
+        ("{points: [[0, 0], [1, 800]], scale: 0.5}", 50 + 200 * (PERIOD - 0.5), 0.5),
+        ("{formula: 800*x, scale: 0.5}", 50 + 200 * (PERIOD - 0.5), 0.5),
+        ("300", 200 * PERIOD, 0.0),
     ],
 )
 def test_a_control_is_cut_at_0_and_at_the_capacity_whatever_it_follows_from(
@@ -64,7 +62,7 @@ def test_a_control_is_cut_at_0_and_at_the_capacity_whatever_it_follows_from(
 ) -> None:
     """The impulse of the clutch, a closed form, changes both speeds."""
     motion = simulated(
-        f"""duration: {2 * math.pi / 3!r}
+        f"""duration: {PERIOD!r}
 start: {{speeds: {{e: 900, o: 0}}}}
 states: {{x: {{rate: 1}}}}
 controls: {{C: {control}}}
