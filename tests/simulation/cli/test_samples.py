@@ -158,3 +158,9 @@ def test_a_warning_of_a_run_makes_a_strict_sweep_fail() -> None:
     assert (said.status, len(said.out.splitlines())) == (1, 4)
     assert vstatics(*swept).status == 0
     assert "1 warning (W602), which --strict makes fail" in vstatics(*swept, "--strict", "-q").err
+    allowed = vstatics(*swept, "--strict", "--allow", "W602")
+    assert (allowed.status, "link b" in allowed.err) == (0, False)
+    text = JUMP + b"samples: {torques.b.3.2: {normal: [10, 0]}}\n"
+    Path("jump.yaml").write_bytes(text)
+    drawn = vstatics("simulate", "jump.yaml", "--samples", 3, "--jobs", 1, "--out", "work")
+    assert "jump.yaml: warning: in all 3 variants: link b has no" in drawn.err
