@@ -66,10 +66,14 @@ def _law(law: Any, middle: float, smoothing: float) -> Evaluated:
     return lambda time, _: value + slope * time
 
 
+def _capacities(scenario: Scenario) -> list[tuple[int, Any]]:
+    controls = (scenario.controls or {}).items()
+    return [(number, one.law) for number, one in controls if isinstance(one, Capacity)]
+
+
 def _breaks(scenario: Scenario) -> list[float]:
     """Instants between which laws of time are smooth."""
-    laws: list[Any] = [law for _, law in scenario.torques]
-    laws += [one.law for one in (scenario.controls or {}).values() if isinstance(one, Capacity)]
+    laws: list[Any] = [law for _, law in (*scenario.torques, *_capacities(scenario))]
     over_time = (law for law in laws if isinstance(law, Points) and law.over == "time")
     inner = {x for law in over_time for x in law.x if 0 < x < scenario.duration}
     return sorted({0.0, scenario.duration, *inner})
@@ -104,12 +108,7 @@ def smoothed(
     state = np.concatenate([start, np.zeros(len(slip))])
     for begin, end in pairwise(_breaks(scenario)):
         middle = (begin + end) / 2
-        controls = (scenario.controls or {}).items()
-        capacities = [
-            (number, _law(one.law, middle, smoothing))
-            for number, one in controls
-            if isinstance(one, Capacity)
-        ]
+        capacities = [(n, _law(law, middle, smoothing)) for n, law in _capacities(scenario)]
         torques = [(link, _law(law, middle, smoothing)) for link, law in scenario.torques]
         part = partial(change, capacities, torques)
         atol = rtol * np.maximum(np.abs(state).max(), 1.0)

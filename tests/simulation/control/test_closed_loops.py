@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -207,12 +208,8 @@ def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
         if (x >= most and rate > 0) or (x <= least and rate < 0):
             rate = 0.0
         pull = given["pull"] - given["fade"] * engine
-        return [
-            (pull - capacity) / 2,
-            (capacity - given["load"] * output) / 3,
-            (command - p) / given["lag"],
-            rate,
-        ]
+        changes = (pull - capacity) / 2, (capacity - given["load"] * output) / 3
+        return [*changes, (command - p) / given["lag"], rate]
 
     def near(_: float, y: np.ndarray, *_rest: float) -> float:
         return float(y[0] - y[1] - given["near"])
@@ -222,17 +219,10 @@ def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
 
     near.terminal = joins.terminal = True  # type: ignore[attr-defined]
     y, time, times = np.array([given["engine"], given["output"], 0.0, 0.0]), 0.0, []
+    exact: Any = {"rtol": 1e-11, "atol": 1e-11, "max_step": 2e-3}
     for event, command in ((near, given["command"]), (joins, given["later"])):
-        found = solve_ivp(
-            change,
-            (time, given["duration"]),
-            y,
-            args=(command,),
-            events=event,
-            rtol=1e-11,
-            atol=1e-11,
-            max_step=2e-3,
-        )
+        span = time, given["duration"]
+        found = solve_ivp(change, span, y, args=(command,), events=event, **exact)
         y, time = found.y[:, -1], float(found.t[-1])
         times.append(time)
     left = given["duration"] - time

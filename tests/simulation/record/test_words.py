@@ -101,7 +101,7 @@ def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> No
     by `solve_ivp`, with the friction of L smoothed.
     """
     rng = seeded(seed)
-    inertias = {"a": rng.uniform(0.5, 2), "m": rng.uniform(0.1, 1), "b": rng.uniform(2, 8)}
+    inertias = [rng.uniform(*ends) for ends in ((0.5, 2), (0.1, 1), (2, 8))]
     end = rng.choice(("b", "housing"))
     way, viscous = rng.choice((-1, 1)), rng.uniform(1, 5)
     begin, turn = rng.uniform(0.2, 0.6), rng.uniform(0.8, 1)
@@ -111,20 +111,16 @@ def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> No
         f"controls: {{L: [[0, 0], [{begin!r}, 0], [{begin + 0.2!r}, {size!r}]], "
         f"K: \"{viscous!r}*abs(slip('K'))\"}}\n"
         f"torques: {{a: [[0, {30 * way}], [{turn!r}, {30 * way}], [{turn!r}, {-90 * way}]]}}\n",
-        AT_REST.format(**inertias, end=end),
+        AT_REST.format(**dict(zip("amb", inertias, strict=True)), end=end),
     )
 
-    def gripping(time: float) -> float:
-        return size * min(max((time - begin) / 0.2, 0.0), 1.0)
-
-    def rates(time: float, speeds: Floats) -> list[float]:
-        sliding = gripping(time) * float(np.tanh((speeds[0] - speeds[1]) / 1e-4))
+    def rates(time: float, speeds: Floats) -> Floats:
+        gripping = size * min(max((time - begin) / 0.2, 0.0), 1.0)
+        sliding = gripping * float(np.tanh((speeds[0] - speeds[1]) / 1e-4))
         driven = 30 * way if time < turn else -90 * way
         braking = viscous * slip(time, speeds)
-        torques = (driven - sliding, sliding - braking, braking if end == "b" else 0.0)
-        return [
-            torque / inertia for torque, inertia in zip(torques, inertias.values(), strict=True)
-        ]
+        torques = driven - sliding, sliding - braking, braking if end == "b" else 0.0
+        return np.array(torques) / inertias
 
     def slip(_time: float, speeds: Floats) -> float:
         return float(speeds[1] - speeds[2])
@@ -132,8 +128,7 @@ def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> No
     told = [one for one in motion.events if one.element == "K"]
     assert told[0].word == "slips"
     assert told[0].time == pytest.approx(begin, abs=1e-6)
-    crossings: list[float] = []
-    values = [0.0, 0.0, 0.0]
+    crossings, values = list[float](), [0.0, 0.0, 0.0]
     for first, last in pairwise((0.0, begin, begin + 0.2, turn, 2.0)):
         course = solve_ivp(rates, (first, last), values, "Radau", events=slip, rtol=1e-7, atol=1e-7)
         assert course.t_events is not None
