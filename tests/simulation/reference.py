@@ -1,8 +1,9 @@
 """Motions by an integrator that knows no events: friction smoothed, equations reduced.
 
 Written without the engine, for comparison with it: ``w = N q``, N the null space of the
-mechanisms' columns, ``(N^T J N) q' = N^T (T - A_F M_F)``, friction ``capacity tanh(slip/smoothing)``,
-by `scipy.integrate`. It tends to the motion with events as the smoothing shrinks.
+mechanisms' columns, ``(N^T J N) q' = N^T (T - A_F M_F)``, friction
+``capacity tanh(slip/smoothing)``, by `scipy.integrate`. It tends to the motion with events as the
+smoothing shrinks.
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ inertias: {a: 5}
 springs: {s: {links: [a], points: [[0, 0], [0.39269908169872414, 0], [1.3926990816987241, 20000]],
   damping: 50}}
 """
-"""Modelica.Mechanics.Rotational.Examples.Backlash: 20 kN*m/rad, 50 N*m*s/rad, 45 degrees of play."""
+"""Modelica.Mechanics.Rotational.Examples.Backlash: 20 kN*m/rad, 50 N*m*s/rad, 45 deg of play."""
 
 
 @pytest.mark.parametrize("start", ["angles: {a: 90 deg}", "twists: {s: 90 deg}"])

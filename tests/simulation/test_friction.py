@@ -287,7 +287,7 @@ controls: {{L: "5*abs(slip('L'))^{power}"}}
 
 @pytest.mark.parametrize("power", [pytest.param(0.5, marks=pytest.mark.slow), 0.8, 1.0, 1.5])
 def test_a_link_without_inertia_slips_between_two_laws(power: float) -> None:
-    """Both carry T = 4 x^p = 8 y^p, so y = x/2^(1/p), and T = 4 (s/(1 + 2^(-1/p)))^p of s = x + y."""
+    """T = 4 x^p = 8 y^p, so y = x/2^(1/p), and T = 4 (s/(1 + 2^(-1/p)))^p of s = x + y."""
     motion = simulated(
         f"""duration: 2
 start: {{speeds: {{a: 0, b: 0}}}}

@@ -160,7 +160,7 @@ def test_two_limiters_that_cross() -> None:
 
 
 def test_what_leads_a_ring_gives_what_the_set_and_its_inertias_leave() -> None:
-    """The torques on the members of a set balance, whatever it loses: T1 + T2 + T3 = sum J dw/dt."""
+    """Torques on the members balance, whatever a set loses: T1 + T2 + T3 = sum J dw/dt."""
     case = planetary_set(0.96)
     laws: Laws = (
         (1, constant(40.0)),

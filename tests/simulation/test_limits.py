@@ -32,7 +32,8 @@ def begins(limit: Callable[[float], float], torque: float) -> float:
 def test_a_limit_that_rises_with_time_takes_what_it_is(limit: str) -> None:
     """``J dw/dt = T - L(t)`` from when it slips on, ``L (w - dL/dt/k)`` is heat."""
     made = simulated(
-        f"duration: 0.4\nstart: {{speeds: {{w: 0}}}}\ntorques: {{w: 500}}\nlimits: {{S: {limit}}}\n",
+        "duration: 0.4\nstart: {speeds: {w: 0}}\ntorques: {w: 500}\n"
+        f"limits: {{S: {limit}}}\n",
         WHEEL % "",
     )
     t0 = begins(lambda t: 100 + 200 * t, 500)

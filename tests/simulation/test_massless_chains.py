@@ -91,7 +91,7 @@ def test_a_link_without_inertia_leaps_to_the_piece_where_torques_balance() -> No
 
 
 def test_a_formula_acts_on_a_link_without_inertia_while_a_spring_slips() -> None:
-    """The limit of 40 N*m balances ``-2*speed``: the link turns by 20 rad/s, as long as it slips."""
+    """The limit of 40 N*m balances ``-2*speed``: it turns by 20 rad/s, as long as it slips."""
     spring = Spring(between(1, 2), 5000.0, name="s", limit=40.0)
     case = links(1.0, 0.0, springs=(spring,))
     motion = run(case, 0.5, {1: 100.0}, ((2, Formula("-2*speed")),))

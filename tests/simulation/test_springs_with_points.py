@@ -153,7 +153,7 @@ def random_chain(rng: Random) -> tuple[Scenario, list[Line]]:
 
 
 def _random_damping(rng: Random, line: Line) -> float:
-    """None beside a play, in whose contact it would not act as an integrator without events has it."""
+    """None beside a play, in whose contact an integrator without events would have it pull."""
     damping = rng.choice((0.0, rng.uniform(0, 5)))
     return (
         0.0

@@ -159,7 +159,8 @@ states:
   p: {{rate: "(x + {gain}*(slip('C') - target) - p)/{lag}"}}
 controls: {{C: "max(p, 10)"}}
 torques: {{e: "{rng.uniform(20, 90)} - 0.1*speed", o: -{rng.uniform(10, 60)}}}
-sequences: {{s: {{repeat: true, steps: [{{when: "t >= 0.3", wait: 0.4, set: {{target: "target/2"}}}}]}}}}
+sequences:
+  s: {{repeat: true, steps: [{{when: "t >= 0.3", wait: 0.4, set: {{target: "target/2"}}}}]}}
 """
     whole, run = simulated(scenario), begin(written(scenario))
     while run.time < 2:

@@ -1,4 +1,4 @@
-"""`vstatics simulate --samples` and `vstatics sweep SCENARIO` as commands: files, formats, errors."""
+"""`vstatics simulate --samples` and `vstatics sweep SCENARIO` as commands: files, errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Controls that see the box, states and temperatures, against closed forms and solvers of others."""
+"""Controls that see the box, states and temperatures: closed forms and solvers of others."""
 
 from __future__ import annotations
 
@@ -107,7 +107,9 @@ set: {{command: 0}}
 states: {{p: {{rate: {"command" if back else '"(command - p)/0.1"'}, min: 0}}}}
 controls: {{C: p}}
 sequences:
-  s: [{{when: "t >= 0.5", set: {{command: 80}}}}, {{when: "t >= 1", set: {{command: {-80 if back else 80}}}}}]
+  s:
+    - {{when: "t >= 0.5", set: {{command: 80}}}}
+    - {{when: "t >= 1", set: {{command: {-80 if back else 80}}}}}
 """,
         "links: [e, o]\ninertias: {e: 2, o: 3}\n"
         "shift_elements: {C: {links: [e, o], drag: 6 N*m}}\ngears: {g: [C]}\n"
@@ -144,7 +146,7 @@ set: {seen: 0}
 
 
 def test_what_a_table_gives_drives_an_engine() -> None:
-    """Between rows and columns it is bilinear: at pedal 0.6 the torque is 110 - w/10, so w decays."""
+    """Between rows and columns it is bilinear: 110 - w/10 at pedal 0.6, so w decays."""
     motion = simulated("""duration: 4
 start: {speeds: {e: 100, o: 0}}
 tables:

@@ -166,11 +166,14 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
 @pytest.mark.parametrize(
     ("text", "fault"),
     [
-        ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]', "8:7 sequences.s[1]: read a step with nothing"),
+        ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]',
+         "8:7 sequences.s[1]: read a step with nothing"),
         ("sequences:\n  s: [{set: {b: 1}}]", "sequences.s[1].set.b: read `b`"),
-        ("set: {a: 0}\nsequences:\n  s: [{when: \"slip('D') > 1\", set: {a: 1}}]", "read `D`, expected a shift element"),
+        ("set: {a: 0}\nsequences:\n  s: [{when: \"slip('D') > 1\", set: {a: 1}}]",
+         "read `D`, expected a shift element"),
         ('set: {a: 0}\nsequences:\n  s: [{when: "t + 1", set: {a: 1}}]', "expected a condition"),
-        ('set: {a: 0}\nsequences:\n  s: [{when: "slip > 1", set: {a: 1}}]', "name what it is of, as in slip('C')"),
+        ('set: {a: 0}\nsequences:\n  s: [{when: "slip > 1", set: {a: 1}}]',
+         "name what it is of, as in slip('C')"),
         ("set: {a: 0}\nsequences:\n  s: [{set: {a: 1}, within: 0}]", "expected a time above 0"),
         ("sequences:\n  s: [{dog: {C: closed}}]", "C is not a dog clutch"),
         ('sequences:\n  s: [{shift: {to: "9"}}]', "expected the name of a gear"),
@@ -185,8 +188,10 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
          "7:24 sequences.s[1].set.p: read 3, expected at most 2, its max"),
         ("tables: {q: [[1, 0], [0, 1]]}", "expected rows in ascending order"),
         ("tables: {q: {file: missing.csv}}", "cannot be read"),
-        ("tables: {q: {columns: [0, 1], rows: [[1, 2, 3], [0, 1, 2]]}}", "6:49 tables.q.rows[2]: read 0 after 1"),
-        ("tables: {q: {columns: [0, 1], rows: [[0, 1, 2], [1, 2]]}}", "6:49 tables.q.rows[2]: read 2 numbers, expected 3"),
+        ("tables: {q: {columns: [0, 1], rows: [[1, 2, 3], [0, 1, 2]]}}",
+         "6:49 tables.q.rows[2]: read 0 after 1"),
+        ("tables: {q: {columns: [0, 1], rows: [[0, 1, 2], [1, 2]]}}",
+         "6:49 tables.q.rows[2]: read 2 numbers, expected 3"),
         ("tables: {q: {columns: [0, 1], rows: []}}", "read no rows"),
         ("tables: {q: {columns: [], rows: [[1, 2, 3]]}}", "read 3 numbers, expected 2"),
         ("tables: {q: []}", "read no rows"),
@@ -205,8 +210,10 @@ def test_a_torque_that_would_see_itself_is_told_as_a_loop() -> None:
 @pytest.mark.parametrize(
     ("text", "identity", "path"),
     [
-        ('set: {a: 0}\nsequences: {s: [{when: "t > 1", set: {a: 1/a}}]}', "E677", "sequences.s[1].set.a"),
-        ('set: {a: 0}\nsequences: {s: [{set: {a: 1}, wait: 1}, {when: "sqrt(t - 2) < 3", set: {a: 1}}]}',
+        ('set: {a: 0}\nsequences: {s: [{when: "t > 1", set: {a: 1/a}}]}',
+         "E677", "sequences.s[1].set.a"),
+        ("set: {a: 0}\nsequences: "
+         '{s: [{set: {a: 1}, wait: 1}, {when: "sqrt(t - 2) < 3", set: {a: 1}}]}',
          "E650", "sequences.s[2].when"),
         ('states: {p: {start: 1, rate: "p^2"}}', "E700", "states.p.rate"),
         ('states: {p: {rate: "sqrt(1 - t)"}}', "E700", "states.p.rate"),

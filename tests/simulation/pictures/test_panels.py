@@ -1,4 +1,4 @@
-"""The picture of shipped runs, by the groups of its SVG, against the JSON of `vstatics simulate`."""
+"""Pictures of shipped runs, by the groups of their SVG, against the JSON of `vstatics simulate`."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Pictures of a run: what is drawn of it, over time and into the kinematic plan.
 
 The run is that of a planetary set whose brake locks, in closed form (V. P. Tarasik, simulation of
-planetary gearboxes, 2018, figure 2): constant accelerations to the lock at .410054 s, and from there.
+planetary gearboxes, 2018, figure 2): constant accelerations up to the lock at .410054 s, and after.
 """
 
 from __future__ import annotations

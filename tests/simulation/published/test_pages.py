@@ -28,7 +28,7 @@ GAZ_RATIOS = (6.48, 3.09, 1.71, 1.0)
 
 
 def test_measured_torques_of_a_dumped_clutch() -> None:
-    """GAZ-53A, table 3.2: no dump is below what was measured; a motion has the torque of the page."""
+    """GAZ-53A, table 3.2: no dump is below what was measured; motions have torques of the page."""
     count = 0
     for row in rows("vehicle-dynamics", "Largest torques that were measured"):
         number = GEARS.index(row["gear"])

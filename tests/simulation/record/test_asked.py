@@ -1,4 +1,4 @@
-"""Columns that are asked for: closed forms, sums of energy, differences of the speeds themselves."""
+"""Columns that are asked for: closed forms, sums of energy, differences of speeds."""
 
 from __future__ import annotations
 
@@ -194,7 +194,7 @@ POINTS = "[[0, 2.5, 0.003], [1, 1, 0], [1.5, 1, -0.001]]"
 def test_a_converter_tells_its_ratios_and_what_its_turbine_gives(
     pump: float, turbine: float, expected: tuple[float, float, float, float]
 ) -> None:
-    """Speed ratio w_T/w_P; power out by power in: K i, its inverse in overrun, 0 where both take some."""
+    """Speed ratio w_T/w_P; power out by power in: K i, 1/(K i) in overrun, 0 where both take it."""
     ratio, efficiency, taken, factor = expected
     motion, found = asked(
         f"duration: 1\nstart: {{speeds: {{p: {pump}, t: {turbine}}}}}\n"

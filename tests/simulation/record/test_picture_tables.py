@@ -1,4 +1,4 @@
-"""What a run has beside its columns: what sticks, capacities, heat and losses, torque of the output.
+"""Tables of pictures of a run: what sticks, capacities, heat and losses, torque of the output.
 
 Against the energies of its account, the torques of its columns, statics and the scenarios' numbers.
 """

@@ -115,7 +115,8 @@ torques: {wheel: {resistance: -0.0}}
 
 
 def test_what_else_a_scenario_has() -> None:
-    read = scenario_file("""start: {speeds: {in: 600 rpm, wheel: 36 km/h}, engaged: [B], settled: true}
+    read = scenario_file("""start:
+  {speeds: {in: 600 rpm, wheel: 36 km/h}, engaged: [B], settled: true}
 torques: {wheel: {road: {mass: 1, radius: 0.5}}}
 converters: {TC: {links: [in, wheel], points: [[0, 2.4, 3.1e-3], [.8, 1.0, 0]]}}
 shifts: [{at: 2, to: high, overlap: 300 ms}, {at: 3, to: low}]

@@ -75,7 +75,8 @@ shift_elements: {{"{name}{name}": {{links: [{name}, b]}}}}
 gears: {{{name}: ["{name}{name}"]}}
 """
     motion = simulated(
-        f"duration: 1\nstart: {{gear: {name}, speed: 5}}\ntorques: {{{name}: \"5 - speed('{name}')\"}}\n",
+        f"duration: 1\nstart: {{gear: {name}, speed: 5}}\n"
+        f"torques: {{{name}: \"5 - speed('{name}')\"}}\n",
         case,
     )
     assert motion.speeds[-1].tolist() == pytest.approx([5.0, 5.0])

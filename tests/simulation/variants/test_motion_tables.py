@@ -135,7 +135,8 @@ def test_what_is_asked_of_runs_is_calculated_of_them_and_steps_have_their_times(
     """The carrier's speed is 50.856751 t rad/s to the lock, as in pictures/test_shift.py."""
     sequences = b"""set: {grip: 120}
 sequences:
-  up: [{wait: 0.2, set: {grip: 120}}, {when: "locks('brake')", set: {grip: 120}}, {wait: 9, set: {grip: 1}}]
+  up: [{wait: 0.2, set: {grip: 120}}, {when: "locks('brake')", set: {grip: 120}},
+       {wait: 9, set: {grip: 1}}]
 """
     scenario = subject(SCENARIO.replace(b"brake: [[0, 120]]", b"brake: grip") + sequences)
     out = "max(accelerations[carrier]), steps[up,1], steps[up,2], steps[up,3], last(slip_power)"
