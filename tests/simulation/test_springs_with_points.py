@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 from tests.chance import count, seeded, with_marked
 from tests.simulation.test_closed_forms import links, run
 from vstatics import CaseError, ShiftElement, Spring
+from vstatics.core.model.parts import Damping
 from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Capacity, Motion, Points, Scenario, Start, constant, simulate
@@ -225,3 +226,22 @@ def test_the_energy_of_random_chains_with_friction_closes(seed: int) -> None:
     motion = simulate(scenario._replace(case=case, start=start, controls=capacity))
     assert motion.stopped is None
     assert {event.element for event in motion.events} <= {"C"}
+
+
+def test_loss_factors_damp_as_at_the_lowest_natural_frequency() -> None:
+    """2 kg*m^2 on 200 N*m/rad swing with 10 rad/s; the damping ratio is half of the factor.
+
+    The springs of 300 and 600 N*m/rad in a row, with a link without inertia between, are one spring.
+    """
+    springs = [
+        Spring(twist, stiffness, damping=Damping(loss_factor=0.2))
+        for twist, stiffness in ((between(1), 300.0), (between(2, 1), 600.0))
+    ]
+    motion = run(links(0.0, 2.0, springs=tuple(springs)), 1.0, {2: 1.0})
+    assert [(one.id, one.text.endswith("1.592 Hz")) for one in motion.messages] == [("N601", True)]
+    own = math.sqrt(1 - 0.1**2)
+    phase = 10 * own * motion.time
+    expected = np.exp(-motion.time) * (np.cos(phase) - 0.1 / own * np.sin(phase))
+    assert motion.speeds[:, 1] == pytest.approx(expected, abs=1e-8)
+    free = run(links(0.0, 2.0, springs=(springs[1],)), 1.0, {2: 1.0})
+    assert [one.id for one in free.messages] == ["W601"]
