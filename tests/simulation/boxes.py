@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points, TorqueLaw, constant
-from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.simulation import Capacity, Formula, Points, Scenario, Start, constant
+from vstatics.simulation.scenario.laws import TorqueLaw
 
 K1 = -67 / 33
 RPM = 0.10471975511965977

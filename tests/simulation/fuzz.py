@@ -6,12 +6,13 @@ from functools import cache
 
 from tests.commands import CASES
 from tests.fuzz import Kind
+from vstatics import VariedScenario
 from vstatics.core.readers import read
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.reading import Reading
+from vstatics.simulation import Formula
 from vstatics.simulation.scenario.file import read_scenario
-from vstatics.simulation.scenario.formula import Formula, read_formula
-from vstatics.simulation.variants.subject import VariedScenario
+from vstatics.simulation.scenario.formula import read_formula
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.results.columns import read_columns
@@ -21,7 +22,8 @@ SCENARIO = """\
 case: tarasik-box.yaml
 duration: 6 s
 start: {speeds: {in: 600 rpm, out: 3 km/h}, engaged: [FH], settled: true}
-controls: {FH: {points: [[0, 3 kN*m], [2, 0]], scale: .9}, F1: {dog: [[1, closed]]}, F2: "6000*min(t^2, 1)"}
+controls:
+  {FH: {points: [[0, 3 kN*m], [2, 0]], scale: .9}, F1: {dog: [[1, closed]]}, F2: "6000*min(t^2, 1)"}
 torques:
   in: {over: speed, points: [[80 rad/s, 900], [200, 1100]]}
   out: ["-1200*tanh(speed/0.05)", {resistance: 300}, {road: {mass: 12 t, radius: 1/2, slope: .03}}]
@@ -36,15 +38,21 @@ case: tarasik-box.yaml
 duration: 6 s
 start: {gear: "1", speed: 600 rpm}
 numbers: {lag: .03, top: 9 kN*m}
-tables: {engine: {columns: [0, .5, 1], rows: [[80, -20, 150, 380], [200, -30, 220, 420]]}, pedal: [[0, 1], [4, .2]]}
+tables:
+  engine: {columns: [0, .5, 1], rows: [[80, -20, 150, 380], [200, -30, 220, 420]]}
+  pedal: [[0, 1], [4, .2]]
 set: {command: 0, closed: 0}
-states: {grip: {rate: "(command - grip)/lag", min: 0, max: 9000}, e: {start: 1, rate: "closed*(abs(slip('F1')) - e)"}}
+states:
+  grip: {rate: "(command - grip)/lag", min: 0, max: 9000}
+  e: {start: 1, rate: "closed*(abs(slip('F1')) - e)"}
 controls: {F1: "grip + 10*e", FH: 3000}
 torques: {in: "engine(speed, pedal(t))"}
 speeds: {out: [[0, 0], [2, 30 rpm]]}
 sequences:
-  fill: [{when: "t > .3", set: {command: top}}, {when: "locks('F1')", within: 2, wait: .1, shift: {to: "2", overlap: .3}}]
-  again: {steps: [{wait: .5, set: {closed: 1}}, {when: "e < 1 or slips('F1')", set: {closed: "closed/2"}}], repeat: true}
+  fill: [{when: "t > .3", set: {command: top}},
+         {when: "locks('F1')", within: 2, wait: .1, shift: {to: "2", overlap: .3}}]
+  again: {steps: [{wait: .5, set: {closed: 1}},
+                  {when: "e < 1 or slips('F1')", set: {closed: "closed/2"}}], repeat: true}
 """
 
 

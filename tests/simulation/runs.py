@@ -10,11 +10,20 @@ from scipy.linalg import null_space
 from tests.simulation.boxes import points
 from tests.simulation.reference import mechanism_column
 from tests.trains import no_losses, random_train
-from vstatics.core.model.transmission import Gear, Transmission
+from vstatics import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
-from vstatics.simulation.scenario.parts import Capacity, Control, Dog, Scenario, Start
+from vstatics.simulation import (
+    Capacity,
+    Dog,
+    Formula,
+    Points,
+    Resistance,
+    Scenario,
+    Start,
+    constant,
+)
+from vstatics.simulation.scenario.laws import TorqueLaw
+from vstatics.simulation.scenario.parts import Control
 
 
 def random_box(rng: Random, *, losses: bool = False) -> Transmission:

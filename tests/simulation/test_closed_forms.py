@@ -9,15 +9,21 @@ import pytest
 
 from tests.simulation.boxes import capacity, held, points
 from tests.simulation.test_golden import closes, happened
+from vstatics import Gear, ShiftElement, Spring, Transmission
 from vstatics.core.model.converters import Converter
-from vstatics.core.model.parts import Friction, OfLoad
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
-from vstatics.simulation import simulate
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Resistance, Road, TorqueLaw, constant
-from vstatics.simulation.scenario.parts import Control, Scenario, Start
+from vstatics.core.model.springs import between
+from vstatics.simulation import (
+    Formula,
+    Motion,
+    Resistance,
+    Road,
+    Scenario,
+    Start,
+    constant,
+    simulate,
+)
+from vstatics.simulation.scenario.laws import TorqueLaw
+from vstatics.simulation.scenario.parts import Control
 
 EXACT = 1e-8
 
@@ -64,13 +70,6 @@ def run(  # noqa: PLR0913 - what a scenario has
     return motion
 
 
-def test_coast_down_by_viscous_friction() -> None:
-    """J dw/dt = -c w."""
-    motion = run(links(2.0), 3.0, {1: 100.0}, ((1, Formula("-0.5*speed")),))
-    assert motion.speeds[-1, 0] == pytest.approx(100 * math.exp(-0.25 * 3), rel=EXACT)
-    assert not motion.events
-
-
 @pytest.mark.parametrize("duration", [1.0, 1e3, 1e6, 1e9])
 def test_a_torque_that_dies_away_acts_however_long_the_run(duration: float) -> None:
     """The integral of 10 exp(-t); the first look ahead may come when it is over."""
@@ -92,19 +91,6 @@ def test_coast_down_to_rest() -> None:
     assert motion.energy.heat["1"] == pytest.approx(30 * angle, rel=EXACT)
 
 
-def test_road_to_rest() -> None:
-    """J dw/dt = -(a + b w^2): w = sqrt(a/b) tan(atan(w0 sqrt(b/a)) - sqrt(ab) t/J)."""
-    road = Road(1000.0, 0.3, rolling=0.015, drag_area=0.8)
-    a, b = 0.3 * 1000 * 9.81 * 0.015, 0.3 * 1.2 * 0.8 * 0.3**2 / 2
-    inertia, start, time = 1000 * 0.3**2, 100.0, 20.0
-    motion = run(links(inertia), time, {1: start}, ((1, road),))
-    phase = math.atan(start * math.sqrt(b / a)) - math.sqrt(a * b) * time / inertia
-    assert motion.speeds[-1, 0] == pytest.approx(math.sqrt(a / b) * math.tan(phase), rel=EXACT)
-    stop = math.atan(start * math.sqrt(b / a)) * inertia / math.sqrt(a * b)
-    motion = run(links(inertia), stop + 5, {1: start}, ((1, road),))
-    assert happened(motion) == [("1", "locks", pytest.approx(stop, rel=EXACT))]
-
-
 def test_speed_reached_on_a_road() -> None:
     """Constant acceleration on a slope."""
     road = Road(1000.0, 0.3, slope=0.05)
@@ -117,30 +103,14 @@ def test_speed_reached_on_a_road() -> None:
     assert reached.distance == pytest.approx(0.3 * 25 * time, rel=EXACT)
 
 
-def shaft(damping: float = 0.0, limit: float | None = None) -> Transmission:
-    """Two inertias and a shaft."""
-    return links(0.4, 0.6, springs=(Spring(between(1, 2), 5000.0, damping=damping, limit=limit),))
-
-
 REDUCED = 0.4 * 0.6 / (0.4 + 0.6)
 OMEGA = math.sqrt(5000 / REDUCED)
 
 
-def test_step_on_a_shaft() -> None:
-    """The torque of the shaft is M J2/(J1 + J2) (1 - cos omega t)."""
-    motion = run(shaft(), 0.1, {1: 0.0, 2: 0.0}, ((1, constant(100)),))
-    level = 100 * 0.6
-    expected = level * (1 - np.cos(OMEGA * motion.time))
-    assert motion.torques[:, 0] == pytest.approx(expected, abs=EXACT * 120)
-    assert motion.peaks["S1"].torque == pytest.approx(2 * level, rel=1e-7)
-    turns = motion.peaks["S1"].time * OMEGA / math.pi
-    assert turns == pytest.approx(round(turns), abs=1e-3)
-    assert round(turns) % 2 == 1
-
-
 def test_step_on_a_damped_shaft() -> None:
     """A damped oscillator: theta'' + 2 d theta' + omega^2 theta = M/J1."""
-    motion = run(shaft(8.0), 0.1, {1: 0.0, 2: 0.0}, ((1, constant(100)),))
+    shaft = Spring(between(1, 2), 5000.0, damping=8.0)
+    motion = run(links(0.4, 0.6, springs=(shaft,)), 0.1, {1: 0.0, 2: 0.0}, ((1, constant(100)),))
     decay = 8 / (2 * REDUCED)
     own = math.sqrt(OMEGA**2 - decay**2)
     rest = 100 / 0.4 / OMEGA**2
@@ -158,7 +128,8 @@ def test_shaft_that_saturates() -> None:
     With v the difference of speeds where the limit is reached, the heat is J v^2/2.
     """
     limit, start = 100.0, 5.0
-    motion = run(shaft(limit=limit), 0.2, {1: start, 2: 0.0})
+    shaft = Spring(between(1, 2), 5000.0, limit=limit)
+    motion = run(links(0.4, 0.6, springs=(shaft,)), 0.2, {1: start, 2: 0.0})
     squared = start**2 - limit**2 / (5000 * REDUCED)
     heat = sum(motion.energy.heat.values()) + sum(motion.energy.losses.values())
     assert heat == pytest.approx(REDUCED * squared / 2, rel=EXACT)
@@ -212,109 +183,21 @@ def test_body_pulled_by_a_spring() -> None:
     assert [one[2] for one in happened(motion)] == pytest.approx([e[2] for e in expected], abs=1e-7)
 
 
-def test_freewheel_is_overrun_and_holds() -> None:
-    """The output may turn faster than the engine, not slower."""
-    case = links(0.2, 0.5, elements=(ShiftElement(2, 1, "L", "freewheel"),))
-    drive = points((0, 5), (2, 5), (2, -8))
-    motion = run(case, 3.0, {1: 10.0, 2: 20.0}, ((1, drive), (2, constant(-2))))
-    meet = 10 / (5 / 0.2 + 2 / 0.5)
-    assert happened(motion) == [
-        ("L", "locks", pytest.approx(meet, abs=EXACT)),
-        ("L", "slips", pytest.approx(2, abs=1e-12)),
-    ]
-    together = 20 - 4 * meet + (2 - meet) * 3 / 0.7
-    assert motion.speeds[-1] == pytest.approx([together - 40, together - 4], rel=EXACT)
-    assert sum(motion.energy.heat.values()) == pytest.approx(0, abs=1e-12)
-
-
 def test_redundant_clutches_share_what_they_hold() -> None:
     """Two between the same links hold the sum of their capacities."""
     pair = (ShiftElement(1, 2, "A"), ShiftElement(1, 2, "B"))
     case = links(1.0, 1.0, elements=pair)
     ramp = points((0, 0), (2, 200))
     controls: dict[int, Control] = {1: held(30), 2: held(50)}
-    motion = run(case, 1.0, {1: 5.0, 2: 5.0}, ((1, ramp),), controls, engaged=(1, 2))
-    assert not motion.events
-    assert motion.torques[-1, :2] == pytest.approx([25, 25])
-    motion = run(case, 1.4, {1: 5.0, 2: 5.0}, ((1, ramp),), controls, engaged=(1, 2))
-    assert not motion.events
-    assert motion.torques[-1, :2] == pytest.approx([30, 40])
+    for end, torques in ((1.0, [25, 25]), (1.4, [30, 40])):
+        motion = run(case, end, {1: 5.0, 2: 5.0}, ((1, ramp),), controls, engaged=(1, 2))
+        assert not motion.events
+        assert motion.torques[-1, :2] == pytest.approx(torques)
     assert motion.messages
     motion = run(case, 2.0, {1: 5.0, 2: 5.0}, ((1, ramp),), controls, engaged=(1, 2))
     assert {(name, what) for name, what, _ in happened(motion)} == {("A", "slips"), ("B", "slips")}
     assert [time for _, _, time in happened(motion)] == pytest.approx([1.6, 1.6], abs=EXACT)
     assert motion.torques[-1, :2] == pytest.approx([30, 50])
-
-
-def test_static_friction_is_larger() -> None:
-    """It holds up to 1.25 times its capacity, and slips with the capacity."""
-    case = links(1.0, 3.0, elements=(ShiftElement(1, 2, "C", static=1.25),))
-    ramp = points((0, 0), (10, 1000))
-    motion = run(case, 3.0, {1: 5.0, 2: 5.0}, ((1, ramp),), {1: held(120)}, engaged=(1,))
-    [(name, what, time)] = happened(motion)
-    assert (name, what, time) == ("C", "slips", pytest.approx(2.0, abs=EXACT))  # 3/4 T = 150
-    assert motion.torques[-1, 0] == pytest.approx(120)
-    peak = motion.peaks["C"]
-    assert peak == pytest.approx((150, 2.0), rel=EXACT)
-
-
-def test_resistance_holds() -> None:
-    """A load at rest moves when the torque exceeds it."""
-    ramp = points((0, -100), (2, 100))
-    motion = run(links(1.0), 2.0, {1: 0.0}, ((1, ramp), (1, Resistance(50.0))))
-    found = happened(motion)
-    # at first 50 N*m push it backward; they end at .5 s, it rests when the integral is 0
-    assert [one[:2] for one in found] == [("1", "locks"), ("1", "slips")]
-    assert found[1][2] == pytest.approx(1.5, abs=EXACT)
-    assert motion.speeds[-1, 0] == pytest.approx(50 * 0.5**2, rel=EXACT)
-
-
-def test_coefficient_of_friction_that_rises() -> None:
-    """J ds/dt = -G (mu0 + k s): locks at J/(G k) ln(1 + k s0/mu0)."""
-    friction = Friction(0.1, 60e-4, 8, ((0.0, 0.12), (200.0, 0.16)))
-    case = links(0.5, elements=(ShiftElement(1, 0, "B", friction=friction),))
-    motion = run(case, 10.0, {1: 100.0}, controls={1: held(1e4)})
-    gain, slope = 1e4 * 0.1 * 60e-4 * 8, 0.04 / 200
-    time = 0.5 / (gain * slope) * math.log(1 + slope * 100 / 0.12)
-    assert happened(motion) == [("B", "locks", pytest.approx(time, abs=EXACT))]
-    assert motion.energy.heat["B"] == pytest.approx(0.5 * 100**2 / 2, rel=EXACT)
-
-
-def test_ramp_of_a_capacity() -> None:
-    """J w0 = r t^2/2."""
-    case = links(0.5, elements=(ShiftElement(1, 0, "B"),))
-    motion = run(case, 1.0, {1: 100.0}, controls={1: capacity((0, 0), (1, 400))})
-    assert happened(motion) == [("B", "locks", pytest.approx(0.5, abs=EXACT))]
-
-
-def test_capacity_by_a_formula() -> None:
-    """J w0 = M (t - (1 - exp(-K t))/K)."""
-    from vstatics.simulation.scenario.parts import Capacity
-
-    case = links(0.5, elements=(ShiftElement(1, 0, "B"),))
-    control = Capacity(Formula("182*(1 - exp(-60*t))"))
-    motion = run(case, 1.0, {1: 100.0}, controls={1: control})
-    [(_, what, time)] = happened(motion)
-    assert what == "locks"
-    assert 182 * (time - (1 - math.exp(-60 * time)) / 60) == pytest.approx(50, rel=1e-7)
-
-
-def test_open_clutch_drags() -> None:
-    """Dry friction while its capacity is 0."""
-    drag = OfLoad(10.0, 100.0)
-    case = links(0.5, elements=(ShiftElement(1, 0, "B", drag=drag),))
-    motion = run(case, 6.0, {1: 100.0})
-    assert motion.speeds[-1, 0] == pytest.approx(0, abs=1e-12)
-    assert np.interp(2.5, motion.time, motion.speeds[:, 0]) == pytest.approx(50, rel=1e-6)
-    assert sum(motion.energy.losses.values()) == pytest.approx(0.5 * 100**2 / 2, rel=EXACT)
-
-
-def test_passing_zero_slip_without_holding() -> None:
-    """One event, and the torque turns."""
-    case = links(1.0, elements=(ShiftElement(1, 0, "B"),))
-    motion = run(case, 2.0, {1: 10.0}, ((1, constant(-20)),), {1: held(5)})
-    assert happened(motion) == [("B", "reverses", pytest.approx(0.4, abs=EXACT))]
-    assert motion.speeds[-1, 0] == pytest.approx(-15 * 1.6, rel=EXACT)
 
 
 def test_two_lock_at_one_instant() -> None:

@@ -9,14 +9,16 @@ import numpy as np
 import pytest
 
 from tests.chance import seeded
+from tests.core.statics.points.test_laws import EAXLE
 from tests.simulation.boxes import capacity
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
-from vstatics import CaseError, Gear, Load, Transmission
+from vstatics import CaseError, Gear, Load, ShiftElement, Transmission, loads
 from vstatics.core.model.laws import PointLaw
-from vstatics.core.model.parts import Law, ShiftElement
+from vstatics.core.model.parts import Law
 from vstatics.core.readers.named.drag_formulas import DragFormula
-from vstatics.simulation.scenario.laws import constant
+from vstatics.simulation import constant
+from vstatics.simulation.system.devices import drags
 
 LOAD = Load(100, 20)
 
@@ -46,18 +48,6 @@ def test_coast_down_by_a_constant_and_a_slope(seed: int) -> None:
             )
             assert motion.speeds[-1, 0] == 0
             assert sum(motion.energy.losses.values()) == pytest.approx(inertia * w0**2 / 2)
-
-
-def test_a_drag_by_the_square_of_the_speed() -> None:
-    """J dw/dt = -a - c w^2: rests after J/sqrt(a c) atan(w0 sqrt(c/a))."""
-    a, c = 2.0, 0.003
-    rest = 0.5 / math.sqrt(a * c) * math.atan(80 * math.sqrt(c / a))
-    case = dragged_link(DragFormula(f"{a} + {c}*w^2"))
-    before, after = (run(case, rest * part, {1: 80.0}).speeds[-1, 0] for part in (0.99, 1.01))
-    assert before == pytest.approx(
-        math.sqrt(a / c) * math.tan(0.01 * rest * math.sqrt(a * c) / 0.5)
-    )
-    assert after == 0
 
 
 def test_a_drag_that_begins_with_the_speed_holds_nothing_at_rest() -> None:
@@ -120,3 +110,9 @@ def test_a_freewheel_takes_a_number_only() -> None:
     with pytest.raises(CaseError, match="the drag of F depends on speed") as caught:
         run(joined(wheel, 0.5), 1.0, {1: 50.0})
     assert caught.value.problems[0].path == ("case", "shift_elements", 1, "drag")
+
+
+def test_a_scenario_takes_no_efficiency_that_depends() -> None:
+    with pytest.raises(CaseError, match="the efficiency of a depends on speed") as caught:
+        list(drags(loads(EAXLE), None))
+    assert "the efficiency of b depends on speed or torque" in str(caught.value)

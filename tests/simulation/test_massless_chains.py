@@ -9,13 +9,20 @@ import pytest
 from tests.chance import count, seeded
 from tests.simulation.runs import random_capacity
 from tests.simulation.test_closed_forms import links, run
-from vstatics.core.errors import CaseError
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import ShiftElement
-from vstatics.simulation import simulate
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
-from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
+from vstatics import CaseError, ShiftElement, Spring
+from vstatics.core.model.springs import between
+from vstatics.simulation import (
+    Capacity,
+    Formula,
+    Points,
+    Resistance,
+    Scenario,
+    Start,
+    constant,
+    simulate,
+)
+from vstatics.simulation.scenario.laws import TorqueLaw
+from vstatics.simulation.scenario.parts import Control
 
 OVER_SPEED = Points((-50.0, 0.0, 60.0), (20.0, 0.0, -15.0), "speed")
 
@@ -84,7 +91,7 @@ def test_a_link_without_inertia_leaps_to_the_piece_where_torques_balance() -> No
 
 
 def test_a_formula_acts_on_a_link_without_inertia_while_a_spring_slips() -> None:
-    """The limit of 40 N*m balances ``-2*speed``: the link turns by 20 rad/s, as long as it slips."""
+    """The limit of 40 N*m balances ``-2*speed``: it turns by 20 rad/s, as long as it slips."""
     spring = Spring(between(1, 2), 5000.0, name="s", limit=40.0)
     case = links(1.0, 0.0, springs=(spring,))
     motion = run(case, 0.5, {1: 100.0}, ((2, Formula("-2*speed")),))

@@ -8,10 +8,7 @@ import pytest
 
 from tests.chance import seeded
 from vstatics import Transmission, loads
-from vstatics.simulation import simulate
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.scenario.laws import constant
-from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics.simulation import Motion, Scenario, Start, constant, simulate
 
 SETS = {
     "planetary": "sun: a, ring: b, carrier: c, teeth: {sun: 30, ring: 78}",

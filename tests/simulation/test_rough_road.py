@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from tests.simulation.control.written import simulated
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation import load_scenario, simulate
 
 CASE = """
 links: [z, x, pitch, z2, z3, x2, x3, road1, road2]
@@ -27,9 +26,7 @@ springs:
   drive: {{twist: {{x: 1, pitch: .9}}, stiffness: 2.5e5, damping: 4e3}}
 gears: {{"1": []}}
 """
-SCENARIO = """
-case: case.yaml
-duration: 0.8
+SCENARIO = """duration: 0.8
 start: {speeds: {z: 0, x: 0, pitch: 0, z2: 0, z3: 0, x2: 0, x3: 0}}
 speeds: {road1: "0.24*sin(12*t)", road2: "0.24*sin(9*t)"}
 torques:
@@ -74,26 +71,16 @@ def on_rough_road(leaves: tuple[float, float]) -> Floats:
     return end
 
 
-@pytest.mark.parametrize(
-    ("leaves", "near"),
-    [((0, 0), 1e-9), ((900, 1500), 2e-5)],
-    ids=["no friction", "friction of leaves"],
-)
-def test_a_rough_road_pushes_along(
-    leaves: tuple[float, float], near: float, tmp_path: Path
-) -> None:
+@pytest.mark.parametrize(("leaves", "near"), [((0, 0), 1e-9), ((900, 1500), 2e-5)])
+def test_a_rough_road_pushes_along(leaves: tuple[float, float], near: float) -> None:
     """(5.1): compliance along, friction of leaves, the push ``(Y + P) q'/(v + x')``."""
-    (tmp_path / "case.yaml").write_text(CASE.format(front=leaves[0], rear=leaves[1]))
-    (tmp_path / "scenario.yaml").write_text(SCENARIO)
-    motion = simulate(load_scenario(tmp_path / "scenario.yaml"))
+    motion = simulated(SCENARIO, CASE.format(front=leaves[0], rear=leaves[1]))
     assert motion.speeds[-1, :7] == pytest.approx(on_rough_road(leaves), abs=near)
     assert abs(motion.energy.balance) < 1e-6
     assert (sum(motion.energy.heat.values()) > 0) == any(leaves)
 
 
-TAKING_OFF = """
-case: case.yaml
-duration: 1
+TAKING_OFF = """duration: 1
 start: {speeds: {wheel: 20, car: 2}}
 tables: {grip: [[0, 0], [.1, .8], [1, .6]]}
 torques: {wheel: "900 - 300*t"}
@@ -101,14 +88,13 @@ limits: {tyre: "3000*grip(max(0, (speed('wheel')*.4 - speed('car'))/(speed('whee
 """
 
 
-def test_grip_follows_the_slip_of_the_wheel(tmp_path: Path) -> None:
+def test_grip_follows_the_slip_of_the_wheel() -> None:
     """Table 1.1: ``X <= G phi(delta)``, ``delta = (w r - v)/(w r)``; once it slips."""
-    (tmp_path / "case.yaml").write_text(
+    motion = simulated(
+        TAKING_OFF,
         "{masses: {car: 300}, inertias: {wheel: 5},"
-        " springs: {tyre: {twist: {wheel: .4, car: -1}, stiffness: 2e5}}}"
+        " springs: {tyre: {twist: {wheel: .4, car: -1}, stiffness: 2e5}}}",
     )
-    (tmp_path / "scenario.yaml").write_text(TAKING_OFF)
-    motion = simulate(load_scenario(tmp_path / "scenario.yaml"))
 
     def force(speeds: Floats) -> float:
         slip = (speeds[0] * 0.4 - speeds[1]) / (speeds[0] * 0.4)

@@ -12,14 +12,11 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded, with_marked
 from tests.simulation.test_closed_forms import links, run
-from vstatics.core.errors import CaseError
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import ShiftElement
+from vstatics import CaseError, ShiftElement, Spring
+from vstatics.core.model.parts import Damping
+from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation import simulate
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.scenario.laws import Points, constant
-from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
+from vstatics.simulation import Capacity, Motion, Points, Scenario, Start, constant, simulate
 
 Line = list[tuple[float, float]]
 PLAY: Line = [(0, 0), (0.05, 0), (1.05, 500)]
@@ -31,36 +28,6 @@ def torque(motion: Motion, name: str = "S") -> Floats:
 
 def closes(motion: Motion, size: float) -> bool:
     return motion.stopped is None and abs(motion.energy.balance) <= 1e-8 * size
-
-
-def test_a_mass_on_a_spring_with_play_swings_in_its_period() -> None:
-    """``4 (pi/2 sqrt(J/k) + a/v)``: quarters of a swing, and ways through the play."""
-    period = 4 * (math.pi / 2 * math.sqrt(2 / 500) + 0.05 / 3)
-    case = links(2.0, springs=(Spring(between(1), points=PLAY, name="S"),))
-    motion = simulate(Scenario(case, 3 * period, Start(speeds={1: 3.0})))
-    assert motion.speeds[-1, 0] == pytest.approx(3.0, rel=1e-10)
-    assert torque(motion)[-1] == pytest.approx(0.0, abs=1e-6)
-    assert np.abs(torque(motion)).max() == pytest.approx(3 * math.sqrt(2 * 500), rel=1e-10)
-    assert closes(motion, 9.0)
-    assert not motion.events
-
-
-def test_play_holds_nothing_until_it_is_passed() -> None:
-    """Two free masses: 0.05 rad at 3 - 1 rad/s take 0.025 s."""
-    case = links(2.0, 1.0, springs=(Spring(between(1, 2), points=PLAY, name="S"),))
-    motion = run(case, 0.1, {1: 3.0, 2: 1.0})
-    before = motion.time <= 0.025
-    assert not torque(motion)[before].any()
-    assert torque(motion)[~before][-1] > 1
-    assert motion.speeds[before][:, 0] == pytest.approx(3.0)
-
-
-def test_a_damper_alone_acts_in_the_play_of_a_spring_beside_it() -> None:
-    oil = Spring(between(1), damping=4.0, name="S")
-    case = links(2.0, springs=(Spring(between(1), points=PLAY, damping=9.0, name="P"), oil))
-    motion = run(case, 0.015, {1: 3.0})  # 2 dw/dt = -4 w
-    assert motion.speeds[-1, 0] == pytest.approx(3 * math.exp(-2 * 0.015), rel=1e-10)
-    assert torque(motion)[-1] == pytest.approx(4 * motion.speeds[-1, 0])
 
 
 def test_dry_friction_takes_as_much_of_the_swing_each_time() -> None:
@@ -117,19 +84,6 @@ def test_a_torque_that_points_do_not_reach_is_told() -> None:
     )
     with pytest.raises(CaseError, match=r"S never reaches its torque of 9 N\*m"):
         simulate(scenario)
-
-
-def test_points_of_a_straight_line_are_a_stiffness() -> None:
-    either = [
-        run(links(2.0, 3.0, springs=(one,)), 0.5, {1: 5.0, 2: 0.0}).speeds[-1]
-        for one in (
-            Spring(between(1, 2), 700.0, name="S"),
-            Spring(between(1, 2), points=[(0, 0), (0.1, 70), (0.3, 210)], name="S"),
-            Spring(between(1, 2), points=[(-0.1, -70), (0.2, 140)], name="S"),
-        )
-    ]
-    assert either[1] == pytest.approx(either[0], rel=1e-9)
-    assert either[2] == pytest.approx(either[0], rel=1e-12)
 
 
 def test_a_link_without_inertia_between_springs_passes_their_corners() -> None:
@@ -200,7 +154,7 @@ def random_chain(rng: Random) -> tuple[Scenario, list[Line]]:
 
 
 def _random_damping(rng: Random, line: Line) -> float:
-    """None beside a play, in whose contact it would not act as an integrator without events has it."""
+    """None beside a play, in whose contact an integrator without events would have it pull."""
     damping = rng.choice((0.0, rng.uniform(0, 5)))
     return (
         0.0
@@ -272,3 +226,22 @@ def test_the_energy_of_random_chains_with_friction_closes(seed: int) -> None:
     motion = simulate(scenario._replace(case=case, start=start, controls=capacity))
     assert motion.stopped is None
     assert {event.element for event in motion.events} <= {"C"}
+
+
+def test_loss_factors_damp_as_at_the_lowest_natural_frequency() -> None:
+    """2 kg*m^2 on 200 N*m/rad swing with 10 rad/s; the damping ratio is half of the factor.
+
+    The springs of 300 and 600 N*m/rad in a row, with a link without inertia between, are one spring.
+    """
+    springs = [
+        Spring(twist, stiffness, damping=Damping(loss_factor=0.2))
+        for twist, stiffness in ((between(1), 300.0), (between(2, 1), 600.0))
+    ]
+    motion = run(links(0.0, 2.0, springs=tuple(springs)), 1.0, {2: 1.0})
+    assert [(one.id, one.text.endswith("1.592 Hz")) for one in motion.messages] == [("N601", True)]
+    own = math.sqrt(1 - 0.1**2)
+    phase = 10 * own * motion.time
+    expected = np.exp(-motion.time) * (np.cos(phase) - 0.1 / own * np.sin(phase))
+    assert motion.speeds[:, 1] == pytest.approx(expected, abs=1e-8)
+    free = run(links(0.0, 2.0, springs=(springs[1],)), 1.0, {2: 1.0})
+    assert [one.id for one in free.messages] == ["W601"]

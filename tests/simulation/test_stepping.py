@@ -10,10 +10,8 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import simulated, written
-from vstatics.core.errors import CaseError
-from vstatics.simulation import begin
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.stepping import SteppedRun
+from vstatics import CaseError
+from vstatics.simulation import Motion, SteppedRun, begin
 
 LAG = """duration: 5
 start: {speeds: {e: 200, o: 0}}
@@ -29,24 +27,26 @@ SHIFT = """sequences:
 """
 
 
-def end_speeds(motion: Motion) -> dict[str, float]:
-    return dict(zip(motion.links, motion.speeds[-1].tolist(), strict=True))
-
-
 def told(run: SteppedRun | Motion) -> list[tuple[str, str]]:
     return [(one.element, one.event) for one in run.events]
 
 
+def is_the_run(run: SteppedRun, whole: Motion, rel: float = 1e-9, near: float = 0.0) -> None:
+    """Speeds at the end and events are those of a run."""
+    assert told(run) == told(whole)
+    times = [[one.time for one in each.events] for each in (run, whole)]
+    assert times[0] == pytest.approx(times[1], abs=rel)
+    speeds = np.array([*run.speeds.values()])
+    assert speeds == pytest.approx(whole.speeds[-1], rel=rel, abs=near)
+
+
 def test_steps_are_one_run() -> None:
-    """Both tell the same, by 100 steps whose ends lie beside the times of the sequence."""
-    whole, run = simulated(LAG + SHIFT), begin(written(LAG + SHIFT))
+    """By 100 steps whose ends lie beside the times of the sequence."""
+    run = begin(written(LAG + SHIFT))
     for _ in range(100):
         run.advance(0.05)
     assert run.time == pytest.approx(5, abs=1e-12)
-    assert told(run) == told(whole)
-    times = [[one.time for one in each.events] for each in (run, whole)]
-    assert times[0] == pytest.approx(times[1], abs=1e-9)
-    assert run.speeds == pytest.approx(end_speeds(whole), rel=1e-9)
+    is_the_run(run, simulated(LAG + SHIFT))
 
 
 def test_who_commands_from_outside_is_a_sequence() -> None:
@@ -55,8 +55,7 @@ def test_who_commands_from_outside_is_a_sequence() -> None:
     run = begin(written(LAG))
     run.advance(0.5)
     run.advance(4.5, command=80)
-    assert run.speeds == pytest.approx(end_speeds(whole), rel=1e-9)
-    assert [one.time for one in run.events] == pytest.approx([whole.events[1].time], abs=1e-9)
+    is_the_run(run, whole._replace(events=whole.events[1:]))
 
 
 def test_the_duration_ends_nothing() -> None:
@@ -103,22 +102,26 @@ def test_what_is_set_comes_before_sequences() -> None:
     assert [(one.element, one.time) for one in run.events] == [("s", 1.0)]
 
 
-@pytest.mark.parametrize(
-    ("seconds", "settings", "message"),
-    [
-        (1.0, {"comand": 1.0}, "no `comand` to set; did you mean `command`?"),
-        (1.0, {"xyz": 1.0}, "no `xyz` to set, expected command, target, p"),
-        (1.0, {"p": float("nan")}, "p is nan, expected a number"),
-        (1.0, {"p": "a"}, "p is a, expected a number"),
-        (1.0, {"p": 101.0}, "p: read 101, expected at most 100, its max"),
-        ("x", {}, "advance by x s, expected a number above 0"),
-        (0.0, {}, "advance by 0.0 s, expected a number above 0"),
-        (float("inf"), {}, "advance by inf s, expected a number above 0"),
-    ],
-)
-def test_what_cannot_be_set(seconds: Any, settings: dict[str, Any], message: str) -> None:
-    with pytest.raises(CaseError, match=message.replace("?", r"\?")):
-        begin(written(LAG.replace('0.06"', '0.06", max: 100'))).advance(seconds, **settings)
+REFUSED: list[tuple[Any, dict[str, Any], str]] = [
+    (1.0, {"comand": 1.0}, r"no `comand` to set; did you mean `command`\?"),
+    (1.0, {"xyz": 1.0}, "no `xyz` to set, expected command, target, p"),
+    (1.0, {"p": float("nan")}, "p is nan, expected a number"),
+    (1.0, {"p": "a"}, "p is a, expected a number"),
+    (1.0, {"p": 101.0}, "p: read 101, expected at most 100, its max"),
+    ("x", {}, "advance by x s, expected a number above 0"),
+    (0.0, {}, "advance by 0.0 s, expected a number above 0"),
+    (float("inf"), {}, "advance by inf s, expected a number above 0"),
+]
+
+
+def test_what_cannot_be_set_or_read() -> None:
+    run = begin(written(LAG.replace('0.06"', '0.06", max: 100')))
+    for seconds, settings, message in REFUSED:
+        with pytest.raises(CaseError, match=message):
+            run.advance(seconds, **settings)
+    with pytest.raises(CaseError, match="no link `zz`, expected e, o"):
+        run.speeds["zz"]
+    assert (run.time, run.speeds["e"]) == (0, 200)
 
 
 def test_a_state_is_one_that_a_run_was_in() -> None:
@@ -156,17 +159,10 @@ states:
   p: {{rate: "(x + {gain}*(slip('C') - target) - p)/{lag}"}}
 controls: {{C: "max(p, 10)"}}
 torques: {{e: "{rng.uniform(20, 90)} - 0.1*speed", o: -{rng.uniform(10, 60)}}}
-sequences: {{s: {{repeat: true, steps: [{{when: "t >= 0.3", wait: 0.4, set: {{target: "target/2"}}}}]}}}}
+sequences:
+  s: {{repeat: true, steps: [{{when: "t >= 0.3", wait: 0.4, set: {{target: "target/2"}}}}]}}
 """
     whole, run = simulated(scenario), begin(written(scenario))
     while run.time < 2:
         run.advance(min(rng.uniform(0.001, 0.2), 2 - run.time))
-    assert told(run) == told(whole)
-    assert np.array([*run.speeds.values()]) == pytest.approx(whole.speeds[-1], rel=1e-8, abs=1e-7)
-
-
-def test_the_speed_of_a_link_that_is_not_there_names_those_there_are() -> None:
-    run = begin(written(LAG))
-    with pytest.raises(CaseError, match="no link `zz`, expected e, o"):
-        run.speeds["zz"]
-    assert run.speeds["e"] == 200
+    is_the_run(run, whole, 1e-8, 1e-7)

@@ -17,12 +17,10 @@ import numpy as np
 import pytest
 
 from tests.commands import environment, vstatics
+from vstatics import VariedScenario
 from vstatics.core.cli.shared import progress
-from vstatics.simulation import bounds
+from vstatics.simulation import bounds, load_scenario, simulate
 from vstatics.simulation.cli import documents
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.file import load_scenario
-from vstatics.simulation.variants.subject import VariedScenario
 
 CASE = """\
 links: [m, n]
@@ -60,13 +58,6 @@ def test_a_limit_ends_a_run_with_what_was_calculated() -> None:
     is_right(found)
 
 
-def test_a_limit_that_is_long_enough_changes_nothing() -> None:
-    without = vstatics("simulate", "short.yaml", "-f", "json")
-    limited = vstatics("simulate", "short.yaml", "-f", "json", "--limit", "600")
-    assert limited == without
-    assert limited.status == 0
-
-
 @pytest.mark.parametrize("limit", ["0", "-1", "nan"])
 def test_a_limit_is_above_0(limit: str) -> None:
     for command in (("simulate",), ("sweep", "--vary", "duration=1,2")):
@@ -83,41 +74,27 @@ def test_a_row_of_a_sweep_is_stopped_and_the_next_goes_on() -> None:
     assert [row[0] for row in rows] == ["ok", "stopped", "ok"]
     assert rows[1][1] == ""
     assert abs(float(rows[2][1])) == pytest.approx(10)  # sqrt(k J) w
+    assert said.err.count("\n") == 1  # the summary
     assert vstatics("sweep", "mass.yaml", "--vary", "inertia.m=1,2", "--limit", "1").status == 2
 
 
-def test_a_long_run_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also where stderr is no terminal; not with -q."""
+def test_long_runs_say_how_far_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where no run has ended yet, and with several processes; with -q nothing is said."""
     assert progress.FIRST_WORD < 10
     monkeypatch.setattr(progress, "FIRST_WORD", 0.05)
-    said = vstatics("simulate", "long.yaml", "--limit", "0.2", "-o", "out.json")
-    assert "long.yaml: " in said.err
-    assert " % after " in said.err
-    assert " left\n" in said.err
-    said = vstatics("simulate", "long.yaml", "--limit", "0.1", "-o", "out.json", "-q")
-    assert " % after " not in said.err
-
-
-def test_long_sweeps_and_samples_say_how_far_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also where no run has ended yet, and with several processes; with -q nothing is said."""
-    monkeypatch.setattr(progress, "FIRST_WORD", 0.05)
-    Path("few.yaml").write_text(
-        SCENARIO.replace("DURATION", LONG)[:-1] + ", samples: {duration: {uniform: [1e9, 2e9]}}}",
-        encoding="utf-8",
-    )
+    few = ", samples: {duration: {uniform: [1e9, 2e9]}}}"
+    Path("few.yaml").write_text(SCENARIO.replace("DURATION", LONG)[:-1] + few, encoding="utf-8")
     sweep = ("sweep", "long.yaml", "--vary", "duration=2e9", "--out", "work")
-    for command, what in (
+    for command, said in (
+        (("simulate", "long.yaml", "-o", "out.json"), " left\n"),
         (sweep, "variants: 0 % after a second\n"),
         ((*sweep, "--jobs", "2", "-o", "out.csv"), "variants: 0 % after a second\n"),
         (("simulate", "few.yaml", "--samples", "1", "--out", "work"), "runs: 0 % after a second\n"),
     ):
-        assert what in vstatics(*command, "--limit", "0.2").err
+        shown = vstatics(*command, "--limit", "0.2").err
+        assert said in shown
+        assert " % after " in shown
         assert " % after " not in vstatics(*command, "--limit", "0.06", "-q").err
-
-
-def test_a_short_sweep_is_silent() -> None:
-    said = vstatics("sweep", "short.yaml", "--vary", "duration=1,2", "--out", "work")
-    assert said.err.count("\n") == 1  # the summary
 
 
 def test_check_tells_a_run_of_hours(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -154,42 +131,6 @@ def test_a_run_that_ended_needs_no_more() -> None:
     pace = bounds.Pace(2, 600)
     assert simulate(load_scenario("short.yaml"), watch=pace).stopped is None
     assert pace.needed == 0
-
-
-STIFF = """\
-links: [m, n, p]
-inertias: {m: 1, n: 1, p: 1}
-springs: {k: {links: [m, n], stiffness: 1e12}, q: {links: [n, p], stiffness: 1}}
-gears: {g: []}
-"""
-MEASURED = """\
-import re, time
-from pathlib import Path
-from vstatics.core.cli import main
-began = time.monotonic()
-try:
-    main(["simulate", "stiff.yaml", "--limit", "5", "-o", "out.json"])
-except SystemExit as end:
-    taken = time.monotonic() - began
-    highest = re.search(r"VmHWM:\\s*(\\d+)", Path("/proc/self/status").read_text())
-    print(end.code, highest[1], round(taken))
-"""
-"""By what Linux tells of the program itself: `getrusage` counts who has started it, too."""
-
-
-@pytest.mark.slow
-def test_a_stopped_run_ends_soon_and_takes_little_memory() -> None:
-    """Some 300,000 parts of swings at 1.4e6 rad/s, beside a spring of 1 N*m/rad."""
-    Path("case.yaml").write_text(STIFF, encoding="utf-8")
-    scenario = "{case: case.yaml, duration: 100, start: {speeds: {m: 1, n: 0, p: 0}}}"
-    Path("stiff.yaml").write_text(scenario, encoding="utf-8")
-    command = [sys.executable, "-c", MEASURED]
-    said = subprocess.run(command, capture_output=True, check=True, env=environment())
-    status, kilobytes, seconds = map(int, said.stdout.split())
-    assert status == 1
-    assert kilobytes < 400_000
-    assert seconds <= 8
-    assert "--limit 5 s" in document()["stopped"]
 
 
 @pytest.mark.slow

@@ -58,10 +58,8 @@ def test_of_samples_and_sweeps() -> None:
     told = json_answer(*words, "--damage")["results"]
     assert told["damage[shaft]"]["variants"] == 5
     assert told == json_answer(*words)["results"]
-    assert [*json_answer(*words, "--damage", "--out", "work+1")["results"]] == [
-        "work+1",
-        "damage[shaft]",
-    ]
+    asked = json_answer(*words, "--damage", "--out", "work+1")["results"]
+    assert [*asked] == ["work+1", "damage[shaft]"]
     vary = "start.speeds.a=5,10,20"
     vstatics("sweep", "run.yaml", "--vary", vary, "--out", "damage[shaft]", "-o", "out.csv")
     rows = [*csv.DictReader(Path("out.csv").read_text("utf-8").splitlines())]
@@ -75,15 +73,12 @@ def test_samples_without_friction_tell_what_there_is() -> None:
     assert {*told} == {"abs(peaks)[shaft]", "kinetic", "elastic"}
 
 
-@pytest.mark.parametrize("more", [[], ["--samples", "3"]])
-def test_a_case_that_tells_no_strength(more: list[str]) -> None:
+def test_what_tells_no_damage() -> None:
+    damage = ("simulate", "run.yaml", "--damage")
+    for more in (["--method", "tarasik"], ["-o", "run.csv"]):
+        assert vstatics(*damage, *more).is_wrong_use("--damage is")
     Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
-    found = vstatics("simulate", "run.yaml", "--damage", *more)
-    assert found.status == 1
-    assert found.err.startswith("case.yaml:1:1: error: the case has no `fatigue`")
-
-
-@pytest.mark.parametrize("more", [["--method", "tarasik"], ["-o", "run.csv"]])
-def test_what_tells_no_damage(more: list[str]) -> None:
-    found = vstatics("simulate", "run.yaml", "--damage", *more)
-    assert found.is_wrong_use("--damage is")
+    for more in ([], ["--samples", "3"]):
+        found = vstatics(*damage, *more)
+        assert found.status == 1
+        assert found.err.startswith("case.yaml:1:1: error: the case has no `fatigue`")

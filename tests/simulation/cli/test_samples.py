@@ -1,4 +1,4 @@
-"""`vstatics simulate --samples` and `vstatics sweep SCENARIO` as commands: files, formats, errors."""
+"""`vstatics simulate --samples` and `vstatics sweep SCENARIO` as commands: files, errors."""
 
 from __future__ import annotations
 
@@ -82,8 +82,9 @@ def test_runs_that_cannot_be_are_counted() -> None:
     text = SCENARIO.replace(b"{normal: [1, 0.05]}", b"{uniform: [-1, -0.5]}")
     Path("lock.yaml").write_bytes(text)
     shown = vstatics("simulate", "lock.yaml", "--samples", 3, "--jobs", 1)
-    assert shown.fails("3 runs, of which 3 invalid", "expected a scale of 0 or more")
-    assert shown.out == ""
+    assert shown.gives_nothing("3 runs, of which 3 invalid", "expected a scale of 0 or more")
+    shown = vstatics("sweep", "lock.yaml", "--vary", "duration=-1,-2", "--out", "work")
+    assert shown.fails("2 rows of 2 variants (2 invalid)", "duration: read -1, expected a time ab")
 
 
 def test_a_sample_of_what_there_is_not_is_told_without_samples_too() -> None:
@@ -93,13 +94,6 @@ def test_a_sample_of_what_there_is_not_is_told_without_samples_too() -> None:
         assert shown.status == 1
         assert "lock.yaml:11:3: error: samples: torques: read 'son', expected" in shown.all
         assert "did you mean `sun`?" in shown.all
-
-
-def test_a_sweep_without_any_run_says_why() -> None:
-    shown = vstatics("sweep", "lock.yaml", "--vary", "duration=-1,-2", "--out", "work")
-    assert shown.fails(
-        "2 rows of 2 variants (2 invalid)", "duration: read -1, expected a time above 0"
-    )
 
 
 def test_a_sweep_takes_a_scenario() -> None:
@@ -141,24 +135,6 @@ def test_a_case_that_is_not_there_is_told_where_it_is_named() -> None:
     assert shown.fails("lock.yaml:1:7: error: set.yaml cannot be read")
 
 
-def test_messages_of_runs_are_told_once_with_their_number() -> None:
-    """Above 110 N*m are 120 and 140; what is written and what goes to a stream say it alike."""
-    text = CASE.replace(
-        b"brake: [ring, housing]", b"brake: {links: [ring, housing], capacity: 110 N*m}"
-    )
-    Path("set.yaml").write_bytes(text)
-    swept = ("sweep", "lock.yaml", "--vary", "controls.brake.1.2=100:140:3", "--strict")
-    for more in ((), ("-o", "runs.npz"), ("--max", "work", "--best", 1)):
-        said = vstatics(*swept, *more)
-        assert said.status == 0, said.err  # a note is no warning
-        [note] = [line for line in said.err.splitlines() if "above the capacity" in line]
-        assert note.startswith("lock.yaml: note: in 2 of 3 variants, the first is 1: at 0 s the")
-    assert "capacity" not in vstatics(*swept, "--allow", "N605").err
-    Path("lock.yaml").write_bytes(SCENARIO.replace(b"[1, 0.05]", b"[1, 0]"))
-    shown = vstatics("simulate", "lock.yaml", "--samples", 3, "--jobs", 1)
-    assert "lock.yaml: note: in all 3 variants: at 0 s the control of brake" in shown.err
-
-
 LIGHT = b"""\
 links: [a, b, c]
 inertias: {a: 1, c: 1}
@@ -182,3 +158,9 @@ def test_a_warning_of_a_run_makes_a_strict_sweep_fail() -> None:
     assert (said.status, len(said.out.splitlines())) == (1, 4)
     assert vstatics(*swept).status == 0
     assert "1 warning (W602), which --strict makes fail" in vstatics(*swept, "--strict", "-q").err
+    allowed = vstatics(*swept, "--strict", "--allow", "W602")
+    assert (allowed.status, "link b" in allowed.err) == (0, False)
+    text = JUMP + b"samples: {torques.b.3.2: {normal: [10, 0]}}\n"
+    Path("jump.yaml").write_bytes(text)
+    drawn = vstatics("simulate", "jump.yaml", "--samples", 3, "--jobs", 1, "--out", "work")
+    assert "jump.yaml: warning: in all 3 variants: link b has no" in drawn.err

@@ -32,6 +32,19 @@ BETWEEN = {"C": ("a", "b"), "B": ("b", "")}
 """Links of each shift element; no second one: the housing."""
 
 
+SOURCES = "t; min(3*t, 1); max(t - 0.2, 0); command; t*t; abs(t - 0.3)"
+ATOMS = (
+    "t; min(t, 0.5); max(t - 0.2, 0); t^2; t^3; abs(slip('C'))/30; min(abs(slip('C')), 5)/5; "
+    "abs(speed('a'))/100; max(speed('b'), 0)/50; abs(speed('a') - speed('b'))/50"
+)
+"""Numbers that begin at 0, as a rule."""
+CAPACITIES = (
+    "{0}*({1}); {0}*({1}); max({0}*({1}) - 5, 0); 10 + 3*exp(-abs(slip('C'))/5) + {0}*({1}); "
+    "20*abs(slip('C')) + {0}*({1}); {0}*({1}) - 2"
+)
+TORQUES = "{0}*({1}); {0}*({1}); {0}*({1})*(2 - abs(speed)/200); min({0}*({1}), 50); -{0}*({1})"
+
+
 class RowSpring(NamedTuple):
     """A spring of a random scenario."""
 
@@ -94,9 +107,8 @@ class Smooth(NamedTuple):
             lines += ["tables:", *(f"  {name}: {one}" for name, one in self.tables.items())]
         lines.append("states:" if self.states else "states: {}")
         for name, (rate, start, least, most) in self.states.items():
-            limits = f", min: {least}" * math.isfinite(least) + f", max: {most}" * math.isfinite(
-                most
-            )
+            limits = f", min: {least}" * math.isfinite(least)
+            limits += f", max: {most}" * math.isfinite(most)
             lines.append(f'  {name}: {{rate: "{rate}", start: {start}{limits}}}')
         for key, texts in (("controls", self.controls), ("torques", self.torques)):
             lines.append(f"{key}:")
@@ -137,31 +149,24 @@ class Writer:
     def states(self) -> dict[str, tuple[str, float, float, float]]:
         """Lags one after the other, and what begins below 0."""
         rng, made = self.rng, {}
-        source = rng.choice(
-            ["t", "min(3*t, 1)", "max(t - 0.2, 0)", "command", "t*t", "abs(t - 0.3)"]
-        )
+        source = rng.choice(SOURCES.split("; "))
         for number in range(1, rng.randint(1, 4)):
             name, lag = f"p{number}", self.number(0.05, 0.3)
             least = rng.choice([-math.inf, 0.0])
             made[name] = (f"({source} - {name})/{lag}", 0.0, least, rng.choice([math.inf, 0.4]))
             source = name
             self.names.append(name)
+        slow, fast, gain = self.number(0.01, 0.2), self.number(1, 9), self.number(1, 5)
+        kinds = [
+            ("3", -1.0, -math.inf, math.inf),
+            (f"{fast}*(t - 0.2)", 0.0, 0.0, 0.5),
+            (f"{slow}*slip('C')", 0.0, -0.3, 0.6),
+            (f"{gain}*{source} - 0.1*e", rng.choice([0.0, -0.2]), -1.0, 1.0),
+        ]
         kind = rng.randrange(5)
-        if kind == 0:
-            made["e"] = ("3", -1.0, -math.inf, math.inf)
-        elif kind == 1:
-            made["e"] = (f"{self.number(1, 9)}*(t - 0.2)", 0.0, 0.0, 0.5)
-        elif kind == 2:
-            made["e"] = (f"{self.number(0.01, 0.2)}*slip('C')", 0.0, -0.3, 0.6)
-        elif kind == 3:
-            made["e"] = (
-                f"{self.number(1, 5)}*{source} - 0.1*e",
-                rng.choice([0.0, -0.2]),
-                -1.0,
-                1.0,
-            )
-        else:
+        if kind == len(kinds):
             return made
+        made["e"] = kinds[kind]
         self.names.append("e")
         return made
 
@@ -170,34 +175,18 @@ class Writer:
         rng = self.rng
         if self.names and rng.random() < 0.6:
             name = rng.choice(self.names)
-            return rng.choice(
-                [name, name, f"max({name}, 0)", f"abs({name})", f"max({name} - 0.1, 0)"]
-            )
-        return rng.choice(
-            [
-                "t",
-                "min(t, 0.5)",
-                "max(t - 0.2, 0)",
-                "t^2",
-                "t^3",
-                "abs(slip('C'))/30",
-                "min(abs(slip('C')), 5)/5",
-                "abs(speed('a'))/100",
-                "max(speed('b'), 0)/50",
-                "abs(speed('a') - speed('b'))/50",
-            ]
-        )
+            forms = "{0}; {0}; max({0}, 0); abs({0}); max({0} - 0.1, 0)"
+            return rng.choice(forms.format(name).split("; "))
+        return rng.choice(ATOMS.split("; "))
 
     def table(self) -> str:
         """The name of a table, whose first or second point is at 0."""
         rng, name = self.rng, f"m{len(self.tables)}"
         first = rng.choice([0.0, -1.0])
-        points, value = [[first, rng.choice([0.0, 0.0, 1.0])]], 0.0
+        points = [[first, rng.choice([0.0, 0.0, 1.0])]]
         if first < 0:
             points.append([0.0, rng.choice([0.0, 0.5])])
-        for place in (0.2, 0.5, 1.0):
-            value = self.number(-0.3, 1.5)
-            points.append([place, value])
+        points += [[place, self.number(-0.3, 1.5)] for place in (0.2, 0.5, 1.0)]
         self.tables[name] = points
         return name
 
@@ -206,16 +195,9 @@ class Writer:
         if not depth:
             return self.atom()
         one, other = self.shape(depth - 1), self.shape(depth - 1)
-        return self.rng.choice(
-            [
-                f"min({one}, {other})",
-                f"max({one}, {other})",
-                f"({one})*({other})",
-                f"abs({one} - {other})",
-                f"({one} + {other})/2",
-                *[f"{self.table()}({one})"] * 2,
-            ]
-        )
+        table = f"{self.table()}({one})"
+        forms = "min({0}, {1}); max({0}, {1}); ({0})*({1}); abs({0} - {1}); ({0} + {1})/2"
+        return self.rng.choice([*forms.format(one, other).split("; "), table, table])
 
     def formula(self, kind: Any, depth: int) -> str:
         """Return a formula of a kind, so deep."""
@@ -223,32 +205,13 @@ class Writer:
 
     def capacity(self, shape: str) -> str:
         """Return the control of a clutch."""
-        rng = self.rng
-        size = rng.choice([30, 80, 300])
-        return rng.choice(
-            [
-                f"{size}*({shape})",
-                f"{size}*({shape})",
-                f"max({size}*({shape}) - 5, 0)",
-                f"10 + 3*exp(-abs(slip('C'))/5) + {size}*({shape})",
-                f"20*abs(slip('C')) + {size}*({shape})",
-                f"{size}*({shape}) - 2",
-            ]
-        )
+        size = self.rng.choice([30, 80, 300])
+        return self.rng.choice(CAPACITIES.split("; ")).format(size, shape)
 
     def torque(self, shape: str) -> str:
         """Return an outside torque."""
-        rng = self.rng
-        size = rng.choice([10, 60, 200])
-        return rng.choice(
-            [
-                f"{size}*({shape})",
-                f"{size}*({shape})",
-                f"{size}*({shape})*(2 - abs(speed)/200)",
-                f"min({size}*({shape}), 50)",
-                f"-{size}*({shape})",
-            ]
-        )
+        size = self.rng.choice([10, 60, 200])
+        return self.rng.choice(TORQUES.split("; ")).format(size, shape)
 
     def load(self, link: str) -> str:
         """Return the load on a link, or nothing."""

@@ -13,13 +13,8 @@ from tests.simulation.control.smooth import RowSpring, Smooth, Writer
 NO_LIMITS = -float("inf"), float("inf")
 
 
-def smooth_row(rng: Random) -> Smooth:
-    """A random scenario of three or four links.
-
-    Up to three sequences act at one instant: by the time, by a state, and by a number that another
-    one of them has set. The first one acts again a little later.
-    """
-    links = "abcd"[: rng.randint(3, 4)]
+def _joints(rng: Random, links: str) -> tuple[dict[str, tuple[str, str]], dict[str, RowSpring]]:
+    """Clutches and springs between neighbours, at times a brake, and a clutch beside them."""
     springs: dict[str, RowSpring] = {}
     elements: dict[str, tuple[str, str]] = {}
     for first, second in pairwise(links):
@@ -32,6 +27,17 @@ def smooth_row(rng: Random) -> Smooth:
         elements["B"] = rng.choice(links), ""
     if rng.random() < 0.3:
         elements["F"] = "a", "c"
+    return elements, springs
+
+
+def smooth_row(rng: Random) -> Smooth:
+    """A random scenario of three or four links.
+
+    Up to three sequences act at one instant: by the time, by a state, and by a number that another
+    one of them has set. The first one acts again a little later.
+    """
+    links = "abcd"[: rng.randint(3, 4)]
+    elements, springs = _joints(rng, links)
     many = Writer(rng)
     states = many.states()
     time, value = round(rng.uniform(0.1, 0.3), 2), float(rng.choice([1, 3, 50]))
@@ -82,14 +88,9 @@ def smooth_loop(rng: Random) -> Smooth:
     for name in elements:
         grip = rng.choice([20, 100, 300])
         seen = rng.choice([*elements])
-        controls[name] = rng.choice(
-            [
-                f"{grip}*({rng.choice(shapes)})",
-                f"{grip}*abs(slip('{seen}'))",
-                f"{many.number(0, 9)}",
-                f"{grip}*abs(slip('{seen}'))/9 + {grip}*({rng.choice(shapes)})",
-            ]
-        )
+        forms = "{0}*({1}); {0}*abs(slip('{2}')); {3}; {0}*abs(slip('{2}'))/9 + {0}*({1})"
+        form = rng.choice(forms.split("; "))
+        controls[name] = form.format(grip, rng.choice(shapes), seen, many.number(0, 9))
     torques = dict.fromkeys(links, "0")
     for link in rng.sample(links, rng.randint(1, 2)):
         torques[link] = f"{rng.choice([-90, 20, 60])}*({rng.choice(shapes)})" + many.load(link)

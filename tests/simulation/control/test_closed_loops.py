@@ -1,60 +1,17 @@
-"""Controls that see the box, states and temperatures, against closed forms and solvers of others."""
+"""Controls that see the box, states and temperatures: closed forms and solvers of others."""
 
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.linalg import expm
-from scipy.optimize import brentq
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.simulation.control.written import simulated, steps_of, written
-from vstatics.simulation.run import simulate
-
-
-def test_a_lag_of_first_order_lets_a_clutch_in() -> None:
-    """P = 80 (1 - exp(-t/tau)), so the slip is 200 - (1/2 + 1/3) 80 (t - tau (1 - exp(-t/tau)))."""
-    motion = simulated("""duration: 5
-start: {speeds: {e: 200, o: 0}}
-states: {p: {rate: "(80 - p)/0.06"}}
-controls: {C: p}
-""")
-
-    def slip(t: float) -> float:
-        return 200 - (1 / 2 + 1 / 3) * 80 * (t - 0.06 * (1 - math.exp(-t / 0.06)))
-
-    [locks] = motion.events
-    assert locks.time == pytest.approx(brentq(slip, 1.0, 5.0, xtol=1e-14), abs=1e-9)
-    assert motion.energy.heat["C"] == pytest.approx(200**2 / (2 * (1 / 2 + 1 / 3)), rel=1e-9)
-
-
-def test_a_controller_holds_the_slip_of_two_inertias() -> None:
-    """With T = k (s - s0) + x and dx/dt = i (s - s0) it is linear, so a matrix exponential."""
-    motion = simulated("""duration: 2
-start: {speeds: {e: 200, o: 120}}
-set: {target: 20}
-states: {x: {start: 30, rate: "10*(slip('C') - target)"}}
-controls: {C: "9*(slip('C') - target) + x"}
-torques: {e: 90, o: -40}
-""")
-    both = 1 / 2 + 1 / 3
-    matrix = np.array(
-        [
-            [-9 * both, -both, 90 / 2 + 40 / 3 + 9 * both * 20],
-            [10.0, 0.0, -10.0 * 20],
-            [0.0, 0.0, 0.0],
-        ]
-    )
-    for at in (0.3, 1.1, 2.0):
-        exact = (expm(matrix * at) @ [80.0, 30.0, 1.0])[0]
-        place = int(np.abs(motion.time - at).argmin())
-        near = (expm(matrix * motion.time[place]) @ [80.0, 30.0, 1.0])[0]
-        assert motion.slips[place, 0] == pytest.approx(near, rel=1e-9)
-        assert exact == pytest.approx(near, rel=0.2)
-    assert not motion.events
+from vstatics.simulation import simulate
 
 
 @pytest.mark.parametrize("control", ["p", "p + 0*speed('e')", "12.5*speed('x')"])
@@ -77,54 +34,6 @@ torques: {{x: 4}}
     assert motion.torques[:, 0] == pytest.approx(motion.torques[:, 1], abs=1e-6)
 
 
-def test_a_rate_of_3_t_is_one_of_the_time_and_no_mass() -> None:
-    """X = 3 t^2/2, so the momentum of 2 kg*m^2 is t^3/2."""
-    motion = simulated("""duration: 2
-start: {speeds: {e: 0, o: 0}}
-states: {x: {rate: 3*t}}
-controls: {C: 0}
-torques: {e: x}
-""")
-    assert motion.speeds[-1, 0] == pytest.approx(2.0, rel=1e-9)
-
-
-def test_a_state_stays_at_its_limit_until_its_rate_turns() -> None:
-    """X = sin t up to 0.5, then 0.5 until cos t is below 0, then sin t - 0.5."""
-    motion = simulated("""duration: 3
-start: {speeds: {e: 0, o: 0}}
-states: {x: {rate: cos(t), max: 0.5}}
-controls: {C: 0}
-torques: {e: x}
-""")
-    first, turn = math.asin(0.5), math.pi / 2
-    up, flat = 1 - math.cos(first), 0.5 * (turn - first)
-    down = (-math.cos(3.0) + math.cos(turn)) - 0.5 * (3.0 - turn)
-    assert motion.speeds[-1, 0] == pytest.approx((up + flat + down) / 2, abs=1e-10)
-
-
-def test_a_negative_control_is_open_and_one_above_the_capacity_is_cut() -> None:
-    case = """links: [e, o]
-inertias: {e: 2, o: 3}
-shift_elements: {C: {links: [e, o], capacity: 50 N*m}}
-gears: {g: [C]}
-"""
-    motion = simulated(
-        """duration: 2
-start: {speeds: {e: 500, o: 0}}
-states: {x: {rate: 1}}
-controls: {C: "200*(x - 0.5)"}
-""",
-        case,
-    )
-    # 0 until 0.5, a ramp to 50 until 0.75, 50 from there on
-    torque_time = 50 * 0.25 / 2 + 50 * 1.25
-    assert motion.speeds[-1].tolist() == pytest.approx(
-        [500 - torque_time / 2, torque_time / 3], rel=1e-9
-    )
-    assert motion.peaks["C"].torque == pytest.approx(50.0, rel=1e-12)
-    assert [one.id for one in motion.messages] == ["N605"]
-
-
 CUT = """links: [e, o]
 inertias: {e: 2, o: 3}
 load: {speed: 100 rpm, torque: 1 N*m}
@@ -133,22 +42,20 @@ gears: {g: [C]}
 """
 
 
-def _of_a_sine() -> tuple[float, float, float]:
-    """400 sin 3t in a period of 2 pi/3, within 0 and 200: its integral, when it is cut and let."""
-    first, half = math.asin(0.5) / 3, math.pi / 3
-    rise = 400 / 3 * (1 - math.cos(3 * first))
-    return 2 * rise + 200 * (half - 2 * first), first, half
+SINE_CUT, PERIOD = math.asin(0.5) / 3, 2 * math.pi / 3
+SINE = 800 / 3 * (1 - math.cos(3 * SINE_CUT)) + 200 * (PERIOD / 2 - 2 * SINE_CUT)
+"""The integral of 400 sin 3t over a period of 2 pi/3, within 0 and 200 from and to its cuts."""
 
 
 @pytest.mark.parametrize(
     ("control", "impulse", "cut"),
     [
-        ('"400*sin(3*t)"', _of_a_sine()[0], _of_a_sine()[1]),
-        ("[[0, -100], [1, 300]]", 0.5 * 200 * 0.5 + 200 * (2 * math.pi / 3 - 0.75), 0.75),
-        ('"400*t - 100"', 0.5 * 200 * 0.5 + 200 * (2 * math.pi / 3 - 0.75), 0.75),
-        ("{points: [[0, 0], [1, 800]], scale: 0.5}", 50 + 200 * (2 * math.pi / 3 - 0.5), 0.5),
-        ("{formula: 800*x, scale: 0.5}", 50 + 200 * (2 * math.pi / 3 - 0.5), 0.5),
-        ("300", 200 * 2 * math.pi / 3, 0.0),
+        ('"400*sin(3*t)"', SINE, SINE_CUT),
+        ("[[0, -100], [1, 300]]", 0.5 * 200 * 0.5 + 200 * (PERIOD - 0.75), 0.75),
+        ('"400*t - 100"', 0.5 * 200 * 0.5 + 200 * (PERIOD - 0.75), 0.75),
+        ("{points: [[0, 0], [1, 800]], scale: 0.5}", 50 + 200 * (PERIOD - 0.5), 0.5),
+        ("{formula: 800*x, scale: 0.5}", 50 + 200 * (PERIOD - 0.5), 0.5),
+        ("300", 200 * PERIOD, 0.0),
     ],
 )
 def test_a_control_is_cut_at_0_and_at_the_capacity_whatever_it_follows_from(
@@ -156,7 +63,7 @@ def test_a_control_is_cut_at_0_and_at_the_capacity_whatever_it_follows_from(
 ) -> None:
     """The impulse of the clutch, a closed form, changes both speeds."""
     motion = simulated(
-        f"""duration: {2 * math.pi / 3!r}
+        f"""duration: {PERIOD!r}
 start: {{speeds: {{e: 900, o: 0}}}}
 states: {{x: {{rate: 1}}}}
 controls: {{C: {control}}}
@@ -172,17 +79,17 @@ controls: {{C: {control}}}
 
 
 def test_where_a_control_is_cut_its_clutch_slips_at_the_exact_instant() -> None:
-    """It sticks up to 225 N*m, 3/5 of 375; from pi/6 on it is open, and the output keeps its speed."""
+    """It sticks while 1.2 of it is above 225 N*m, 3/5 of 375; from pi/6 on it is open."""
     motion = simulated(
         """duration: 1.5
 start: {speeds: {e: 100, o: 100}}
 controls: {C: "400*cos(3*t)"}
 torques: {e: 375}
 """,
-        CUT.replace("200", "900"),
+        CUT.replace("200 N*m", "900 N*m, static: 1.2"),
     )
     [slips] = motion.events
-    slipped, open_at = math.acos(225 / 400) / 3, math.pi / 6
+    slipped, open_at = math.acos(225 / 480) / 3, math.pi / 6
     assert slips.time == pytest.approx(slipped, abs=1e-9)
     output = 100 + 375 / 5 * slipped + 400 / 3 * (1 - math.sin(3 * slipped)) / 3
     place = int(np.abs(motion.time - open_at).argmin())
@@ -200,7 +107,9 @@ set: {{command: 0}}
 states: {{p: {{rate: {"command" if back else '"(command - p)/0.1"'}, min: 0}}}}
 controls: {{C: p}}
 sequences:
-  s: [{{when: "t >= 0.5", set: {{command: 80}}}}, {{when: "t >= 1", set: {{command: {-80 if back else 80}}}}}]
+  s:
+    - {{when: "t >= 0.5", set: {{command: 80}}}}
+    - {{when: "t >= 1", set: {{command: {-80 if back else 80}}}}}
 """,
         "links: [e, o]\ninertias: {e: 2, o: 3}\n"
         "shift_elements: {C: {links: [e, o], drag: 6 N*m}}\ngears: {g: [C]}\n"
@@ -237,7 +146,7 @@ set: {seen: 0}
 
 
 def test_what_a_table_gives_drives_an_engine() -> None:
-    """Between rows and columns it is bilinear: at pedal 0.6 the torque is 110 - w/10, so w decays."""
+    """Between rows and columns it is bilinear: 110 - w/10 at pedal 0.6, so w decays."""
     motion = simulated("""duration: 4
 start: {speeds: {e: 100, o: 0}}
 tables:
@@ -301,12 +210,8 @@ def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
         if (x >= most and rate > 0) or (x <= least and rate < 0):
             rate = 0.0
         pull = given["pull"] - given["fade"] * engine
-        return [
-            (pull - capacity) / 2,
-            (capacity - given["load"] * output) / 3,
-            (command - p) / given["lag"],
-            rate,
-        ]
+        changes = (pull - capacity) / 2, (capacity - given["load"] * output) / 3
+        return [*changes, (command - p) / given["lag"], rate]
 
     def near(_: float, y: np.ndarray, *_rest: float) -> float:
         return float(y[0] - y[1] - given["near"])
@@ -316,17 +221,10 @@ def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
 
     near.terminal = joins.terminal = True  # type: ignore[attr-defined]
     y, time, times = np.array([given["engine"], given["output"], 0.0, 0.0]), 0.0, []
+    exact: Any = {"rtol": 1e-11, "atol": 1e-11, "max_step": 2e-3}
     for event, command in ((near, given["command"]), (joins, given["later"])):
-        found = solve_ivp(
-            change,
-            (time, given["duration"]),
-            y,
-            args=(command,),
-            events=event,
-            rtol=1e-11,
-            atol=1e-11,
-            max_step=2e-3,
-        )
+        span = time, given["duration"]
+        found = solve_ivp(change, span, y, args=(command,), events=event, **exact)
         y, time = found.y[:, -1], float(found.t[-1])
         times.append(time)
     left = given["duration"] - time
@@ -337,8 +235,7 @@ def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
     return times[0], times[1], np.array([end, end])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(count(6, 60)))
+@pytest.mark.parametrize("seed", with_marked(range(1), range(1, count(6, 60)), pytest.mark.slow))
 def test_random_closed_loops_agree_with_other_solvers(seed: int) -> None:
     random = seeded(seed)
     given = {

@@ -13,54 +13,11 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.simulation.control.written import simulated
 
 CASE = "links: [a, b]\ninertias: {a: 0.3, b: 0.6}\nshift_elements: {C: {links: [a, b]}}\n"
-LEAVES = -math.log(0.7)
-"""When 1 - exp(-t) is 0.3 [s]."""
-FEW = 4
-"""Random chains that are always tried."""
-
-
-def test_a_torque_is_a_state_whose_rate_leaves_a_corner() -> None:
-    """After the corner m = 0.7 (s - 1 + exp(-s)), whose integral is 0.7 (s^2/2 - s + 1 - exp(-s))."""
-    motion = simulated(
-        """duration: 1
-start: {speeds: {a: 5, b: 0}}
-states: {u: {rate: "1 - u"}, m: {rate: "max(u - 0.3, 0)"}}
-torques: {a: m}
-""",
-        CASE,
-    )
-    s = 1 - LEAVES
-    impulse = 0.7 * (s**2 / 2 - s + 1 - math.exp(-s))
-    assert motion.speeds[-1] == pytest.approx([5 + impulse / 0.3, 0.0], abs=1e-10)
-
-
-def test_a_clutch_whose_control_leaves_a_corner_as_a_root_locks() -> None:
-    """The state is as above by 10 (... - m); the slip 5 - 5 times the integral of 60 sqrt(m)."""
-    motion = simulated(
-        """duration: 1
-start: {speeds: {a: 5, b: 0}}
-states: {u: {rate: "1 - u"}, m: {rate: "10*(max(u - 0.3, 0) - m)"}}
-controls: {C: "60*sqrt(m)"}
-""",
-        CASE,
-    )
-
-    def root(s: float) -> float:  # m' = 10 (0.7 (1 - exp(-s)) - m)
-        return math.sqrt(max(0.7 - 7 / 9 * math.exp(-s) + 0.7 / 9 * math.exp(-10 * s), 0.0))
-
-    def slip(s: float) -> float:
-        x, w = np.polynomial.legendre.leggauss(60)
-        return 5 - 5 * 60 * s / 2 * float(w @ [root(s * (1 + one) / 2) for one in x])
-
-    [locks] = motion.events
-    assert locks.time == pytest.approx(LEAVES + float(brentq(slip, 0.01, 1)), abs=1e-6)
-    assert motion.speeds[-1] == pytest.approx([5 / 3, 5 / 3], rel=1e-12)
 
 
 @pytest.mark.parametrize("jump", ["t > 1", "t >= 1"])
@@ -140,19 +97,11 @@ def chain(rng: Random) -> Chain:
     if word == "v":
         states["v"] = f"(u - v)/{number(0.05, 0.3)}", start
     above = f"max({word} - {kink}, 0)"
-    corner = rng.choice(
-        [
-            above,
-            f"abs({word} - {kink}) + {word} - {kink}",
-            f"{word} - min({word}, {kink})",
-            f"fill({word})",
-            f"{above}*(1 + u)",
-            f"{above}*max({word} - {kink + 0.1}, 0)",
-            f"{above}^2",
-            f"({word} > {kink})",
-            f"({word} > {kink})*({word} - {kink})",
-        ]
+    forms = (
+        "{0}; abs({1} - {2}) + {1} - {2}; {1} - min({1}, {2}); fill({1}); {0}*(1 + u); "
+        "{0}*max({1} - {3}, 0); {0}^2; ({1} > {2}); ({1} > {2})*({1} - {2})"
     )
+    corner = rng.choice(forms.format(above, word, kink, kink + 0.1).split("; "))
     speed, last = number(1, 20), "m"
     states["m"] = rng.choice([f"{speed}*({corner})", f"{speed}*({corner} - m)"]), 0.0
     if rng.random() < 0.3:
@@ -166,8 +115,7 @@ def chain(rng: Random) -> Chain:
 
 
 @pytest.mark.parametrize(
-    "seed",
-    [pytest.param(n, marks=[pytest.mark.slow] * (n >= FEW)) for n in range(count(100, 1000))],
+    "seed", with_marked(range(4), range(4, count(100, 1000)), pytest.mark.slow)
 )
 def test_a_chain_of_lags_over_a_corner_agrees_with_dop853(seed: int) -> None:
     given = chain(seeded(seed))

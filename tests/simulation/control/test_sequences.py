@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import math
-import re
-from pathlib import Path
 
 import pytest
 
-from tests.commands import vstatics
 from tests.simulation.control.written import faults, simulated, steps_of, written
 from vstatics.core.errors import path_text
-from vstatics.simulation.run import simulate
+from vstatics.simulation import simulate
 
 REST = """duration: 4
 start: {speeds: {e: 0, o: 0}}
@@ -21,78 +18,43 @@ torques: {e: 20}
 """The engine runs up with 10 rad/s^2."""
 
 
-def test_a_step_waits_for_its_condition_and_then_for_its_time() -> None:
-    motion = simulated(
-        REST
-        + """set: {a: 0}
-sequences:
-  up:
-    - {when: "speed('e') > 7", set: {a: 1}}
-    - {wait: 0.25, set: {a: 2}}
-    - {when: "speed('e') >= 20 and a == 2", wait: 0.5, set: {a: 3}}
-"""
-    )
-    assert steps_of(motion) == [
-        (1, pytest.approx(0.7, abs=1e-9)),
-        (2, pytest.approx(0.95, abs=1e-9)),
-        (3, pytest.approx(2.5, abs=1e-9)),
-    ]
+FAST = "speed('e') >= 20 and a == 2"
+TIMED = [
+    # a step waits for its condition, then for its time
+    (f"""up: [{{when: "speed('e') > 7", set: {{a: 1}}}}, {{wait: 0.25, set: {{a: 2}}}},
+       {{when: "{FAST}", wait: 0.5, set: {{a: 3}}}}]""",
+     [("up", 1, 0.7), ("up", 2, 0.95), ("up", 3, 2.5)]),
+    # what is true at once begins at once, and a wait outlasts its condition
+    ("early: [{when: \"speed('e') < 5\", wait: 1, set: {a: 1}}]", [("early", 1, 1.0)]),
+    # a comparison that is equal goes by the way on which it moves next
+    ("""above: [{when: "speed('e') > 0", set: {a: 1}}]
+  still: [{when: "speed('o') > 0", set: {a: 2}}]
+  equal: [{when: "speed('o') >= 0", set: {a: 3}}]""", [("above", 1, 0.0), ("equal", 1, 0.0)]),
+    # in written order, one step at a time, from the first sequence again
+    ("""one: [{when: "t >= 1", set: {a: "a + 1"}}, {when: "b > 0.5", set: {a: "a + 10"}}]
+  two: [{when: "a > 0.5", set: {b: a}}, {when: "a > 5", set: {b: "b + 100"}}]""",
+     [("one", 1, 1.0), ("two", 1, 1.0), ("one", 2, 1.0), ("two", 2, 1.0)]),
+]  # fmt: skip
 
 
-def test_what_is_true_at_once_is_done_at_once_and_a_wait_outlasts_its_condition() -> None:
-    motion = simulated(
-        REST
-        + """set: {a: 0}
-sequences:
-  early: [{when: "speed('e') < 5", wait: 1, set: {a: 1}}]
-"""
-    )
-    assert steps_of(motion) == [(1, 1.0)]
+@pytest.mark.parametrize(("sequences", "expected"), TIMED)
+def test_steps_are_done_in_their_order_and_time(
+    sequences: str, expected: list[tuple[str, int, float]]
+) -> None:
+    motion = simulated(f"{REST}set: {{a: 0, b: 0}}\nsequences:\n  {sequences}\n")
+    assert [(one.element, one.step) for one in motion.events] == [one[:2] for one in expected]
+    times = [one[2] for one in expected]
+    assert [one.time for one in motion.events] == pytest.approx(times, abs=1e-9)
 
 
 def test_what_is_not_true_in_time_stops_the_run_and_names_its_step() -> None:
-    motion = simulate(
-        written(
-            REST
-            + """set: {a: 0}
-sequences:
-  late:
-    - {when: "t >= 0.5", set: {a: 1}}
-    - {when: "speed('e') > 30", set: {a: 2}, within: 1.5}
-"""
-        )
-    )
+    late = """late: [{when: "t >= 0.5", set: {a: 1}},
+         {when: "speed('e') > 30", set: {a: 2}, within: 1.5}]"""
+    motion = simulate(written(f"{REST}set: {{a: 0}}\nsequences:\n  {late}\n"))
     assert motion.stopped is not None
     assert "late, step 2" in motion.stopped.message
     assert motion.time[-1] == pytest.approx(2.0, abs=1e-12)
     assert motion.speeds[-1, 0] == pytest.approx(20.0)
-
-
-def test_a_comparison_that_is_equal_goes_by_where_it_moves_next() -> None:
-    motion = simulated(
-        REST
-        + """set: {a: 0}
-sequences:
-  above: [{when: "speed('e') > 0", set: {a: 1}}]
-  still: [{when: "speed('o') > 0", set: {a: 2}}]
-  equal: [{when: "speed('o') >= 0", set: {a: 3}}]
-"""
-    )
-    assert [(one.element, one.time) for one in motion.events] == [("above", 0.0), ("equal", 0.0)]
-
-
-def test_sequences_act_in_written_order_one_step_at_a_time_from_the_first_again() -> None:
-    motion = simulated(
-        REST
-        + """set: {a: 0, b: 0}
-sequences:
-  one: [{when: "t >= 1", set: {a: "a + 1"}}, {when: "b > 0.5", set: {a: "a + 10"}}]
-  two: [{when: "a > 0.5", set: {b: a}}, {when: "a > 5", set: {b: "b + 100"}}]
-"""
-    )
-    order = [(one.element, one.step) for one in motion.events]
-    assert order == [("one", 1), ("two", 1), ("one", 2), ("two", 2)]
-    assert {one.time for one in motion.events} == {1.0}
 
 
 def test_a_sequence_that_repeats_begins_again() -> None:
@@ -115,50 +77,30 @@ sequences:
 
 
 def test_steps_without_end_at_one_instant_are_told() -> None:
-    motion = simulate(
-        written(
-            REST
-            + """set: {a: 0}
-sequences:
-  mad: {repeat: true, steps: [{when: "t >= 1", set: {a: "a + 1"}}]}
-"""
-        )
-    )
-    assert motion.stopped is not None
-    assert "mad" in motion.stopped.message
-    assert "1000 steps" in motion.stopped.message
+    mad = 'mad: {repeat: true, steps: [{when: "t >= 1", set: {a: "a + 1"}}]}'
+    stopped = simulate(written(f"{REST}set: {{a: 0}}\nsequences: {{{mad}}}\n")).stopped
+    assert stopped is not None
+    assert "mad" in stopped.message
+    assert "1000 steps" in stopped.message
 
 
 def test_a_step_shifts_and_what_has_a_control_goes_by_that() -> None:
-    case = """links: [e, o]
+    case = """links: [e, o, m]
 inertias: {e: 2, o: 3}
 mechanisms: {low: {first: m, second: o, ratio: 2}}
 shift_elements:
   C: {links: [e, o], capacity: 100 N*m}
   L: {links: [e, m], capacity: 100 N*m}
 gears: {"1": [L], "2": [C]}
-""".replace("links: [e, o]\ni", "links: [e, o, m]\ni")
-    motion = simulated(
-        """duration: 4
-start: {gear: "1", speed: 100}
-torques: {e: 20}
-sequences:
-  up: [{when: "speed('o') > 60", shift: {to: "2", overlap: 0.2}}, {when: "locks('C')", set: {}, dog: {}}]
-""".replace(", {when: \"locks('C')\", set: {}, dog: {}}", ""),
-        case,
-    )
+"""
+    begin = 'duration: 4\nstart: {gear: "1", speed: 100}\ntorques: {e: 20}\n'
+    shift = '{when: "speed(\'o\') > 60", shift: {to: "2", overlap: 0.2}}'
+    motion = simulated(f"{begin}sequences: {{up: [{shift}]}}\n", case)
     [(_, shifted)] = steps_of(motion)
     # 2 + 3/4 kg*m^2 at the engine: the output reaches 60 when the engine has 120 rad/s
     assert shifted == pytest.approx(20 * (2 + 3 / 4) / 20, abs=1e-9)
     assert [one.element for one in motion.events if one.event == "locks"] == ["C"]
-    same = simulated(
-        f"""duration: 4
-start: {{gear: "1", speed: 100}}
-torques: {{e: 20}}
-shifts: [{{at: {shifted!r}, to: "2", overlap: 0.2}}]
-""",
-        case,
-    )
+    same = simulated(f'{begin}shifts: [{{at: {shifted!r}, to: "2", overlap: 0.2}}]\n', case)
     assert motion.speeds[-1].tolist() == pytest.approx(same.speeds[-1].tolist(), rel=1e-8)
     assert motion.energy.heat["C"] == pytest.approx(same.energy.heat["C"], rel=1e-7)
 
@@ -224,11 +166,14 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
 @pytest.mark.parametrize(
     ("text", "fault"),
     [
-        ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]', "8:7 sequences.s[1]: read a step with nothing"),
+        ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]',
+         "8:7 sequences.s[1]: read a step with nothing"),
         ("sequences:\n  s: [{set: {b: 1}}]", "sequences.s[1].set.b: read `b`"),
-        ("set: {a: 0}\nsequences:\n  s: [{when: \"slip('D') > 1\", set: {a: 1}}]", "read `D`, expected a shift element"),
+        ("set: {a: 0}\nsequences:\n  s: [{when: \"slip('D') > 1\", set: {a: 1}}]",
+         "read `D`, expected a shift element"),
         ('set: {a: 0}\nsequences:\n  s: [{when: "t + 1", set: {a: 1}}]', "expected a condition"),
-        ('set: {a: 0}\nsequences:\n  s: [{when: "slip > 1", set: {a: 1}}]', "name what it is of, as in slip('C')"),
+        ('set: {a: 0}\nsequences:\n  s: [{when: "slip > 1", set: {a: 1}}]',
+         "name what it is of, as in slip('C')"),
         ("set: {a: 0}\nsequences:\n  s: [{set: {a: 1}, within: 0}]", "expected a time above 0"),
         ("sequences:\n  s: [{dog: {C: closed}}]", "C is not a dog clutch"),
         ('sequences:\n  s: [{shift: {to: "9"}}]', "expected the name of a gear"),
@@ -243,8 +188,10 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
          "7:24 sequences.s[1].set.p: read 3, expected at most 2, its max"),
         ("tables: {q: [[1, 0], [0, 1]]}", "expected rows in ascending order"),
         ("tables: {q: {file: missing.csv}}", "cannot be read"),
-        ("tables: {q: {columns: [0, 1], rows: [[1, 2, 3], [0, 1, 2]]}}", "6:49 tables.q.rows[2]: read 0 after 1"),
-        ("tables: {q: {columns: [0, 1], rows: [[0, 1, 2], [1, 2]]}}", "6:49 tables.q.rows[2]: read 2 numbers, expected 3"),
+        ("tables: {q: {columns: [0, 1], rows: [[1, 2, 3], [0, 1, 2]]}}",
+         "6:49 tables.q.rows[2]: read 0 after 1"),
+        ("tables: {q: {columns: [0, 1], rows: [[0, 1, 2], [1, 2]]}}",
+         "6:49 tables.q.rows[2]: read 2 numbers, expected 3"),
         ("tables: {q: {columns: [0, 1], rows: []}}", "read no rows"),
         ("tables: {q: {columns: [], rows: [[1, 2, 3]]}}", "read 3 numbers, expected 2"),
         ("tables: {q: []}", "read no rows"),
@@ -263,26 +210,23 @@ def test_a_torque_that_would_see_itself_is_told_as_a_loop() -> None:
 @pytest.mark.parametrize(
     ("text", "identity", "path"),
     [
-        ('set: {a: 0}\nsequences: {s: [{when: "t > 1", set: {a: 1/a}}]}', "E677", "sequences.s[1].set.a"),
-        ('set: {a: 0}\nsequences: {s: [{set: {a: 1}, wait: 1}, {when: "sqrt(t - 2) < 3", set: {a: 1}}]}',
+        ('set: {a: 0}\nsequences: {s: [{when: "t > 1", set: {a: 1/a}}]}',
+         "E677", "sequences.s[1].set.a"),
+        ("set: {a: 0}\nsequences: "
+         '{s: [{set: {a: 1}, wait: 1}, {when: "sqrt(t - 2) < 3", set: {a: 1}}]}',
          "E650", "sequences.s[2].when"),
         ('states: {p: {start: 1, rate: "p^2"}}', "E700", "states.p.rate"),
         ('states: {p: {rate: "sqrt(1 - t)"}}', "E700", "states.p.rate"),
         ('speeds: {o: "sqrt(1 - t) - 1"}', "E700", "speeds.o"),
+        ("controls: {C: \"sqrt(20 - speed('e'))\"}", "E700", "controls.C"),
     ],
 )  # fmt: skip
 def test_what_is_no_number_stops_the_run_and_is_named(text: str, identity: str, path: str) -> None:
-    stopped = simulate(written(f"{REST}{text}\n")).stopped
+    rest = REST.replace("controls: {C: 0}\n", "") if "controls" in text else REST
+    stopped = simulate(written(f"{rest}{text}\n")).stopped
     assert stopped is not None
     assert stopped.id == identity
     assert path_text(stopped.path) == path
-
-
-def test_a_control_that_is_no_number_stops_the_run_and_is_named() -> None:
-    text = REST.replace("{C: 0}", "{C: \"sqrt(20 - speed('e'))\"}")
-    stopped = simulate(written(text)).stopped
-    assert stopped is not None
-    assert (stopped.id, stopped.path) == ("E700", ("controls", "C"))
 
 
 def test_a_state_that_a_formula_sets_beyond_its_limits_is_told_once() -> None:
@@ -302,20 +246,3 @@ def test_formulas_of_one_text_call_each_their_own_table() -> None:
     text = REST.replace("{e: 20}", '{e: "m(t)"}') + "tables: {m: [[0, 20]]}\n"
     ends = [simulated(one).speeds[-1, 0] for one in (text, text.replace("[0, 20]", "[0, 30]"))]
     assert ends == pytest.approx([4 * 20 / 2, 4 * 30 / 2])
-
-
-def test_a_control_that_is_cut_is_told_on_stderr(tmp_path: Path) -> None:
-    """300 N*m of a clutch of 200, with a lag of 60 ms: 200 N*m are passed at .06 ln 3 s."""
-    (tmp_path / "box.yaml").write_text(
-        "links: [e, o]\ninertias: {e: 2, o: 3}\nload: {speed: 100 rpm, torque: 1 N*m}\n"
-        "shift_elements: {C: {links: [e, o], capacity: 200 N*m}}\ngears: {g: [C]}\n",
-        encoding="utf-8",
-    )
-    (tmp_path / "s.yaml").write_text(
-        "case: box.yaml\nduration: 1\nstart: {speeds: {e: 300, o: 0}}\n"
-        'states: {p: {rate: "(300 - p)/0.06"}}\ncontrols: {C: p}\n',
-        encoding="utf-8",
-    )
-    said = vstatics("simulate", str(tmp_path / "s.yaml"))
-    [time] = re.findall(r"note: at (\S+) s the control of C is above the capacity", said.err)
-    assert float(time) == pytest.approx(0.06 * math.log(3), abs=1e-6)

@@ -6,102 +6,20 @@ Expected numbers are closed forms, or come from solvers of scipy with equations 
 from __future__ import annotations
 
 import math
-from copy import deepcopy
 from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
-import yaml
-from scipy.integrate import quad, solve_ivp
-from scipy.optimize import brentq
+from scipy.integrate import quad
 
 from tests.chance import count, seeded, some
-from tests.simulation.control.repository import closed_loops, ramped, tables
 from tests.simulation.control.smooth import integrated, smooth
 from tests.simulation.control.smooth_rows import smooth_loop, smooth_row
-from tests.simulation.control.written import TWO_WHEELS, simulated, written
-from vstatics.core import readers
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.file import read_scenario
+from tests.simulation.control.written import simulated, written
+from vstatics.simulation import simulate
 
 ONE_TO_FIVE = "links: [a, b]\ninertias: {a: 1, b: 5}\nshift_elements: {C: {links: [a, b]}}\n"
-EQUAL = "links: [a, b]\ninertias: {a: 1, b: 1}\nshift_elements: {L: {links: [a, b]}}\n"
-
-
-def test_a_pressure_that_is_ramped_through_a_lag_lets_a_clutch_in() -> None:
-    """P = 300 (t - tau (1 - exp(-t/tau))), so the slip is 100 + 50 t - 1.2 times its integral."""
-    motion = simulated(
-        """duration: 2
-start: {speeds: {a: 100, b: 0}}
-states: {p: {rate: "(300*min(t, 1) - p)/.06"}}
-controls: {C: p}
-torques: {a: 50}
-""",
-        ONE_TO_FIVE,
-    )
-
-    def slip(t: float) -> float:
-        impulse = t**2 / 2 - 0.06 * t + 0.06**2 * (1 - math.exp(-t / 0.06))
-        return 100 + 50 * t - 1.2 * 300 * impulse
-
-    [locks] = motion.events
-    assert locks.time == pytest.approx(brentq(slip, 0.1, 1, xtol=1e-15), abs=1e-10)
-
-
-def test_a_viscous_coupling_takes_up_a_torque_that_rises_from_zero() -> None:
-    """The slip follows s' = T - 40 s, so it is 10/40 in the end; both have the impulse 9."""
-    motion = simulated(
-        """duration: 1
-start: {speeds: {a: 0, b: 0}}
-torques: {a: [[0, 0], [0.2, 10]]}
-controls: {L: "20*abs(slip('L'))"}
-""",
-        EQUAL,
-    )
-    assert motion.speeds[-1] == pytest.approx([4.5 + 0.125, 4.5 - 0.125], abs=1e-9)
-
-
-def test_a_friction_that_falls_with_slip_breaks_away() -> None:
-    """It sticks until 40 t/2 = 13; then s' = 40 t - 2 (10 + 3 exp(-s/5)), by DOP853."""
-    motion = simulated(
-        """duration: 1
-start: {speeds: {a: 0, b: 0}}
-torques: {a: [[0, 0], [1, 40]]}
-controls: {L: "10 + 3*exp(-abs(slip('L'))/5)"}
-""",
-        EQUAL,
-    )
-    found = solve_ivp(
-        lambda t, s: 40 * t - 2 * (10 + 3 * np.exp(-s / 5)), (0.65, 1), [0.0], "DOP853",
-        rtol=1e-12, atol=1e-14,
-    )  # fmt: skip
-    slip = float(found.y[0, -1])
-    [slips] = motion.events
-    assert slips.time == pytest.approx(0.65, abs=1e-9)
-    assert motion.speeds[-1] == pytest.approx([10 + slip / 2, 10 - slip / 2], rel=1e-8)
-
-
-@pytest.mark.parametrize(
-    "control",
-    ["max(e, 0)", *some(["e*(e >= 0)", "(e > 0)*e", "min(max(e, 0), 600)", "e", "kiss(e)"])],
-)
-@pytest.mark.parametrize(("start", "rate"), [(-1, 10), *some([(-0.1, 5), (-0.01, 1), (-9, 90)])])
-def test_a_control_begins_when_its_state_passes_the_kiss_point(
-    control: str, start: float, rate: float
-) -> None:
-    """From -start/rate on it is a ramp."""
-    motion = simulated(
-        f"""duration: 1
-start: {{speeds: {{a: 50, b: 10}}}}
-tables: {{kiss: [[-1, 0], [0, 0], [100, 100]]}}
-states: {{e: {{start: {start}, rate: "{rate}"}}}}
-controls: {{C: "{control}"}}
-""",
-        ONE_TO_FIVE,
-    )
-    impulse = rate * (1 + start / rate) ** 2 / 2
-    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-10)
 
 
 FORMS = ["{}", "max({}, 0)", "abs({})", "line({})", "map({}, t)", "min({}, 0.5 + {})"]
@@ -162,18 +80,24 @@ TABLES = [
 ]
 
 
-@pytest.mark.parametrize(("points", "start"), some([*product(TABLES, [0, 2, 50])]))
-def test_a_table_over_a_speed_is_the_same_as_points_over_it(points: Any, start: float) -> None:
+OVER = [*product(TABLES, ["speed"], [0, 2, 50]), *product(TABLES, ["angle", "time"], [0])]
+
+
+@pytest.mark.parametrize(("points", "over", "start"), some(OVER))
+def test_a_table_is_the_same_as_points(points: Any, over: str, start: float) -> None:
     """A clutch begins to drive a link that rests on a point, or is on one at the start."""
-    scenario = """duration: 1
+    word = "t" if over == "time" else over
+    first, second = (
+        simulated(
+            f"""duration: 1
 start: {{speeds: {{a: 100, b: {start}}}}}
 tables: {{m: {points}}}
 controls: {{C: [[0, 0], [1, 300]]}}
 torques: {{b: {law}}}
-"""
-    laws = ('"m(speed)"', f"{{over: speed, points: {points}}}")
-    first, second = (
-        simulated(scenario.format(start=start, points=points, law=law), ONE_TO_FIVE) for law in laws
+""",
+            ONE_TO_FIVE,
+        )
+        for law in (f'"m({word})"', f"{{over: {over}, points: {points}}}")
     )
     assert first.speeds[-1] == pytest.approx(second.speeds[-1], rel=1e-8)
     events = [[(one.event, one.time) for one in motion.events] for motion in (first, second)]
@@ -181,27 +105,15 @@ torques: {{b: {law}}}
     assert [at for _, at in events[0]] == pytest.approx([at for _, at in events[1]], abs=1e-8)
 
 
-@pytest.mark.parametrize(
-    ("scenario", "case", "text", "path"),
-    [
-        (
-            "controls: {C: \"300*(slip('C') > 20)\"}\ntorques: {a: 50}\n",
-            ONE_TO_FIVE,
-            "300*(slip('C') > 20)",
-            ("controls", "C"),
-        ),
-    ],
-)
-def test_a_jump_to_which_the_motion_returns_without_end_is_reported(
-    scenario: str, case: str, text: str, path: tuple[str, ...]
-) -> None:
+def test_a_jump_to_which_the_motion_returns_without_end_is_reported() -> None:
     """The slip falls to 20 above the jump, and rises to it below."""
-    motion = simulate(
-        written(f"duration: 2\nstart: {{speeds: {{a: 100, b: 0}}}}\n{scenario}", case)
-    )
-    assert motion.stopped is not None
-    assert (motion.stopped.id, motion.stopped.path) == ("E601", path)
-    assert f"`{text}` switches back and forth without end" in motion.stopped.message
+    text = "300*(slip('C') > 20)"
+    start = "duration: 2\nstart: {speeds: {a: 100, b: 0}}\n"
+    given = f'{start}controls: {{C: "{text}"}}\ntorques: {{a: 50}}\n'
+    stopped = simulate(written(given, ONE_TO_FIVE)).stopped
+    assert stopped is not None
+    assert (stopped.id, stopped.path) == ("E601", ("controls", "C"))
+    assert f"`{text}` switches back and forth without end" in stopped.message
 
 
 JUMPS_OF_LIMITS = [
@@ -215,19 +127,13 @@ JUMPS_OF_LIMITS = [
 @pytest.mark.parametrize("text", JUMPS_OF_LIMITS)
 def test_an_undamped_limit_that_jumps_with_its_own_motion_is_reported(text: str) -> None:
     """On each side of the jump, the twist goes to the other side at once."""
-    motion = simulate(
-        written(
-            f"""duration: 2
-start: {{speeds: {{wheel: 0, road: 0}}}}
-torques: {{wheel: [[0, 0], [1, 900]]}}
-limits: {{tyre: "{text}"}}
-""",
-            """links: [wheel, road]
+    case = """links: [wheel, road]
 inertias: {wheel: 1.2, road: 40}
 springs: {tyre: {links: [wheel, road], stiffness: 20000}}
-""",
-        )
-    )
+"""
+    start = "duration: 2\nstart: {speeds: {wheel: 0, road: 0}}\n"
+    given = f'torques: {{wheel: [[0, 0], [1, 900]]}}\nlimits: {{tyre: "{text}"}}\n'
+    motion = simulate(written(start + given, case))
     assert motion.stopped is not None
     assert (motion.stopped.id, motion.stopped.path) == ("E601", ("limits", "tyre"))
     assert text[:30] in motion.stopped.message
@@ -237,17 +143,13 @@ springs: {tyre: {links: [wheel, road], stiffness: 20000}}
 @pytest.mark.slow
 def test_a_relay_behind_a_lag_whose_periods_shrink_is_reported() -> None:
     """Near slip 20 the n-th period is about 1/n, so the time grows as log n without end."""
-    motion = simulate(
-        written(
-            """duration: 2
+    text = """duration: 2
 start: {speeds: {a: 24, b: 0}}
 states: {p: {rate: "(400*(slip('C') > 20) - p)/0.02"}}
 controls: {C: p}
 torques: {a: 50}
-""",
-            ONE_TO_FIVE,
-        )
-    )
+"""
+    motion = simulate(written(text, ONE_TO_FIVE))
     assert motion.stopped is not None
     assert (motion.stopped.id, motion.stopped.path) == ("E601", ("states", "p", "rate"))
     assert "back and forth faster and faster" in motion.stopped.message
@@ -267,21 +169,6 @@ controls: {C: "5 + 2*(x > 0)"}
     # from a crest to the zero 60 q^2/2 = 0.012, so q = 0.02; x > 0 in half of 50 periods 4 q
     impulse = 4 * 6
     assert motion.speeds[-1] == pytest.approx([40 - impulse, 10 + impulse / 5], rel=1e-7)
-
-
-def test_everything_sticks_while_a_torque_sees_a_table() -> None:
-    """Nothing moves: the brake takes 100 + 300 t, the torque is 60 at most."""
-    motion = simulated(
-        """duration: 1
-start: {speeds: {a: 0, b: 0}}
-tables: {m: [[0, 0], [0.2, 0.93], [0.5, -0.02], [1, 0.43]]}
-controls: {C: "90 + abs(slip('C'))", B: "100 + 300*t + abs(slip('C'))"}
-torques: {a: "60*abs(m(t) - abs(speed('a') - speed('b'))/50)"}
-""",
-        ONE_TO_FIVE.replace("{links: [a, b]}", "{links: [a, b]}, B: {links: [b, housing]}"),
-    )
-    assert not motion.events
-    assert motion.speeds == pytest.approx(0.0, abs=1e-12)
 
 
 def test_a_clutch_of_a_loop_has_no_events_while_its_links_are_held_together() -> None:
@@ -325,85 +212,6 @@ def test_random_scenarios_that_start_on_corners_agree_with_an_implicit_solver(
     speeds = integrated(given)
     accuracy = 1e-3 if kind is smooth_loop else 1e-4  # of creep, which laws of slip take up there
     assert motion.speeds[-1] == pytest.approx(speeds, abs=accuracy * max(1, np.abs(speeds).max()))
-
-
-LOOPS = closed_loops()
-AT_ONCE = [
-    "test_a_controller_holds_the_slip_of_two_inertias-0",
-    "test_a_step_waits_for_its_condition_and_then_for_its_time-0",
-]
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=[pytest.mark.slow] * (n not in AT_ONCE)) for n in LOOPS]
-)
-def test_a_closed_loop_of_the_repository_runs_with_ramps_through_lags(name: str) -> None:
-    """Where other numbers of the last digits lead to its end, it gets there, to the same motion."""
-    motions = []
-    for change in (0.0, 1e-9):
-        document = ramped({**deepcopy(LOOPS[name].document), "case": "box.yaml"})
-        for state in document["states"].values():
-            state["start"] = state.get("start", 0) + change
-        scenario = read_scenario(yaml.safe_dump(document).encode(), "scenario.yaml")
-        case = readers.read(LOOPS[name].case.encode(), "box.yaml")
-        motions.append(simulate(scenario.with_case(case).scenario))
-    stops = [motion.stopped.id if motion.stopped else None for motion in motions]
-    assert stops[0] == stops[1]
-    assert stops[0] not in ("E601", "E602", "E608")
-    assert motions[0].speeds[-1] == pytest.approx(motions[1].speeds[-1], rel=1e-6, abs=1e-6)
-
-
-POINTS = tables()
-AS_POINTS = [*product(range(len(POINTS)), ["speed", "angle", "time"])]
-
-
-@pytest.mark.parametrize(
-    ("number", "over"),
-    [
-        pytest.param(*one, marks=[pytest.mark.slow] * (n % 24 > 0))
-        for n, one in enumerate(AS_POINTS)
-    ],
-)
-def test_a_table_of_the_repository_is_the_same_as_points(number: int, over: str) -> None:
-    """Its values are scaled to 50 N*m, and a link begins at rest or on its first point."""
-    factor = 50 / max(abs(value) for _, value in POINTS[number])
-    points = [[place, round(factor * value, 6)] for place, value in POINTS[number]]
-    word = "t" if over == "time" else over
-    for start in {0.0, points[0][0] if over == "speed" else 0.0}:
-        first, second = (
-            simulated(
-                f"""duration: 2
-start: {{speeds: {{a: {100 + start}, b: {start}}}}}
-tables: {{m: {points}}}
-controls: {{C: [[0, 0], [1, 300]]}}
-torques: {{b: {law}}}
-""",
-                ONE_TO_FIVE,
-            )
-            for law in (f'"m({word})"', f"{{over: {over}, points: {points}}}")
-        )
-        assert first.speeds[-1] == pytest.approx(second.speeds[-1], rel=1e-8, abs=1e-6)
-
-
-def test_a_state_at_its_limit_is_left_by_another_one_that_leaves_its_own() -> None:
-    """P = (t - 0.2)^2/2, q its integral, r that of q: each is held at 0 before."""
-    motion = simulate(
-        written(
-            """duration: 1
-start: {speeds: {e: 0, o: 0}}
-states:
-  p: {rate: "t - 0.2", min: 0}
-  q: {rate: p, min: 0}
-  r: {rate: "q - max(-p, 0)", min: 0}
-controls: {C: 0}
-torques: {e: r}
-""",
-            TWO_WHEELS,
-        )
-    )
-    # p = u^2/2 with u = t - 0.2, q = u^3/6, r = u^4/24, and the momentum of 2 kg*m^2 is u^5/120
-    assert motion.stopped is None
-    assert motion.speeds[-1, 0] == pytest.approx(0.8**5 / 120 / 2, rel=1e-8)
 
 
 @pytest.mark.parametrize(

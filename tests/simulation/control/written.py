@@ -6,12 +6,10 @@ from typing import Any
 
 import pytest
 
+from vstatics import ReadError
 from vstatics.core import readers
-from vstatics.core.errors import ReadError
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.run import simulate
+from vstatics.simulation import Motion, Scenario, simulate
 from vstatics.simulation.scenario.file import read_scenario
-from vstatics.simulation.scenario.parts import Scenario
 
 TWO_WHEELS = """links: [e, o]
 inertias: {e: 2, o: 3}

@@ -16,7 +16,7 @@ from scipy.linalg import null_space
 from scipy.optimize import linprog
 
 from tests.simulation.reference import element_column, mechanism_column
-from vstatics.core.model.transmission import Gear, Mechanism, Transmission
+from vstatics import Gear, Mechanism, Transmission
 from vstatics.core.numerics.arrays import Floats
 
 

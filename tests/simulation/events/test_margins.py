@@ -20,7 +20,7 @@ from scipy.optimize import linprog
 from tests.chance import count, seeded
 from tests.simulation.boxes import capacity
 from tests.simulation.reference import element_column, mechanism_column
-from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Points, Scenario, Start, simulate
 

@@ -23,10 +23,8 @@ from tests.commands import CASES
 from tests.simulation.events.plain import PlainGear
 from tests.simulation.reference import element_column, mechanism_column
 from tests.trains import random_train
-from vstatics import solve
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.core.readers import load
+from vstatics import Gear, Mechanism, Spring, Transmission, load, solve
+from vstatics.core.model.springs import between
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
 
 SHIPPED = sorted([*CASES.glob("*.yaml"), *CASES.glob("*.dat")])
@@ -45,38 +43,6 @@ def driven(case: Transmission, gear: Gear, torques: dict[int, float], speed: flo
 def ran(motion: Motion) -> bool:
     """Whether it came to its end, and its energy closes."""
     return motion.stopped is None or abs(motion.energy.balance) < ROUNDING
-
-
-def one_set(efficiency: float = 0.96) -> Transmission:
-    """Sun in, ring out, carrier held: i = -2.8."""
-    return Transmission(
-        4,
-        [ShiftElement(1, 2, "A"), ShiftElement(3, 0, "D")],
-        [Mechanism(2, 4, 3, -2.8, efficiency, name="R")],
-        [Gear([1, 2], name="1")],
-        output=4,
-        link_names=["i", "s", "c", "o"],
-        inertias={1: 1.0, 4: 1.0},
-    )
-
-
-@pytest.mark.parametrize("load", [265.0, 2.8 * 96, 275.0, 280.0, 2.8 * 100 / 0.96, 295.0])
-def test_a_set_that_turns_goes_on_under_loads_that_would_hold_it_at_rest(load: float) -> None:
-    """Power goes from the input on as long as the torque there is above 0: it is, all the time."""
-    case, ratio, efficiency = one_set(), 2.8, 0.96
-    motion = driven(case, case.gears[0], {1: 100.0, 4: load}, 100.0)
-    rate = (100 * ratio * efficiency - load) / (ratio**2 * efficiency + 1)
-    assert motion.stopped is None
-    assert not motion.events
-    assert -motion.speeds[-1, 3] == pytest.approx(100 / 2.8 + rate, rel=1e-8)
-
-
-def test_a_set_at_rest_stays_there_under_such_a_load_and_no_other() -> None:
-    case = one_set()
-    for torque, moves in ((265, True), (269, False), (291, False), (293, True)):
-        motion = driven(case, case.gears[0], {1: 100.0, 4: torque}, 0.0)
-        assert motion.stopped is None
-        assert (abs(motion.speeds[-1, 0]) > 0) == moves
 
 
 def steady(path: Path) -> Iterator[tuple[Transmission, Gear, float]]:

@@ -15,13 +15,13 @@ from typing import Any, NamedTuple
 import pytest
 
 from tests.chance import count, seeded
+from tests.simulation.control.written import simulated
 from vstatics import Results, solve
 from vstatics.pictures import render
 from vstatics.pictures.drawing.style import Style
-from vstatics.simulation import load_scenario, simulate
+from vstatics.simulation import Motion, load_scenario, simulate
 from vstatics.simulation.pictures.elements import states
 from vstatics.simulation.pictures.gears import ShiftPhase, element_sets, gear_pieces, phases
-from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.report.runs.record import recorded
 
 BOX = """
@@ -149,6 +149,17 @@ def test_a_freewheel_that_overruns_under_drag_is_open(tmp_path: Path) -> None:
     assert drawn == expected(motion, texts)
     brake = next(row for row in states(motion) if row.name == "B")
     assert (brake.slips, brake.sticks[0][0], len(brake.sticks)) == ((), 0.0, 1)
+
+
+def test_a_freewheel_that_is_overcome_slips() -> None:
+    """It holds 30 of the 50 N*m, half of what turns one of two equal wheels back."""
+    motion = simulated(
+        "duration: 1\nstart: {speeds: {a: 0, b: 0}}\ntorques: {a: -100}\ncontrols: {}\n",
+        "links: [a, b]\ninertias: {a: 1, b: 1}\n"
+        "shift_elements: {F: {links: [a, b], kind: freewheel, capacity: 30 N*m}}\n",
+    )
+    [row] = states(motion)
+    assert (row.slips, row.sticks) == (((0.0, 1.0),), ())
 
 
 def test_the_picture_has_these_phases(tmp_path: Path) -> None:

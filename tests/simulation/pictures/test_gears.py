@@ -14,9 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.simulation.pictures.test_shift import run
+from vstatics.simulation import Motion
 from vstatics.simulation.pictures.elements import ElementStates
-from vstatics.simulation.pictures.gears import GearPiece, ShiftPhase, common, gear_pieces, phases
-from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.pictures.gears import ShiftPhase, common, gear_pieces, phases
 
 GEARS = {"1": frozenset("AB"), "2": frozenset("AC"), "3": frozenset("CD")}
 ROWS = [
@@ -33,10 +33,6 @@ def shifting(**sticks: list[int]) -> Motion:
     table = {name: np.r_[0.0, values] for name, values in known.items()}
     time = np.arange(1.0 + len(known["A"]))
     return run()._replace(time=time, elements=tuple(table), beside={"sticks": table})
-
-
-def test_a_gear_holds_while_all_its_elements_stick() -> None:
-    assert gear_pieces(GEARS, shifting()) == [GearPiece("1", 0.0, 2.0), GearPiece("2", 3.0, 4.0)]
 
 
 def test_between_two_gears_are_a_torque_phase_and_an_inertia_phase() -> None:

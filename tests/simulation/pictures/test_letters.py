@@ -1,89 +1,46 @@
-"""Letters of pictures of runs in a browser: none over another, none too small to be read."""
+"""Letters of pictures of runs: none over another, and words near their events."""
 
 from __future__ import annotations
 
-from itertools import combinations, pairwise
-from typing import Any
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from tests.commands import CASES
+from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
 from tests.simulation.pictures.test_shift import run
-from vstatics import Results, load_scenario, solve
-from vstatics.pictures import pages
+from vstatics import load_scenario, solve
 from vstatics.pictures.drawing.labels import width
-from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
+from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE, Style
 from vstatics.simulation.pictures.events import placed_words
-from vstatics.simulation.record.motion import Event, Motion
+from vstatics.simulation.record.motion import Event, EventKind
 from vstatics.simulation.run import simulate
 
-CAPITALS = 0.73
-"""Height of capitals over the size of letters, of DejaVu Sans."""
-BOXES = """() => [...document.querySelectorAll("svg text")].map((text) => {
-  const box = text.getBoundingClientRect(), size = parseFloat(getComputedStyle(text).fontSize);
-  const turned = box.height > box.width && text.textContent.length > 2;
-  return [text.textContent, size, turned, box.left, box.top, box.right, box.bottom];
-})"""
 COLUMN = 85 * POINTS_PER_MILLIMETRE
 """Of a journal."""
-STYLES = (
-    Style(height=PAGE_HEIGHT),
-    Style("ru", dark=True, height=PAGE_HEIGHT),
-    Style(height=PAGE_HEIGHT, width=COLUMN),
-)
-
-
-def wrong(browser: Any, results: Results, motion: Motion, style: Style) -> list[str]:
-    """Letters that cover others or the edge, or are below 7 pt."""
-    found = []
-    for page in pages(results, "shift", "svg", style, motion=motion):
-        window = browser.new_page()
-        window.set_content(f"<body style='margin:0'>{page.decode().partition('?>')[2]}</body>")
-        scale = 96 / 72
-        boxes = []
-        for text, size, turned, *edges in window.evaluate(BOXES):
-            left, top, right, bottom = edges
-            if size < 7 - 1e-6:
-                found.append(f"{text} has {size} pt")
-            if turned:  # capitals stand along the other edge
-                middle = (left + right) / 2
-                left, right = middle - CAPITALS * size / 2 * scale, middle + CAPITALS * size / 2
-            else:
-                middle, half = (top + bottom) / 2, CAPITALS * size / 2 * scale
-                top, bottom = middle - half, middle + half
-            boxes.append((text, left, top, right, bottom))
-            if left < 0 or top < 0 or right > style.width * scale or bottom > PAGE_HEIGHT * scale:
-                found.append(f"{text} leaves the page")
-        window.close()
-        for one, two in combinations(boxes, 2):
-            across = min(one[3], two[3]) - max(one[1], two[1])
-            if across > 0.3 and min(one[4], two[4]) - max(one[2], two[2]) > 0.3:
-                found.append(f"{one[0]} / {two[0]}")
-    return found
+STYLES = (Style(), Style("ru", dark=True), Style(width=COLUMN))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("style", STYLES)
 @pytest.mark.parametrize("file", sorted(path.name for path in (CASES / "scenarios").glob("*.yaml")))
-def test_no_letters_cover_others(browser: Any, file: str, style: Style) -> None:
+def test_no_letters_of_a_shipped_run_cover_others(file: str, style: Style) -> None:
     scenario = load_scenario(CASES / "scenarios" / file)
-    assert wrong(browser, solve(scenario.case), simulate(scenario), style) == []
+    assert overlaps(solve(scenario.case), "shift", style, simulate(scenario)) == []
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("count", [3, 40, 400])
-def test_many_events_cover_nothing(browser: Any, count: int) -> None:
-    """Those without a word are counted below the title."""
-    time = np.linspace(0.0, 1.0, count + 2)[1:-1]
-    events = tuple(
-        Event(float(at), name, ("locks", "slips", "reverses")[n % 3])
-        for n, at in enumerate(time)
-        for name in ("brake", "ring", "carrier")
-    )
+@pytest.mark.parametrize("kind", ["shift", "plan"])
+@pytest.mark.parametrize("style", STYLES[:2])
+@pytest.mark.parametrize("count", [0, 1, 39, 399])
+def test_no_word_of_an_event_covers_another(kind: str, style: Style, count: int) -> None:
+    """Events without a word are counted below the title."""
+    words: tuple[EventKind, ...] = ("locks", "slips", "reverses")
+    events = tuple(Event((n + 1) / (count + 1), "brake", words[n % 3]) for n in range(count))
     results = shipped_results("tarasik-set.yaml")
-    assert wrong(browser, results, run()._replace(events=events), Style()) == []
+    assert overlaps(results, kind, style, run()._replace(events=events)) == []
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -11,11 +11,11 @@ import pytest
 from tests.commands import CASES, json_answer, vstatics
 from tests.pictures.drawn import texts
 from tests.pictures.plan.test_gears import DCT, panels, told_panels
-from vstatics import load, solve
-from vstatics.core.readers import loads
+from vstatics import load, loads, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Style
-from vstatics.simulation.record.motion import Energy, Motion
+from vstatics.simulation import Motion
+from vstatics.simulation.record.motion import Energy
 
 
 def pages_of(picture: Path) -> list[bytes]:

@@ -18,21 +18,17 @@ from tests.simulation.published.test_published_starts import (
 )
 from tests.torsion.table_3_8 import TABLE_3_8
 from tests.torsion.test_simplification_tables import GEARS
-from vstatics.core.model.springs import Spring, between
-from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
-from vstatics.simulation import simulate
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
+from vstatics import Gear, ShiftElement, Spring, Transmission
+from vstatics.core.model.springs import between
+from vstatics.simulation import Capacity, Formula, Scenario, Start, simulate
 from vstatics.torsion.clutch.dumped import dump
 
 GAZ = [line for line in TABLE_3_8 if line.vehicle == "ГАЗ-53А"]
-
-
 GAZ_RATIOS = (6.48, 3.09, 1.71, 1.0)
 
 
 def test_measured_torques_of_a_dumped_clutch() -> None:
-    """GAZ-53A, table 3.2: no dump is below what was measured; a motion has the torque of the page."""
+    """GAZ-53A, table 3.2: no dump is below what was measured; motions have torques of the page."""
     count = 0
     for row in rows("vehicle-dynamics", "Largest torques that were measured"):
         number = GEARS.index(row["gear"])
@@ -63,8 +59,6 @@ def test_measured_torques_of_a_truck_with_many_masses() -> None:
 
 DAMPING = {"1": TABLE_3_9["scheme"]["K"], "2": [0.005, 0.022, 0.006, 0.032, 0.926, 0.387]}
 """Table 3.10."""
-
-
 STARTS = rows("vehicle-dynamics", "Starts")
 
 
@@ -115,26 +109,18 @@ def test_starts_of_the_page() -> None:
 
 RATIOS = (9.95, 5.23, 3.44, 2.44, 2.91, 1.52, 1.0, 0.73)
 """Of the gearbox of both trucks."""
-
-
 FIRST_MASSES = {
     "KrAZ, J_OK": (252, 82.9, 44.7, 30.5, 25.1, 10.4, 7.35, 5.23),
     "MAZ, J_OK": (249, 78.5, 41.3, 27.1, 21.7, 7.04, 3.95, 2.83),
     "MAZ, J_CD": (256, 85.5, 48.3, 34.1, 28.7, 14.0, 10.9, 9.81),
 }
 """Of table 2.17, J*10, with J_CD of gear IV as the page corrects it."""
-
-
 AXLES = {"KrAZ": (1.29, 23.9e-5, 5.30e-5, 7690, 8.4), "MAZ": (1.28, 5.98e-5, 5.35e-5, 7660, 8.44)}
 """Of both trucks: J_K, E_T, E_K, M_phi, and the ratio of the final drive."""
-
-
 TABLE_3_13 = {
     "KrAZ": (6.77, 6.50, 5.57, 4.67, 5.26, 2.90, 1.84, 1.28),
     "MAZ": (6.78, 6.47, 5.56, 4.42, 5.09, 2.72, 1.72, 1.24),
 }
-
-
 TRUCKS = rows("vehicle-dynamics-cases", "Two 6x4 trucks (tables 2.17, 3.13)")
 
 

@@ -16,12 +16,9 @@ import pytest
 from tests.simulation.boxes import RPM, held
 from tests.simulation.test_golden import closes
 from tests.torsion.table_3_8 import TABLE_3_8, Line
-from vstatics.core.model.springs import Spring, Twist, between
-from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
-from vstatics.simulation import simulate
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
+from vstatics import Gear, ShiftElement, Spring, Transmission
+from vstatics.core.model.springs import between
+from vstatics.simulation import Capacity, Formula, Scenario, Start, simulate
 
 PUBLISHED = Path(__file__).with_name("tsitovich-table-3-9.json")
 TABLE_3_9: dict[str, Any] = json.loads(PUBLISHED.read_text(encoding="utf-8"))
@@ -55,30 +52,18 @@ def test_one_spring(line: Line) -> None:
 
 def reduced_chain(row: dict[str, Any]) -> Scenario:
     """Six links with the reaction of the axle; links: engine, disc, box ... vehicle."""
-    clutch, grip, speed, rate, duration = (
-        row["params"][key] for key in ("MC0", "Mphi", "w0", "K", "T")
-    )
-    twists: list[Twist | dict[int, float]] = [
-        between(2, 3),
-        between(3, 4),
-        between(4, 5),
-        {5: 1, 7: -1, 6: -1},
-        between(6),
-    ]
-    twists.append(between(7, 8))
-    scheme = TABLE_3_9["scheme"]
+    keys = ("MC0", "Mphi", "w0", "K", "T")
+    clutch, grip, speed, rate, duration = (row["params"][key] for key in keys)
+    scheme, axle = TABLE_3_9["scheme"], ((5, 1.0), (7, -1.0), (6, -1.0))
+    twists = [between(2, 3), between(3, 4), between(4, 5), axle, between(6), between(7, 8)]
     parts = zip(twists, scheme["E"], scheme["K"], scheme["springs"], strict=True)
-    case = Transmission(
-        8,
-        [ShiftElement(1, 2, "clutch", static=1.25)],
-        [],
-        [Gear()],
-        inertias=dict(enumerate(scheme["J"], 1)),
-        springs=[
-            Spring(twist, None, compliance, damping, name, grip if name == "tyres" else None)
-            for twist, compliance, damping, name in parts
-        ],
-    )
+    springs = [
+        Spring(twist, None, compliance, damping, name, grip if name == "tyres" else None)
+        for twist, compliance, damping, name in parts
+    ]
+    clutches = [ShiftElement(1, 2, "clutch", static=1.25)]
+    inertias = dict(enumerate(scheme["J"], 1))
+    case = Transmission(8, clutches, [], [Gear()], inertias=inertias, springs=springs)
     control = Capacity(Formula(f"0.8*{clutch}*(1 - exp(-{rate}*t))"))
     start = Start(speeds={1: speed} | dict.fromkeys(range(2, 9), 0.0))
     return Scenario(case, duration, start, {1: control})
@@ -89,17 +74,10 @@ def of_table_3_9(row: dict[str, Any]) -> dict[str, float]:
     motion = simulate(reduced_chain(row))
     assert closes(motion)
     shaft = motion.peaks["input shaft"]
-    return {
-        "M_PV": shaft.torque,
-        "t_PV": shaft.time,
-        "Y_po": motion.peaks["half-shafts"].torque,
-        "A_B": motion.energy.heat["clutch"],
-    } | _locked(motion)
-
-
-def _locked(motion: Motion) -> dict[str, float]:
-    times = [one.time for one in motion.events if (one.element, one.event) == ("clutch", "locks")]
-    return {"t_B": times[0]} if times else {}
+    locks = [one.time for one in motion.events if (one.element, one.event) == ("clutch", "locks")]
+    found = {"M_PV": shaft.torque, "t_PV": shaft.time, "A_B": motion.energy.heat["clutch"]}
+    found["Y_po"] = motion.peaks["half-shafts"].torque
+    return found | ({"t_B": locks[0]} if locks else {})
 
 
 @pytest.mark.slow
@@ -147,30 +125,18 @@ COMPLIANCES = {
 GRIPS = {1: 870.0, 2: 1580.0, 3: 2990.0, 4: 5750.0}
 """Y_phi of table 3.11 [N*m]; of gear 3 by the ratios, as it is not legible."""
 TABLE_3_11 = [
-    Dumped(
-        "500",
-        1,
-        {"Y23": 1.21, "Y34": 1.19, "Y45": 1.15, "Y56": 0.87},
-        (("clutch", "locks", 0.034), ("Y56", "slips", 0.057), ("clutch", "slips", 0.071)),
-    ),
-    Dumped(
-        "200",
-        1,
-        {"Y23": 1.14, "Y34": 1.12, "Y45": 1.09, "Y56": 0.87},
-        (("clutch", "locks", 0.032), ("clutch", "slips", 0.095)),
-    ),
+    Dumped("500", 1, {"Y23": 1.21, "Y34": 1.19, "Y45": 1.15, "Y56": 0.87},
+           (("clutch", "locks", 0.034), ("Y56", "slips", 0.057), ("clutch", "slips", 0.071))),
+    Dumped("200", 1, {"Y23": 1.14, "Y34": 1.12, "Y45": 1.09, "Y56": 0.87},
+           (("clutch", "locks", 0.032), ("clutch", "slips", 0.095))),
     Dumped("500", 2, {"Y12": 1.38, "Y56": 1.58}, (("Y56", "slips", 0.054),)),
-    Dumped(
-        "200",
-        2,
-        {"Y12": 1.45, "Y23": 1.79, "Y34": 1.87, "Y45": 1.85, "Y56": 1.58},
-        (("Y56", "slips", 0.075),),
-    ),
+    Dumped("200", 2, {"Y12": 1.45, "Y23": 1.79, "Y34": 1.87, "Y45": 1.85, "Y56": 1.58},
+           (("Y56", "slips", 0.075),)),
     Dumped("500", 3, {"Y12": 1.26, "Y23": 1.42, "Y34": 1.48}),
     Dumped("200", 3, {"Y12": 1.37, "Y23": 1.64, "Y34": 1.82, "Y45": 1.87}),
     Dumped("500", 4, {"Y12": 1.22, "Y23": 1.32}),
     Dumped("200", 4, {"Y12": 1.26, "Y23": 1.42}),
-]
+]  # fmt: skip
 
 
 def chain_of(row: Dumped, clutch: float = 1300, rpm: float = 1800) -> Scenario:

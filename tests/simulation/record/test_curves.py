@@ -10,24 +10,17 @@ from random import Random
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from scipy.linalg import eigh
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_marked
 from tests.simulation.runs import random_run
-from vstatics.core.model.springs import Spring
-from vstatics.core.model.transmission import Gear, Transmission
+from vstatics import Gear, Spring, Transmission
 from vstatics.core.numerics.arrays import Floats
+from vstatics.simulation import Motion, Points, Scenario, Start, constant, simulate
 from vstatics.simulation.record import record
 from vstatics.simulation.record.curves import Curves, drawn_times, ranges
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.laws import Points, constant
-from vstatics.simulation.scenario.parts import Scenario, Start
 
 CHORD = 1e-3
-SEEDS = st.integers(0, 10**6)
 
 
 def random_chain(rng: Random) -> Scenario:
@@ -130,7 +123,7 @@ def check_friction(scenario: Scenario) -> None:
         assert np.abs(drawn - values[~jumps]).max() <= CHORD * size + tiny
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", with_marked(range(6), range(6, count(66, 200)), pytest.mark.slow))
 def test_extremes_of_a_chain_of_springs_are_those_of_its_modes(seed: int) -> None:
     check_chain(random_chain(seeded(seed)))
 
@@ -144,37 +137,9 @@ def test_they_are_so_where_each_step_is_drawn_at_once(
     check_friction(random_run(seeded(seed)))
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", with_marked(range(4), range(4, count(24, 60)), pytest.mark.slow))
 def test_runs_with_friction_have_no_values_beyond_their_instants(seed: int) -> None:
     check_friction(random_run(seeded(seed), losses=bool(seed % 2)))
-
-
-@pytest.mark.slow
-@settings(max_examples=count(60, 200))
-@given(SEEDS)
-def test_extremes_of_any_chain_of_springs(seed: int) -> None:
-    check_chain(random_chain(seeded(seed)))
-
-
-@pytest.mark.slow
-@settings(max_examples=count(20, 60))
-@given(SEEDS, st.booleans())
-def test_instants_of_any_run_with_friction(seed: int, losses: bool) -> None:
-    check_friction(random_run(seeded(seed), losses=losses))
-
-
-def test_a_swinging_mass_has_its_amplitude_in_max_and_in_the_file() -> None:
-    """1 kg*m^2 on 100 N*m/rad, pulled by 5 N*m: 10 N*m at most, .5 rad/s, after 30 swings, too."""
-    spring = Spring({1: 1}, 100.0, name="s")
-    case = Transmission(2, [], [], [Gear()], inertias={1: 1.0, 2: 1.0}, springs=[spring])
-    start = Start(speeds={1: 0.0, 2: 0.0})
-    motion = simulate(Scenario(case, 18.0, start, torques=((1, constant(5.0)),)))
-    assert motion.torques[:, 0].max() == pytest.approx(10, rel=1e-10)
-    assert np.abs(motion.speeds[:, 0]).max() == pytest.approx(0.5, rel=1e-10)
-    assert motion.peaks["s"].time == pytest.approx(np.pi / 10, rel=1e-6)
-    drawn = np.interp(np.linspace(0, 18, 9999), motion.time, motion.torques[:, 0])
-    exact = 5 - 5 * np.cos(10 * np.linspace(0, 18, 9999))
-    assert np.abs(drawn - exact).max() <= 10 * CHORD
 
 
 def test_curves_are_drawn_by_no_more_instants_than_are_asked_for() -> None:

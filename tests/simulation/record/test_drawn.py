@@ -12,14 +12,9 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from vstatics.core.model.parts import ShiftElement
-from vstatics.core.model.springs import Spring
-from vstatics.core.model.transmission import Gear, Transmission
+from vstatics import Gear, ShiftElement, Spring, Transmission
+from vstatics.simulation import Capacity, Motion, Points, Scenario, Start, constant, simulate
 from vstatics.simulation.record import drawn, record
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.laws import Points, constant
-from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
 
 CASE = Transmission(
     2,

@@ -1,4 +1,4 @@
-"""What a run has beside its columns: what sticks, capacities, heat and losses, torque of the output.
+"""Tables of pictures of a run: what sticks, capacities, heat and losses, torque of the output.
 
 Against the energies of its account, the torques of its columns, statics and the scenarios' numbers.
 """
@@ -10,12 +10,9 @@ import pytest
 
 from tests.chance import with_marked
 from tests.commands import CASES
-from tests.simulation.test_rolling_radius import CASE, ROAD
+from tests.simulation.test_roads import CASE, ROAD
 from vstatics import load_scenario
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.laws import Road
-from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics.simulation import Motion, Road, Scenario, Start, simulate
 
 QUICK = ("8l90-shifts", "gf4a-upshifts", "moskvich-start", "tarasik-box", "tarasik-set-lock")
 SLOW = ("8hp70-downshift", "8hp70-shifts", "tarasik-truck")

@@ -1,4 +1,4 @@
-"""What events are called: friction slips when it is overcome, other things open, start, overrun."""
+"""What events are called, notes on targets, and runs as data frames."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from tests.chance import count, seeded
 from tests.simulation.boxes import held, points
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
-from vstatics.core.model.parts import ShiftElement
+from vstatics import ShiftElement
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+from vstatics.simulation import Capacity, Dog, Motion, Resistance, Road, constant
+from vstatics.simulation.record.motion import Energy, Event, Peak
 from vstatics.simulation.record.tables import motion_grids
-from vstatics.simulation.scenario.laws import Resistance, Road, constant
-from vstatics.simulation.scenario.parts import Capacity, Control, Dog
+from vstatics.simulation.scenario.parts import Control
 
 
 def words(motion: Motion) -> list[tuple[str, str | None]]:
@@ -101,7 +101,7 @@ def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> No
     by `solve_ivp`, with the friction of L smoothed.
     """
     rng = seeded(seed)
-    inertias = {"a": rng.uniform(0.5, 2), "m": rng.uniform(0.1, 1), "b": rng.uniform(2, 8)}
+    inertias = [rng.uniform(*ends) for ends in ((0.5, 2), (0.1, 1), (2, 8))]
     end = rng.choice(("b", "housing"))
     way, viscous = rng.choice((-1, 1)), rng.uniform(1, 5)
     begin, turn = rng.uniform(0.2, 0.6), rng.uniform(0.8, 1)
@@ -111,20 +111,16 @@ def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> No
         f"controls: {{L: [[0, 0], [{begin!r}, 0], [{begin + 0.2!r}, {size!r}]], "
         f"K: \"{viscous!r}*abs(slip('K'))\"}}\n"
         f"torques: {{a: [[0, {30 * way}], [{turn!r}, {30 * way}], [{turn!r}, {-90 * way}]]}}\n",
-        AT_REST.format(**inertias, end=end),
+        AT_REST.format(**dict(zip("amb", inertias, strict=True)), end=end),
     )
 
-    def gripping(time: float) -> float:
-        return size * min(max((time - begin) / 0.2, 0.0), 1.0)
-
-    def rates(time: float, speeds: Floats) -> list[float]:
-        sliding = gripping(time) * float(np.tanh((speeds[0] - speeds[1]) / 1e-4))
+    def rates(time: float, speeds: Floats) -> Floats:
+        gripping = size * min(max((time - begin) / 0.2, 0.0), 1.0)
+        sliding = gripping * float(np.tanh((speeds[0] - speeds[1]) / 1e-4))
         driven = 30 * way if time < turn else -90 * way
         braking = viscous * slip(time, speeds)
-        torques = (driven - sliding, sliding - braking, braking if end == "b" else 0.0)
-        return [
-            torque / inertia for torque, inertia in zip(torques, inertias.values(), strict=True)
-        ]
+        torques = driven - sliding, sliding - braking, braking if end == "b" else 0.0
+        return np.array(torques) / inertias
 
     def slip(_time: float, speeds: Floats) -> float:
         return float(speeds[1] - speeds[2])
@@ -132,8 +128,7 @@ def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> No
     told = [one for one in motion.events if one.element == "K"]
     assert told[0].word == "slips"
     assert told[0].time == pytest.approx(begin, abs=1e-6)
-    crossings: list[float] = []
-    values = [0.0, 0.0, 0.0]
+    crossings, values = list[float](), [0.0, 0.0, 0.0]
     for first, last in pairwise((0.0, begin, begin + 0.2, turn, 2.0)):
         course = solve_ivp(rates, (first, last), values, "Radau", events=slip, rtol=1e-7, atol=1e-7)
         assert course.t_events is not None
@@ -149,3 +144,44 @@ def test_a_step_of_a_sequence_has_a_word_as_all_events() -> None:
         'sequences: {s: [{when: "t > 0.5", set: {q: 2}}]}\n'
     )
     assert [(one.event, one.word, one.step) for one in motion.events] == [("step", "step", 1)]
+
+
+AXLE = """links: [in, out]
+inertias: {{in: 1, out: 5}}
+mechanisms: {{g: {{first: in, second: out, ratio: {ratio!r}}}}}
+"""
+
+
+@pytest.mark.parametrize("seed", range(count(12, 200)))
+def test_a_note_says_that_the_output_turns_opposite_to_its_target(seed: int) -> None:
+    """The output ends at ``u T t / (J1 u^2 + J2)`` plus its start, without losses."""
+    rng = seeded(seed)
+    ratio = rng.choice((-1, 1)) * rng.uniform(1, 5)
+    torque, target = rng.uniform(-30, 30), rng.choice((-1, 1)) * rng.uniform(500, 900)
+    motion = simulated(
+        f"duration: 2\nstart: {{speeds: {{in: 0}}}}\ntorques: {{in: {torque!r}}}\n"
+        f"targets: {{out: {target!r}}}\n",
+        AXLE.format(ratio=ratio),
+    )
+    end = ratio * torque * 2 / (ratio**2 + 5)
+    assert motion.speeds[-1, 1] == pytest.approx(end)
+    assert ("N613" in {one.id for one in motion.messages}) == (end * target < 0)
+
+
+def test_a_link_that_slows_down_towards_its_target_has_no_note() -> None:
+    motion = simulated(
+        "duration: 1\nstart: {speeds: {in: -10}}\ntorques: {in: 1}\ntargets: {out: 90}\n",
+        AXLE.format(ratio=4),
+    )
+    assert not motion.messages
+
+
+def test_a_run_is_a_data_frame_with_the_columns_of_its_file() -> None:
+    pytest.importorskip("pandas")
+    motion = simulated(
+        "duration: 1\nstart: {speeds: {in: 0}}\ntorques: {in: 21}\n", AXLE.format(ratio=4)
+    )
+    frame = motion.to_dataframe()
+    assert list(frame) == ["speeds[in]", "speeds[out]", "torques[g]"]
+    assert (frame.index.name, frame.index[-1]) == ("time", 1.0)
+    assert frame["speeds[out]"].iloc[-1] == pytest.approx(4 * 21 / (16 + 5))

@@ -13,13 +13,10 @@ from tests.commands import CASES, vstatics
 from tests.page.report.pages import Page, value
 from tests.shipped import shipped_results
 from tests.simulation.pictures.test_shift import LOCK, run
-from vstatics import load
-from vstatics.core.errors import Problem
-from vstatics.core.statics.result_arrays import Message
+from vstatics import Message, Problem, load, write_report
 from vstatics.core.tables.grid import Column, Grid, Row, exact, text
 from vstatics.page.report.html_page import page
 from vstatics.page.report.material import Naming, gather
-from vstatics.page.report.saving import write_report
 from vstatics.simulation.report.motion import RunSection, in_figures
 
 SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"

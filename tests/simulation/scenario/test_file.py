@@ -7,15 +7,26 @@ from pathlib import Path
 
 import pytest
 
+from tests.core.readers.named.test_converters import CASE as CONVERTERS
 from vstatics import ReadError, solve
 from vstatics.core import readers
 from vstatics.core.model.converters import Converter
 from vstatics.core.writers import named
+from vstatics.simulation import (
+    Capacity,
+    Dog,
+    Formula,
+    Points,
+    Resistance,
+    Road,
+    Scenario,
+    Shift,
+    Start,
+    constant,
+    load_scenario,
+)
 from vstatics.simulation.scenario.distribution import Distribution
-from vstatics.simulation.scenario.file import ScenarioFile, load_scenario, read_scenario
-from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
-from vstatics.simulation.scenario.parts import Capacity, Dog, Scenario, Shift, Start
+from vstatics.simulation.scenario.file import ScenarioFile, read_scenario
 from vstatics.simulation.scenario.programme import newton_metres
 from vstatics.simulation.system.devices import drags
 
@@ -104,7 +115,8 @@ torques: {wheel: {resistance: -0.0}}
 
 
 def test_what_else_a_scenario_has() -> None:
-    read = scenario_file("""start: {speeds: {in: 600 rpm, wheel: 36 km/h}, engaged: [B], settled: true}
+    read = scenario_file("""start:
+  {speeds: {in: 600 rpm, wheel: 36 km/h}, engaged: [B], settled: true}
 torques: {wheel: {road: {mass: 1, radius: 0.5}}}
 converters: {TC: {links: [in, wheel], points: [[0, 2.4, 3.1e-3], [.8, 1.0, 0]]}}
 shifts: [{at: 2, to: high, overlap: 300 ms}, {at: 3, to: low}]
@@ -135,11 +147,7 @@ FAULTS = [
     ("controls: {B: {dog: [[1, shut]]}}", "4:26", "expected `open` or `closed`"),
     ("controls: {B: {dog: [[1, open], [0, closed]]}}", "4:33", "expected times in their order"),
     ("controls: {B: []}", "4:12", "expected at least one point"),
-    (
-        "controls: {B: 3 bar}",
-        "4:12",
-        "read a number in Pa, expected a number in N*m, since B has no",
-    ),
+    ("controls: {B: 3 bar}", "4:12", "read a number in Pa, expected a number in N*m, since B has"),
     ("controls: {P: [[0, 3 N*m]]}", "4:20", "expected a number in Pa, since P has `friction`"),
     ("controls: {B: 3 kg}", "4:15", "expected a number in N*m or Pa, bare or with its unit"),
     ("controls: {B: 2*(t + speed)}", "4:22", "read `speed`, expected a formula of t"),
@@ -161,24 +169,12 @@ FAULTS = [
     ("converters: {B: {links: [in, wheel], points: [[0, 1, 1]]}}", "4:14", "of another component"),
     ("converters: {T: {links: [in, in], points: [[0, 1, 1]]}}", "4:25", "two different links"),
     ("converters: {T: {links: [in, weel], points: [[0, 1, 1]]}}", "4:30", "did you mean `wheel`"),
-    (
-        "converters: {T: {links: [in, housing], points: [[0, 1, 1]]}}",
-        "4:30",
-        "a link number from 1",
-    ),
+    ("converters: {T: {links: [in, housing], points: [[0, 1, 1]]}}", "4:30", "a link number from"),
     ("converters: {T: {links: [in, wheel], points: []}}", "4:46", "read no points"),
-    (
-        "converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}",
-        "4:59",
-        "points must ascend",
-    ),
+    ("converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}", "4:59", "ascend"),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
-    (
-        "shifts: [{at: 2, to: low}, {at: 1, to: high}]",
-        "4:33",
-        "expected shifts in the order of time",
-    ),
+    ("shifts: [{at: 2, to: low}, {at: 1, to: high}]", "4:33", "expected shifts in the order of"),
     ("shifts: [{at: 2, to: low, overlap: -1}]", "4:36", "read -1, expected a time of 0 or more"),
     ("shifts: [{to: low}]", "4:10", "`at` is missing"),
     ("targets: {in: 50 km/h}", "4:11", "a velocity belongs to a link with a `road`"),
@@ -197,24 +193,21 @@ def test_a_fault_is_told_once_at_its_place(text: str, place: str, message: str) 
     assert str(problem).startswith(f"shift.yaml:{place}: error: ")
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("{case: box.yaml, duration: 6}", "expected `gear`, or `speeds`"),
-        ("{case: box.yaml, duration: 0, start: {gear: low}}", "read 0, expected a time above 0"),
-        ("{case: box.yaml, duration: 6, start: {}}", "expected `gear`, or `speeds` that determine"),
-        (
-            "{duration: 6, start: {gear: low, speeds: {in: 3}}}",
-            "read `gear` together with `speeds`",
-        ),
-        ("{duration: 6, start: {speed: 3, speeds: {in: 3}}}", "read `speed` without `gear`"),
-        ("{duration: 6, start: {gear: slow}}", "did you mean `low`?"),
-        ("{duration: 6, start: {speeds: {in: 3 N}}}", "expected a number in rad/s or m/s"),
-        ("[]", "read a list, expected a scenario"),
-        ("{case: box.yaml, vary: {}}", "this is a sweep file, expected a scenario"),
-        (CASE.decode(), "this is a case, expected a scenario: a mapping with `case`"),
-    ],
-)
+NO_SCENARIOS = [
+    ("{case: box.yaml, duration: 6}", "expected `gear`, or `speeds`"),
+    ("{case: box.yaml, duration: 0, start: {gear: low}}", "read 0, expected a time above 0"),
+    ("{case: box.yaml, duration: 6, start: {}}", "expected `gear`, or `speeds` that determine"),
+    ("{duration: 6, start: {gear: low, speeds: {in: 3}}}", "read `gear` together with `speeds`"),
+    ("{duration: 6, start: {speed: 3, speeds: {in: 3}}}", "read `speed` without `gear`"),
+    ("{duration: 6, start: {gear: slow}}", "did you mean `low`?"),
+    ("{duration: 6, start: {speeds: {in: 3 N}}}", "expected a number in rad/s or m/s"),
+    ("[]", "read a list, expected a scenario"),
+    ("{case: box.yaml, vary: {}}", "this is a sweep file, expected a scenario"),
+    (CASE.decode(), "this is a case, expected a scenario: a mapping with `case`"),
+]
+
+
+@pytest.mark.parametrize(("text", "message"), NO_SCENARIOS)
 def test_what_is_no_scenario(text: str, message: str) -> None:
     with pytest.raises(ReadError) as caught:
         read_scenario(text.encode(), "x.yaml").with_case(readers.read(CASE, "box.yaml"))
@@ -275,7 +268,8 @@ gears: {"1": {engaged: [C]}}
         assert [drag.torque for drag in drags(one, None)] == [2]
         [told] = [str(one) for one in solve(one).messages if "drag" in str(one)]
         assert told == (
-            "warning: the drag of C has a unit, but the case has no operating point, so this drag is ignored; give a `load` with a torque [W401]"
+            "warning: the drag of C has a unit, but the case has no operating point, so this drag "
+            "is ignored; give a `load` with a torque [W401]"
         )
 
 
@@ -283,3 +277,15 @@ def test_a_dog_clutch_takes_no_capacity() -> None:
     case = CASE.replace(b"lock up: {links", b"lock up: {kind: dog_clutch, links")
     with pytest.raises(ReadError, match="a dog clutch, which has no friction"):
         _ = scenario_file(f"{START}\ncontrols: {{lock up: 100}}", case).scenario
+
+
+def test_a_scenario_without_converters_has_those_of_the_case() -> None:
+    reading = readers.read(CONVERTERS.encode(), "case.yaml")
+    scenario = b"{case: case.yaml, duration: 1, start: {speeds: {engine: 1, turbine: 1}}%s}"
+    own = b", converters: {C2: {links: [engine, out], points: [[0, 1, 1]]}}"
+    without, other = (
+        read_scenario(scenario % more, "s.yaml").with_case(reading).scenario.converters
+        for more in (b"", own)
+    )
+    assert without == reading.case.converters
+    assert other == (Converter("C2", 1, 3, ((0.0, 1.0, 1.0),)),)

@@ -5,7 +5,7 @@ The brake of the ring locks at .410054006 s; see `cases/scenarios/tarasik-set-lo
 
 from __future__ import annotations
 
-from vstatics.simulation.variants.subject import VariedScenario
+from vstatics import VariedScenario
 from vstatics.sweep.variants.subject import Document
 
 CASE = b"""\

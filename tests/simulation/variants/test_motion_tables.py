@@ -8,12 +8,9 @@ import numpy as np
 import pytest
 
 from tests.simulation.variants.scenarios import SCENARIO, subject
-from vstatics.core.errors import ReadError
-from vstatics.core.model.springs import Spring
-from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
-from vstatics.simulation.run import simulate
-from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics import ReadError
+from vstatics.simulation import Motion
+from vstatics.simulation.record.motion import Energy, Event, Peak, Reached
 from vstatics.simulation.variants.motion_tables import MotionTables
 from vstatics.sweep.build import plan
 from vstatics.sweep.options import SweepOptions
@@ -134,23 +131,12 @@ def test_mistakes_are_told(text: str, said: str) -> None:
     assert said in str(caught.value)
 
 
-def test_a_swing_has_its_amplitude_in_max_and_min() -> None:
-    """1 rad/s on 100 N*m/rad and 1 kg*m^2 is 10 N*m either way, when the time ends anywhere."""
-    spring = Spring({1: 1}, 100.0, name="k")
-    case = Transmission(2, [], [], [Gear()], inertias={1: 1.0, 2: 1.0}, springs=[spring])
-    motion = simulate(Scenario(case, 1.9, Start(speeds={1: 1.0, 2: 0.0})))
-    made = MotionTables(motion, lambda kind: case.devices if kind == "device" else case.link_names)
-    torques, speeds = (made.existing(name)[0, :, 0] for name in ("torques", "speeds"))
-    assert [torques.max(), torques.min()] == pytest.approx([10, -10], rel=1e-10)
-    assert [speeds.max(), speeds.min()] == pytest.approx([1, -1], rel=1e-10)
-    assert abs(made.existing("peaks")).max() == pytest.approx(10, rel=1e-10)
-
-
 def test_what_is_asked_of_runs_is_calculated_of_them_and_steps_have_their_times() -> None:
     """The carrier's speed is 50.856751 t rad/s to the lock, as in pictures/test_shift.py."""
     sequences = b"""set: {grip: 120}
 sequences:
-  up: [{wait: 0.2, set: {grip: 120}}, {when: "locks('brake')", set: {grip: 120}}, {wait: 9, set: {grip: 1}}]
+  up: [{wait: 0.2, set: {grip: 120}}, {when: "locks('brake')", set: {grip: 120}},
+       {wait: 9, set: {grip: 1}}]
 """
     scenario = subject(SCENARIO.replace(b"brake: [[0, 120]]", b"brake: grip") + sequences)
     out = "max(accelerations[carrier]), steps[up,1], steps[up,2], steps[up,3], last(slip_power)"

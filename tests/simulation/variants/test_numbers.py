@@ -5,12 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.simulation.variants.scenarios import CASE, subject
-from vstatics import loads
-from vstatics.core.errors import ReadError
+from vstatics import ReadError, VariedScenario, loads
 from vstatics.core.writers.workbook import write
-from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.scenario.parts import Capacity
-from vstatics.simulation.variants.subject import VariedScenario
+from vstatics.simulation import Capacity, Points
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.variants.subject import Document
@@ -46,16 +43,15 @@ def test_a_path_names_a_number_of_the_scenario_or_its_case(
 
 def test_a_variant_is_the_documents_with_other_numbers() -> None:
     varied = subject()
-    names = (
-        "duration",
-        "controls.brake.1.2",
-        "controls.lock-up.scale",
-        "shift_elements.brake.static",
-        "ring.inertia",
-        "start.speeds.sun [rpm]",
-    )
-    paths = [varied.target(name) for name in names]
-    made = varied.variant(paths, [2.0, 99.5, 0.5, 1.25, 0.1, 30.0]).scenario
+    changed = {
+        "duration": 2.0,
+        "controls.brake.1.2": 99.5,
+        "controls.lock-up.scale": 0.5,
+        "shift_elements.brake.static": 1.25,
+        "ring.inertia": 0.1,
+        "start.speeds.sun [rpm]": 30.0,
+    }
+    made = varied.variant([*map(varied.target, changed)], [*changed.values()]).scenario
     assert made.duration == 2.0
     assert made.controls is not None
     assert made.controls[1] == Capacity(Points((0.0,), (99.5,)))

@@ -14,18 +14,15 @@ import pytest
 import vstatics
 from tests.commands import CASES
 from tests.simulation.variants.scenarios import CASE, SCENARIO, subject
-from vstatics.core.errors import ReadError
+from vstatics import Chunk, ReadError, VariedScenario, load_varied
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.run import simulate
+from vstatics.simulation import simulate
 from vstatics.simulation.variants.samples import sample_plan
-from vstatics.simulation.variants.subject import VariedScenario, load_varied
 from vstatics.sweep import build
 from vstatics.sweep.blocks import calculate
-from vstatics.sweep.chunk import STATUS, Chunk, joined
+from vstatics.sweep.chunk import STATUS, joined
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.runs import piece_of_runs
-from vstatics.sweep.tasks import SweepTask
-from vstatics.sweep.tasks import calculate as of_piece
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import Document
 
@@ -177,19 +174,6 @@ def test_tables_have_a_row_for_all_that_a_run_tells(name: str) -> None:
     assert set(motion.peaks) <= set(varied.rows("device"))
     assert set(varied.rows("link")) <= set(motion.links)
     assert set(varied.rows("device")) == set(motion.devices)
-
-
-@pytest.mark.slow
-def test_two_processes_give_what_one_gives() -> None:
-    vary = ["controls.brake.scale=.8:1.2:9", "torques.sun=35,45,40"]
-    plan = build.plan(subject(), SweepOptions.of(vary=vary, out=OUT))
-    task = SweepTask(plan, "csv")
-    found = []
-    for jobs in (1, 2):
-        with task.workers(jobs) as called:
-            pieces = called.each(of_piece, range(plan.pieces), ordered=True)
-            found.append(np.concatenate([chunk.columns for _, chunk in pieces]))
-    np.testing.assert_array_equal(found[0], found[1])
 
 
 def drawn(scenario: bytes, count: int, **more: Any) -> tuple[Floats, Floats]:

@@ -31,8 +31,9 @@ AT = """(time) => {
   slider.dispatchEvent(new Event("input", { bubbles: true }));
   const all = (chosen) => Object.fromEntries([...document.querySelectorAll(chosen)].map(
     ({ dataset: one }) => [one.link ?? one.heading, Number(one.number)]));
-  return [Number(document.querySelector(".run-moves").dataset.time), all(".speeds-now td[data-link]"),
-    all(".levers-now g[data-link]"), all(".run-legend b[data-number]")];
+  return [Number(document.querySelector(".run-moves").dataset.time),
+    all(".speeds-now td[data-link]"), all(".levers-now g[data-link]"),
+    all(".run-legend b[data-number]")];
 }"""
 
 

@@ -1,6 +1,6 @@
 """What a page carries of a run: few instants, between which lines draw all of it; all digits.
 
-The run is that of `tests.simulation.pictures.test_shift`, in closed form, or one of a shipped scenario.
+The run is that of `tests.simulation.pictures.test_shift`, in closed form, or a shipped one.
 """
 
 from __future__ import annotations
