@@ -6,14 +6,11 @@ import re
 import subprocess
 import sys
 import time
-from pathlib import Path
-from statistics import median
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.commands import environment
 from vstatics.core.readers.named.arithmetic import LONGEST_ARITHMETIC
 from vstatics.core.readers.named.units import QUANTITY, Quantity, WithUnit, quantity, relative
 
@@ -111,21 +108,3 @@ print(*[name for name in set(sys.modules) - before if not name.startswith("vstat
 """
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     assert done.stdout == "\n"
-
-
-@pytest.mark.slow
-@pytest.mark.alone
-def test_a_case_with_units_starts_as_fast_as_one_without(tmp_path: Path) -> None:
-    """Pairs of whole processes, one after the other."""
-    (tmp_path / "plain.yaml").write_text(PLAIN)
-    (tmp_path / "units.yaml").write_text(WITH_UNITS)
-
-    def seconds(case: str) -> float:
-        begin = time.perf_counter()
-        command = [sys.executable, "-m", "vstatics", "run", case]
-        subprocess.run(command, check=True, capture_output=True, cwd=tmp_path, env=environment())
-        return time.perf_counter() - begin
-
-    seconds("units.yaml")  # fills the file cache
-    ratios = [seconds("units.yaml") / seconds("plain.yaml") for _ in range(15)]
-    assert median(ratios) < 1.25
