@@ -6,7 +6,6 @@ import math
 
 import pytest
 
-from tests.commands import vstatics
 from tests.shipped import shipped_results
 from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.tables.answer import plain_data
@@ -83,10 +82,3 @@ def test_plain_data_have_both() -> None:
     assert shaft["power_kW"] == pytest.approx(0.98 * 2000 * 100 * math.pi / 30000)
     [bare] = port_tables(solve(pair(Gear())))
     assert "power_kW" not in plain_data(bare)["ports"][0]
-
-
-@pytest.mark.parametrize("command", ["flow", "summary", "run --pretty"])
-def test_every_view_of_a_case_has_its_ports(command: str) -> None:
-    said = vstatics(*command.split(), "cases/toyota-p410.yaml")
-    assert "lost: meshes" in said.out
-    assert "right wheel" in said.out

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 
 from tests.chance import count, seeded
-from tests.commands import CASES, MZKT, NEUTRAL, SHIPPED, json_answer, vstatics
+from tests.commands import CASES, MZKT, NEUTRAL, vstatics
 from tests.oracle import gears as oracle
 from tests.strategies import transmissions
 from tests.trains import is_regular, random_train
@@ -93,29 +93,6 @@ def rows(text: str, head: str) -> list[list[float]]:
     ]
 
 
-@pytest.mark.parametrize("case", SHIPPED, ids=lambda case: case.name)
-def test_each_shipped_case_is_told_or_has_its_own_numbers(case: Path, tmp_path: Path) -> None:
-    """The first link is the input, the last one the output, in every gear."""
-    said = vstatics("run", "-q", "-f", "source", case)
-    if said.status:
-        where = rf"{re.escape(str(case))}:\d+:\d+: error: \S.*: the published listing has no field"
-        assert all(re.match(where, line) for line in said.err.splitlines() if "error" in line)
-        assert said.out == ""
-        return
-    result = json_answer("run", "-q", case)
-    ratios = [math.nan if ratio is None else ratio for ratio in result["ratio"]]
-    torques = rows(said.out, "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1")
-    assert torques[-1] == pytest.approx(ratios, abs=5.1e-4, nan_ok=True)  # virtual work
-    speeds = rows(said.out, "(W(I,J),J=1,NP),I=1,KJG")
-    assert set(speeds[0]) == {1.0}
-    moving = [n for n, ratio in enumerate(ratios) if not math.isnan(ratio)]
-    inverse = [1 / ratios[n] for n in moving]
-    assert [speeds[-1][n] for n in moving] == pytest.approx(inverse, abs=5.1e-4)
-    (tmp_path / "again.lst").write_text(said.out, encoding="utf-8")
-    again = ("run", "-q", "-f", "source", "--allow", "W895", tmp_path / "again.lst")
-    assert vstatics(*again).out == said.out
-
-
 PORTS = NEUTRAL.replace("links: 3", "links: 3\ninput: 3\noutput: 1")
 SAME = {
     "ports of every gear": (
@@ -151,7 +128,7 @@ def numbers(values: Iterable[Fraction | None]) -> list[float]:
 
 
 def test_random_trains_are_those_of_exact_fractions() -> None:
-    """Speeds and efficiencies of the case itself, by `tests/oracle`; 16 trains or more, seed 11."""
+    """Speeds, output torques and efficiencies of the case itself, by `tests/oracle`; 16 trains or more, seed 11."""
     rng, printed = seeded(11), 0
     for _ in range(count(16, 1000)):
         case = random_train(rng, regular=True, gears=2, coast=False)
@@ -171,9 +148,13 @@ def test_random_trains_are_those_of_exact_fractions() -> None:
         expected = oracle.solve(case.replace(idle="published"))
         columns = list(zip(*rows(text, "(W(I,J),J=1,NP),I=1,KJG"), strict=True))
         efficiencies = rows(text, "ETA(J),J=1,NP")[0]
-        for column, efficiency, gear in zip(columns, efficiencies, expected, strict=True):
+        torques = rows(text, "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1")[-1]
+        found = zip(columns, efficiencies, torques, expected, strict=True)
+        for column, efficiency, torque, gear in found:
             by_link = [gear.speeds[link - 1] for link in (ends[0], *inner, ends[1])]
             assert list(column) == pytest.approx(numbers(by_link), abs=1e-8, nan_ok=True)
+            [ratio] = numbers([gear.ratio])
+            assert torque == pytest.approx(ratio, abs=1e-8, nan_ok=True)  # virtual work
             if gear.consistent and not gear.several:
                 [right] = numbers([gear.efficiency])
                 assert efficiency == pytest.approx(right, abs=1e-8, nan_ok=True)
