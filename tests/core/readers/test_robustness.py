@@ -30,6 +30,15 @@ def laughs(levels: int) -> str:
     return "\n".join(lines)
 
 
+def shared(number: int) -> str:
+    """As many gears as shift elements, each of which engages all of them by an alias."""
+    elements = "".join(f"  e{n}: [1, 0]\n" for n in range(number))
+    gears = "".join(f"  g{n}: {{engaged: *all}}\n" for n in range(number))
+    engaged = ", ".join(f"e{n}" for n in range(number))
+    return f"links: 2\nshift_elements:\n{elements}all: &all [{engaged}]\ngears:\n{gears}"
+
+
+MANY = ", ".join(f"e{n}" for n in range(20_000))
 DECK = MZKT.read_text(encoding="utf-8")
 YAML = (CASES / "differential.yaml").read_text(encoding="utf-8")
 HOSTILE: dict[str, tuple[str, str | bytes]] = {
@@ -64,6 +73,17 @@ HOSTILE: dict[str, tuple[str, str | bytes]] = {
     "aliases that blow up": ("yaml", laughs(40)),
     "brackets in YAML": ("yaml", "[" * 200_000),
     "objects in JSON": ("json", '{"a":' * 200_000),
+    "engaged by all gears": ("yaml", shared(5_000)),
+    "unknown keys": ("yaml", "".join(f"key{n}: 1\n" for n in range(20_000))),
+    "unknown elements": (
+        "yaml",
+        f"links: 2\nmechanisms: {{}}\ngears: {{1: {{engaged: [{MANY}]}}}}",
+    ),
+    "the same key": ("yaml", "links: 3\n" * 20_000),
+    "no mechanisms": ("yaml", "mechanisms:\n" + "".join(f"  m{n}: 1\n" for n in range(5_000))),
+    "a long key": ("yaml", "? " + "k" * 1_000_000 + "\n: 1\n"),
+    "the same key in JSON": ("json", '{"a": ' + '{"b": 1, ' * 10 + '"c": 1, ' * 20_000),
+    "digits in JSON": ("json", '{"links": ' + "9" * 1_000_000 + "}"),
     "random bytes": ("deck", Random(1).randbytes(10**6)),  # noqa: S311
     "zeros": ("yaml", bytes(10**6)),
     "empty": ("deck", ""),

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import codecs
-import json
-import random
-import time
 from collections.abc import Callable
 
 import pytest
@@ -13,7 +10,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
-from tests.commands import CASES
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
@@ -238,63 +234,10 @@ def test_a_number_is_decimal_or_a_calculation() -> None:
         assert problem.message.startswith("mechanisms.D1.ratio: read "), text
 
 
-def heavy_documents() -> dict[str, str]:
-    """Documents that would keep a careless reader busy, and their file names."""
-    many = range(20_000)
-    gears = "".join(f"  g{n}: {{engaged: *all}}\n" for n in many)
-    elements = "".join(f"  e{n}: [1, 0]\n" for n in many)
-    engaged = ", ".join(f"e{n}" for n in many)
-    return {
-        "shared.yaml": f"links: 2\nshift_elements:\n{elements}all: &all [{engaged}]\ngears:\n{gears}",
-        "unknown-keys.yaml": "".join(f"key{n}: 1\n" for n in many),
-        "unknown-elements.yaml": f"links: 2\nmechanisms: {{}}\ngears: {{1: {{engaged: [{engaged}]}}}}",
-        "key-twice.json": '{"a": ' + '{"b": 1, ' * 10 + '"c": 1, ' * 20_000,
-        "same-key.yaml": "links: 3\n" * 20_000,
-        "bad-mechanisms.yaml": "mechanisms:\n" + "".join(f"  m{n}: 1\n" for n in many),
-        "long-key.yaml": "? " + "k" * 1_000_000 + "\n: 1\n",
-        "digits.json": '{"links": ' + "9" * 1_000_000 + "}",
-    }
-
-
-def test_heavy_documents_end_quickly_with_errors_that_can_be_read() -> None:
-    for file, text in heavy_documents().items():
-        start = time.process_time()
-        problems = errors(text, file)
-        assert time.process_time() - start < 5, file
-        assert len(problems) <= 101, file
-    problems = errors(heavy_documents()["unknown-keys.yaml"])
+def test_no_more_errors_are_told_than_can_be_read() -> None:
+    problems = errors("".join(f"key{n}: 1\n" for n in range(1000)))
+    assert len(problems) == 101
     assert str(problems[-1]) == "case.yaml: error: too many errors, the rest is not read [E108]"
-
-
-MUTATIONS = ["", "[", "]", "{", "}", ":", ",", "-", "?", "&a ", "*a ", "!x ", "|\n", "'", '"', "#"]
-MUTATIONS += [
-    "\n",
-    "\t",
-    "  ",
-    "0",
-    "1e9",
-    "~",
-    "\x07",
-    "\\",
-    "<<: ",
-    "---\n",
-    "%YAML 9\n",
-    "ж",
-    ".",
-]
-
-
-@given(st.randoms(use_true_random=False), st.sampled_from(["yaml", "json"]))
-def test_broken_documents_end_in_a_reading_or_a_read_error(dice: random.Random, kind: str) -> None:
-    text = (CASES / "mzkt7922.yaml").read_text(encoding="utf-8")
-    if kind == "json":
-        pair = {"first": 1, "second": 2, "ratio": 2}
-        gears = {"1": {"engaged": [], "torques": {"1": "1/2"}}}
-        text = json.dumps({"links": 2, "mechanisms": {"P": pair}, "gears": gears}, indent=1)
-    for _ in range(dice.randint(1, 4)):
-        start = dice.randrange(len(text))
-        text = text[:start] + dice.choice(MUTATIONS) + text[start + dice.randint(0, 6) :]
-    check_survival(text.encode(), f"case.{kind}")
 
 
 @settings(max_examples=count(32, 240))
