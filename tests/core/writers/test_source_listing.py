@@ -107,8 +107,8 @@ SAME = {
     ),
     "a drag of 0": (NEUTRAL.replace("C: [1, 2]", "C: {links: [1, 2], drag: 0}"), NEUTRAL),
     "the speed of another link": (
-        NEUTRAL.replace("low: {engaged: [B]}", "low: {speeds: {2: link 3}}"),
-        NEUTRAL.replace("low: {engaged: [B]}", "low: {speeds: {2: 1}}"),
+        NEUTRAL.replace("low: {engaged: [B]}", "low: {speeds: {2: 0.5*link 1}}"),
+        NEUTRAL.replace("low: {engaged: [B]}", "low: {speeds: {2: 0.5}}"),
     ),
     "a freewheel that holds": (
         NEUTRAL.replace("B: [2, housing]", "B: {links: [2, housing], kind: freewheel}").replace(
