@@ -226,6 +226,15 @@ def test_what_has_no_field_is_refused_where_it_is() -> None:
     assert "no field for efficiencies over speed or torque: D;" in refused(LOAD + law)
     back = NEUTRAL.replace("0.96", ".96, back_efficiency: .9")
     assert "no field for second efficiencies: D;" in refused(LOAD + back)
+    following = """links: 4
+mechanisms:
+  pair: {first: 1, second: 2, ratio: 2}
+  set: {first: 4, second: 3, third: 2, ratio: -2}
+gears: {low: {speeds: {2: 2*link 3}}}
+"""  # the pair says the speed of link 2, so that a number says nothing of link 3
+    assert ":5:23: error: gears.low.speeds: the published listing has no field for the" in refused(
+        following
+    )
     springs = (CASES / "moskvich412.yaml").read_text("utf-8")
     assert "springs.first shaft: the published listing has no field for springs: first" in refused(
         springs
