@@ -39,9 +39,8 @@ def test_columns_stay_aligned_when_numbers_are_wide(ratio: float) -> None:
     results = reducer(ratio)
     for line in listing.write(results).splitlines():
         assert "-.000" not in line
-    case = Transmission(
-        2, [], [Mechanism(1, 2, 0, ratio)], [Gear(), Gear(torques={1: -0.5}), Gear(input=2, output=1)]
-    )  # fmt: skip
+    gears = [Gear(), Gear(torques={1: -0.5}), Gear(input=2, output=1)]
+    case = Transmission(2, [], [Mechanism(1, 2, 0, ratio)], gears)
     text = listing.write(solve(case))
     for part in re.findall(r":\n((?:[ \d.*-]+\n)+)", text.partition("RESULTS")[2]):
         lines = part.splitlines()

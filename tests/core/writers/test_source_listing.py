@@ -132,7 +132,7 @@ def numbers(values: Iterable[Fraction | None]) -> list[float]:
 
 
 def test_random_trains_are_those_of_exact_fractions() -> None:
-    """Speeds, output torques and efficiencies of the case itself, by `tests/oracle`; 16 trains or more, seed 11."""
+    """Speeds, output torque and efficiency of the case itself, by `tests/oracle`; seed 11."""
     rng, printed = seeded(11), 0
     for _ in range(count(16, 1000)):
         case = random_train(rng, regular=True, gears=2, coast=False)

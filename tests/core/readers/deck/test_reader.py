@@ -213,8 +213,8 @@ def test_text_of_decks() -> None:
 
 DECKS = st.sampled_from([PUBLISHED, SMALL, PUBLISHED.decode().encode("cp866")])
 TOKENS = st.sampled_from(
-    b"-.8|0|-1|7|1000000000|1000000000*0|3*2|1e999|nan|,|KJG=|KL= 2|NP=|IAB(I):|NZF(I,1):|NAME J1: 2"
-    b"|AJK(I,J):|(|INP(I)=|IOUT=|KWZ= 2|NWZ= 1|\xd0|\0|\n|x|KNM= 3|=".split(b"|")
+    b"-.8|0|-1|7|1000000000|1000000000*0|3*2|1e999|nan|,|KJG=|KL= 2|NP=|IAB(I):|NZF(I,1):"
+    b"|NAME J1: 2|AJK(I,J):|(|INP(I)=|IOUT=|KWZ= 2|NWZ= 1|\xd0|\0|\n|x|KNM= 3|=".split(b"|")
 )
 
 

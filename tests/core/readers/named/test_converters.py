@@ -33,6 +33,7 @@ def test_a_converter_is_read_with_its_ratio_and_written_as_it_was() -> None:
     assert case.gears[0].speed_ratios == {2: 0.6}  # behind the one mechanism
     assert loaded(write_yaml(case)) == case
     assert read_json(write_json(case).encode(), "case.json").case == case
+    assert loaded(CASE.replace("[1, 1, 0]", "[1, 1, -2]")).converters[0].points[1] == (1, 1, -2)
     with pytest.raises(CaseError, match="the converter of TC"):
         check_deck(case)
 

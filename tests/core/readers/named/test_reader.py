@@ -254,7 +254,8 @@ def check_survival(data: bytes, file: str) -> None:
     try:
         reading = reader(file)(data, file)
     except ReadError as error:
-        assert all(problem.place and problem.place.file == file for problem in error.problems)  # noqa: PT017
+        files = {problem.place and problem.place.file for problem in error.problems}
+        assert files == {file}
     else:
         assert isinstance(reading.case, Transmission)
 

@@ -1,4 +1,4 @@
-"""Blanks, percentages, ratios and letters as word processors, data sheets and keyboards have them."""
+"""Blanks, percentages, ratios and letters as word processors and keyboards have them."""
 
 from __future__ import annotations
 
