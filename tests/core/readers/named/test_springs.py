@@ -280,6 +280,15 @@ def test_friction_and_limits() -> None:
         ({"friction": Friction(0.1, 0.1, 0, ((0, 0.1),))}, "surfaces: read 0, expected a whole"),
         ({"friction": Friction(0.1, 0.1, 1, ((math.nan, 0.1),))}, "read nan, expected a slip"),
         ({"friction": Friction(0.1, math.inf, 1, ((0, 0.1),))}, "area: read inf, expected an area"),
+        (
+            {"friction": Friction(heat_capacity=0)},
+            "heat_capacity: read 0, expected a heat capacity",
+        ),
+        (
+            {"friction": Friction(heat_capacity=9, cooling=-1)},
+            "read -1, expected a cooling of 0 or",
+        ),
+        ({"friction": Friction(heat_capacity=9, ambient=math.nan)}, "nan, expected a temperature"),
     ],
 )
 def test_friction_that_can_not_be_is_refused(changes: dict[str, Any], said: str) -> None:
