@@ -97,28 +97,22 @@ def test_links_may_be_listed_and_counted() -> None:
     assert loaded("links: 2\n" + springs).springs[0].form == {2: 1.0, 1: -1.0}
 
 
-def test_one_mass_on_a_spring_is_a_case() -> None:
-    case = loaded("inertias: {mass: 2}\nsprings: {s: {links: [mass], stiffness: 8}}")
-    assert (case.links, case.input, case.output, len(case.gears)) == (1, 1, 1, 1)
-    assert kept(case)
-
-
-def test_inertias_and_a_clutch_are_a_case() -> None:
-    case = loaded("inertias: {engine: 0.3, disc: 0.1}\nshift_elements: {C: [disc, engine]}")
-    assert list(case.link_names) == ["disc", "engine"]
-    assert (case.mechanisms, case.springs, case.gears) == ((), (), (Gear(name="1"),))
-    assert kept(case)
-    [told] = library.solve(case).messages
+def test_bodies_alone_are_a_case() -> None:
+    mass = loaded("inertias: {mass: 2}\nsprings: {s: {links: [mass], stiffness: 8}}")
+    assert (mass.links, mass.input, mass.output, len(mass.gears)) == (1, 1, 1, 1)
+    assert loaded("inertias: {mass: 2}").links == 1
+    assert list(loaded("inertias: {b: 1, a: 2}").link_names) == ["b", "a"]
+    three = loaded("links: [engine, turbine, out]\ninertias: {engine: 1, turbine: 1, out: 9}")
+    assert three.links == 3
+    clutched = loaded("inertias: {engine: 0.3, disc: 0.1}\nshift_elements: {C: [disc, engine]}")
+    assert list(clutched.link_names) == ["disc", "engine"]
+    assert (clutched.mechanisms, clutched.springs, clutched.gears) == ((), (), (Gear(name="1"),))
+    assert kept(mass)
+    assert kept(three)
+    assert kept(clutched)
+    [told] = library.solve(clutched).messages
     assert told.id == "N420"
     assert "link engine turns freely, because the case has no gears" in told.text
-
-
-def test_links_with_inertia_alone_are_a_case() -> None:
-    assert list(loaded("inertias: {b: 1, a: 2}").link_names) == ["b", "a"]
-    assert loaded("inertias: {mass: 2}").links == 1
-    case = loaded("links: [engine, turbine, out]\ninertias: {engine: 1, turbine: 1, out: 9}")
-    assert case.links == 3
-    assert kept(case)
 
 
 def test_mechanisms_with_inertias_or_springs_go_without_gears() -> None:
