@@ -5,7 +5,6 @@ Broken input is the business of `tests/fuzz.py`.
 
 from __future__ import annotations
 
-import os
 import re
 import resource
 import subprocess
@@ -15,7 +14,7 @@ from random import Random
 
 import pytest
 
-from tests.commands import CASES, MZKT, ROOT, environment, vstatics
+from tests.commands import CASES, MZKT, environment, vstatics
 from tests.core.readers.named.test_springs import ISSUE
 
 SECONDS = 2
@@ -137,23 +136,3 @@ def test_what_is_no_file_is_told(command: str, tmp_path: Path) -> None:
             continue
         assert said.gives_nothing(" error: ")
         assert said.err.startswith(f"{path}:")
-
-
-@pytest.mark.slow
-def test_a_pipe_that_closes_in_the_middle_of_a_case_is_a_case_cut_off() -> None:
-    read, write = os.pipe()
-    with subprocess.Popen(
-        [sys.executable, "-m", "vstatics", "run", "-"],
-        stdin=read,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        cwd=ROOT,
-        env=environment(),
-    ) as running:
-        os.close(read)
-        os.write(write, MZKT.read_bytes()[:1500])
-        os.close(write)
-        out, err = running.communicate(timeout=30)
-    assert (running.returncode, out) == (1, b"")
-    assert err.startswith(b"<stdin>:")
-    assert b"Traceback" not in err
