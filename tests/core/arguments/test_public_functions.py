@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ import pytest
 
 import vstatics
 from tests.commands import CASES
-from tests.installed import HERE, needs, skip_without
+from tests.installed import HERE, skip_without
 from vstatics import CaseError
 from vstatics.core import elements
 from vstatics.core.arguments import naming
@@ -90,70 +91,46 @@ def test_every_argument_of_every_function_is_of_a_type(name: str) -> None:
             function(nix=1)
 
 
-@pytest.mark.parametrize(
-    ("call", "said"),
-    [
-        pytest.param(
-            lambda: vstatics.sweep("box"),  # type: ignore[arg-type]
-            "sweep of str 'box': expected a Transmission or a Varied",
-            marks=needs("sweep"),
-        ),
-        pytest.param(
-            lambda: vstatics.simulate(CASE),  # type: ignore[arg-type]
-            "expected a Scenario; vstatics.load_scenario reads",
-            marks=needs("simulation"),
-        ),
-        pytest.param(
-            lambda: torsion.modes("box.yaml"),
-            "modes of str 'box.yaml': expected a Transmission; ",
-            marks=needs("torsion"),
-        ),
-        pytest.param(
-            lambda: torsion.modes(CASE, "12"),
-            "expected a sequence of a whole number or a text",
-            marks=needs("torsion"),
-        ),
-        pytest.param(
-            lambda: vstatics.cycle("x", "y"),  # type: ignore[arg-type]
-            "a Transmission; vstatics.load reads a file",
-            marks=needs("vehicle"),
-        ),
-        pytest.param(
-            lambda: synthesis.find_boxes((2, 4, 2)),
-            r"tuple \(2, 4, 2\): expected a BoxSearch",
-            marks=needs("synthesis"),
-        ),
-        (lambda: vstatics.save(RESULTS, "x.yaml"), "a Transmission; its `case` is one"),  # type: ignore[arg-type]
-        (lambda: vstatics.check(CASE), "check of <Transmission .*: expected a path"),  # type: ignore[arg-type]
-        (lambda: vstatics.check(1), "check of int 1: expected a path"),  # type: ignore[arg-type]
-        (lambda: vstatics.solve(CASE, ratios={}), "`ratios` is dict {}, expected an array"),  # type: ignore[arg-type]
-        (lambda: vstatics.summarize(RESULTS, at_mots=1), "`at_mots`; did you mean `at_most`"),  # type: ignore[call-arg]
-    ],
-)
-def test_a_wrong_type_is_told_with_what_to_give(call: Any, said: str) -> None:
-    with pytest.raises(TypeError, match=said):
-        call()
+CALLS: list[tuple[str, type[Exception], Callable[[], Any], str]] = [
+    ("sweep", TypeError, lambda: vstatics.sweep("box"),  # type: ignore[arg-type]
+     "sweep of str 'box': expected a Transmission or a Varied"),
+    ("simulation", TypeError, lambda: vstatics.simulate(CASE),  # type: ignore[arg-type]
+     "expected a Scenario; vstatics.load_scenario reads"),
+    ("torsion", TypeError, lambda: torsion.modes("box.yaml"), "'box.yaml': expected a Trans"),
+    ("torsion", TypeError, lambda: torsion.modes(CASE, "12"), "of a whole number or a text"),
+    ("vehicle", TypeError, lambda: vstatics.cycle("x", "y"),  # type: ignore[arg-type]
+     "a Transmission; vstatics.load reads a file"),
+    ("synthesis", TypeError, lambda: synthesis.find_boxes((2, 4, 2)), "expected a BoxSearch"),
+    ("", TypeError, lambda: vstatics.save(RESULTS, "x.yaml"),  # type: ignore[arg-type]
+     "a Transmission; its `case` is one"),
+    ("", TypeError, lambda: vstatics.check(CASE),  # type: ignore[arg-type]
+     "check of <Transmission .*: expected a path"),
+    ("", TypeError, lambda: vstatics.solve(CASE, ratios={}),  # type: ignore[arg-type]
+     "`ratios` is dict {}, expected an array"),
+    ("", TypeError, lambda: vstatics.summarize(RESULTS, at_mots=1),  # type: ignore[call-arg]
+     "`at_mots`; did you mean `at_most`"),
+    ("pictures", ValueError, lambda: RESULTS.plot(lang="fr"), "is str 'fr', expected 'en' or 'ru'"),
+    ("", ValueError, lambda: vstatics.solve(CASE, idle="exakt"),  # type: ignore[arg-type]
+     "did you mean `exact`"),
+    ("simulation", ValueError, lambda: simulation.simulate(method="x"), "'events' or 'tarasik'"),
+    ("sweep", CaseError, lambda: vstatics.sweep(CASE, where="ratio >"), "where:1:8: error"),
+    ("sweep", CaseError, lambda: vstatics.sweep(CASE, {"P1.ratio": [-2]}, out="ratio[9]"),
+     "out:1:7: error"),
+    ("vehicle", CaseError, lambda: _cycle("time [s],speed [km/h]\n0,0\n1,9\n"),
+     "expected this column, `shifts`, or `leas"),
+]  # fmt: skip
+"""Annex, kind of the error, call, and what is said of it."""
 
 
-@pytest.mark.parametrize(
-    ("call", "said"),
-    [
-        pytest.param(
-            lambda: RESULTS.plot(lang="fr"),
-            "`lang` is str 'fr', expected 'en' or 'ru'",
-            marks=needs("pictures"),
-        ),
-        (lambda: vstatics.solve(CASE, idle="exakt"), "did you mean `exact`"),  # type: ignore[arg-type]
-        pytest.param(
-            lambda: simulation.simulate(method="x"),
-            "expected 'events' or 'tarasik'",
-            marks=needs("simulation"),
-        ),
-    ],
-)
-def test_a_word_is_one_of_those_that_may_be_chosen(call: Any, said: str) -> None:
-    with pytest.raises(ValueError, match=said):
+@pytest.mark.parametrize(("annex", "kind", "call", "said"), CALLS)
+def test_a_wrong_argument_is_told_with_what_to_give(
+    annex: str, kind: type[Exception], call: Callable[[], Any], said: str
+) -> None:
+    """As an argument of Python, not as an option."""
+    skip_without(*filter(None, [annex]))
+    with pytest.raises(kind, match=said) as caught:
         call()
+    assert "--" not in str(caught.value)
 
 
 def test_what_behaves_like_a_number_a_row_or_a_path_is_one() -> None:
@@ -165,31 +142,6 @@ def test_what_behaves_like_a_number_a_row_or_a_path_is_one() -> None:
     sprung = vstatics.load(CASES / "moskvich412.yaml")
     gears: Any = iter(["1", whole[1]])
     assert [one.name for one in torsion.modes(sprung, gears)] == ["1", "2"]
-
-
-@pytest.mark.parametrize(
-    ("call", "said"),
-    [
-        pytest.param(
-            lambda: vstatics.sweep(CASE, where="ratio >"), "where:1:8: error", marks=needs("sweep")
-        ),
-        pytest.param(
-            lambda: vstatics.sweep(CASE, {"P1.ratio": [-2]}, out="ratio[9]"),
-            "out:1:7: error",
-            marks=needs("sweep"),
-        ),
-        pytest.param(
-            lambda: _cycle("time [s],speed [km/h]\n0,0\n1,9\n"),
-            "expected this column, `shifts`, or `leas",
-            marks=needs("vehicle"),
-        ),
-    ],
-)
-def test_python_is_told_of_arguments_not_of_options(call: Any, said: str) -> None:
-    with pytest.raises(CaseError) as caught:
-        call()
-    assert said in str(caught.value)
-    assert "--" not in str(caught.value)
 
 
 def _cycle(trace: str) -> None:

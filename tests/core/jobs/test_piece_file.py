@@ -27,6 +27,7 @@ def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
     )
     write_piece(str(tmp_path), 3, buffers)
     assert read_account(str(tmp_path), 3) == account
+    assert isinstance(account, Account)
     assert (account.variants, account.length) == (2, 15)
     assert read_account(str(tmp_path), 4) is None
 
@@ -62,9 +63,3 @@ def test_stretches_are_copied_to_their_places(
         monkeypatch.setattr(os, "copy_file_range", refused, raising=False)
     assert copy(str(tmp_path), [Copy(0, 2, 1, 3), Copy(1, 8, 6, 2)]) == 5
     assert (tmp_path / piece_file.ASSEMBLED).read_bytes() == b".234..89."
-
-
-def test_an_account_is_made_of_plain_things() -> None:
-    account, _ = piece_bytes(0, 1, {"ok": 3}, [b"x"])
-    assert isinstance(account, Account)
-    assert account.variants == 3

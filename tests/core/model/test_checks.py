@@ -1,17 +1,77 @@
-"""What can be no transmission as a whole: told with its path."""
+"""What can be no transmission, part, gear or load: told with its path."""
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
 import pytest
 
-from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
+from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, loads
 from vstatics import solve as solved
+from vstatics.core.model.parts import Load, load_of
+from vstatics.core.writers.deck import lost
+from vstatics.core.writers.named import write_json, write_yaml
+
+SET: dict[str, Any] = {
+    "links": 3,
+    "shift_elements": [],
+    "mechanisms": [Mechanism(1, 2, 3, -2.5)],
+    "gears": [Gear()],
+}
+PAIR: dict[str, Any] = {
+    "links": 2,
+    "shift_elements": [ShiftElement(1, 2)],
+    "mechanisms": [Mechanism(1, 2, 0, 4)],
+    "gears": [Gear()],
+}
+WORM = Mechanism(1, 2, 0, 20, 0.8)
+CONVERTER = Mechanism(1, 2, 3, math.nan, kind="converter")
+DOG = ShiftElement(1, 2, kind="dog_clutch")
+element: Any = ShiftElement
+gear: Any = Gear
 
 
-def test_there_may_be_no_more_than_eight() -> None:
+@pytest.mark.parametrize(
+    ("parts", "other", "path", "said"),
+    [
+        (SET, {"outputs": [3, 3]}, "outputs 2", "link 3 is listed twice, expected each output once"),
+        (SET, {"outputs": [3, 9]}, "outputs 2", "read 9, expected a link number from 1 to 3"),
+        (SET, {"outputs": [3, 1]}, "outputs 2", "link 1 is the input, expected another link"),
+        (SET, {"outputs": [2, 3], "output": 3}, "outputs", "first output is 2, but `output` is 3"),
+        (PAIR, {"gears": [gear(["F1"])]}, "gears 1 engaged 1", "the number of a shift element"),
+        (PAIR, {"gears": [gear([1.0])]}, "gears 1 engaged 1", "the number of a shift element"),
+        (SET, {"shift_elements": [element("F1", 2)]}, "shift_elements 1 first", "a link number"),
+        (SET, {"shift_elements": [element(1.0, 2)]}, "shift_elements 1 first", "a link number"),
+        (SET, {"shift_elements": [element(1, 2, "X", "ratchet")]}, "shift_elements 1 kind", ""),
+        (SET, {"shift_elements": [element(1, 2, "X", "brake")]}, "shift_elements 1 kind", ""),
+        (SET, {"mechanisms": [WORM._replace(back_efficiency=-0.1)]}, "mechanisms 1 back_efficiency",
+         "expected an efficiency from 0 (self-locking) to 1"),
+        (SET, {"mechanisms": [WORM._replace(back_efficiency=1.1)]}, "mechanisms 1 back_efficiency", ""),
+        (SET, {"mechanisms": [WORM._replace(back_efficiency=math.nan)]},
+         "mechanisms 1 back_efficiency", ""),
+        (SET, {"mechanisms": [CONVERTER]}, "mechanisms 1 points", ""),
+        (SET, {"mechanisms": [CONVERTER]}, "mechanisms 1 third", ""),
+        (PAIR, {"gears": [Gear(drag={3: 0.1})]}, "gears 1 drag 3", ""),
+        (PAIR, {"gears": [Gear(drag={2: math.nan})]}, "gears 1 drag 2", ""),
+        (PAIR, {"gears": [Gear(open_drag={2: 0.1})]}, "gears 1 open_drag 2", ""),
+        (PAIR, {"shift_elements": [DOG], "gears": [Gear(open_drag={1: 0.1})]}, "gears 1 open_drag 1", ""),
+        (PAIR, {"cylinders": 0}, "cylinders", "a whole number from 1 to 48"),
+        (PAIR, {"cylinders": 49}, "cylinders", "a whole number from 1 to 48"),
+        (PAIR, {"cylinders": 4.5}, "cylinders", "a whole number from 1 to 48"),
+    ],
+)  # fmt: skip
+def test_a_fault_is_told_with_its_path(
+    parts: dict[str, Any], other: dict[str, Any], path: str, said: str
+) -> None:
+    with pytest.raises(CaseError) as caught:
+        Transmission(**{**parts, **other})
+    problems = {" ".join(map(str, one.path)): one.message for one in caught.value.problems}
+    assert said in problems[path]
+
+
+def test_there_may_be_no_more_than_eight_freewheels() -> None:
     def many(count: int) -> Transmission:
         made = [ShiftElement(number, 0, kind="freewheel") for number in range(3, 3 + count)]
         mechanisms = [Mechanism(1, link, 0, -1.0) for link in range(2, 3 + count)]
@@ -24,21 +84,44 @@ def test_there_may_be_no_more_than_eight() -> None:
     assert problem.path == ("shift_elements", 9)
 
 
+def test_the_first_of_several_outputs_is_the_output() -> None:
+    case = Transmission(**SET, outputs=[2, 3])
+    assert (case.output, case.outputs, case.further_outputs(case.gears[0])) == (2, (2, 3), [3])
+    assert Transmission(**SET, outputs=[2]).outputs == ()
+
+
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("load", "said"),
     [
-        ({"outputs": [3, 3]}, "outputs[2]: link 3 is listed twice, expected each output once"),
-        ({"outputs": [3, 9]}, "outputs[2]: read 9, expected a link number from 1 to 3"),
-        ({"outputs": [3, 1]}, "outputs[2]: link 1 is the input, expected another link"),
-        ({"outputs": [2, 3], "output": 3}, "outputs: the first output is 2, but `output` is 3"),
+        (Load(1000.0, 100.0, 50.0), "read 50 kW, which at 1000 rpm are 477.465 N*m"),
+        (Load(1000.0, power=50.0), "expected these as `torque`, or no `power`"),
+        (Load(torque=100.0, power=50.0), "read 50 kW without a speed"),
+        (Load(1000.0, 0.0, 0.0), "read 0 kW"),
     ],
 )
-def test_outputs_are_different_links(given: dict[str, Any], said: str) -> None:
+@pytest.mark.parametrize("of_gear", [False, True])
+def test_the_power_of_a_load_is_that_of_its_torque(load: Load, said: str, *, of_gear: bool) -> None:
+    """Documents have the power instead of the torque, so that they would be another case."""
+    gear = Gear(load=load if of_gear else None)
     with pytest.raises(CaseError, match=re.escape(said)):
-        Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()], **given)
+        Transmission(2, [], [Mechanism(1, 2, 0, 4)], [gear], load=None if of_gear else load)
 
 
-def test_the_first_of_several_outputs_is_the_output() -> None:
-    case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()], outputs=[2, 3])
-    assert (case.output, case.outputs, case.further_outputs(case.gears[0])) == (2, (2, 3), [3])
-    assert Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()], outputs=[2]).outputs == ()
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("speed", [1000.0, -1000.0])
+def test_a_load_that_is_turned_has_its_power_turned(speed: float, *, coast: bool) -> None:
+    told = load_of(speed, power=50.0)
+    case = Transmission(2, [], [Mechanism(1, 2, 0, 4)], [Gear(load=told)], coast=coast)
+    turned = case.gear_load(case.gears[0])
+    assert turned.power == (-50.0 if coast else 50.0)
+    assert case.replace(gears=[Gear(load=turned)]).gear_load(case.gears[0]) == turned
+
+
+@pytest.mark.parametrize("number", [1, 4, 48])
+def test_the_number_of_cylinders_is_kept_but_by_a_deck(number: int) -> None:
+    case = Transmission(**PAIR, cylinders=number)
+    for kept in (loads(write_yaml(case)), loads(write_json(case), format="json")):
+        assert (kept, kept.cylinders) == (case, number)
+    assert lost(case) == ["cylinders"]
+    none = case.replace(cylinders=None)
+    assert "cylinders" not in write_yaml(none)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from tests.commands import CASES, MZKT, vstatics
-from tests.installed import HERE
 from tests.shipped import shipped_results
 from vstatics import Gear, Results, Transmission, load, solve
 
@@ -26,14 +25,7 @@ def test_a_number_that_is_no_name_is_no_place_among_numbered_gears() -> None:
     assert EIGHT["ratio", "#9"] == EIGHT["ratio", "R"] == EIGHT["ratio", 9]
     said = vstatics("flow", CASES / "zf-8hp70.yaml", "--gear", "9")
     assert said.status == 2
-    assert "#9 is R" in said.err
-    if "pictures" in HERE:
-        with pytest.raises(ValueError, match="gears are 1, 2, 3, 4, 5, 6, 7, 8, R; #9 is R"):
-            EIGHT.plot("lever", gear="9")
-    if "sweep" in HERE:
-        words = ("--vary", "P1.ratio=-2", "--out", "ratio[9]")
-        said = vstatics("sweep", CASES / "zf-8hp70.yaml", *words)
-        assert "there is no gear `9`" in said.err
+    assert "gears are 1, 2, 3, 4, 5, 6, 7, 8, R; #9 is R" in said.err
 
 
 @pytest.mark.parametrize("names", [("R", "1", "2"), ("R", "1st", "2nd"), ("R1", "R2", "D1")])
@@ -57,7 +49,5 @@ def test_a_number_of_python_that_is_the_name_of_another_gear_is_refused() -> Non
 def test_words_have_places_and_numbered_gears_of_a_deck_their_numbers() -> None:
     words = box("low", "high", "reverse")
     assert [words["ratio", read] for read in ("1", "2", "03", "#3", 3)] == [1, 2, 3, 3, 3]
-    said = vstatics("flow", MZKT, "--gear", "4")
-    assert said.status == 0
     deck = solve(load(MZKT))
     assert deck["ratio", "4"] == deck["ratio", 4] == deck.ratio[3]

@@ -1,4 +1,4 @@
-"""A case without gears: one gear if it has no shift elements, else a message that shows what to write."""
+"""A case without gears: one gear without shift elements, else a message of what to write."""
 
 from __future__ import annotations
 

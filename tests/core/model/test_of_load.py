@@ -47,13 +47,10 @@ def test_under_another_load_the_part_is_another(case: Transmission) -> None:
     drags = other.gear_drag(gear)[2], other.gear_open_drag(gear)[1]
     assert (gear.torques[3], *drags) == (0.05, 0.01, 0.005)
     assert other.shift_elements[0].capacity == 1.25
+    assert case.replace(load=None).gears[0].torques[3] == 0.1
     # relative numbers stay as they are
     plain = vstatics.loads(CASE.replace("{c: 10 N*m}", "{c: .1}")).replace(load=Load(1000, 200.0))
     assert plain.gears[0].torques[3] == 0.1
-
-
-def test_without_a_load_the_part_stays(case: Transmission) -> None:
-    assert case.replace(load=None).gears[0].torques[3] == 0.1
 
 
 def test_copies_and_other_processes_have_it_too(case: Transmission) -> None:

@@ -1,13 +1,21 @@
-"""Recorded columns in CSV: where a fault stands, also behind blank lines and breaks in cells."""
+"""Recorded columns in CSV and results that are read back: where a fault is."""
 
 from __future__ import annotations
 
 import pytest
 
-from vstatics.core.errors import ReadError
+from vstatics.core.errors import Problem, ReadError
 from vstatics.core.readers.records import read_record
+from vstatics.core.readers.results import read_results
 
 WANTED = {"time": None, "torque": None}
+
+
+def fault_of_record(text: bytes) -> Problem:
+    with pytest.raises(ReadError) as told:
+        read_record(text, "r.csv", WANTED)
+    [problem] = told.value.problems
+    return problem
 
 
 def test_blank_lines_before_the_headings_are_passed_over() -> None:
@@ -17,20 +25,11 @@ def test_blank_lines_before_the_headings_are_passed_over() -> None:
 
 
 def test_a_wrong_number_is_located_behind_blank_lines_and_breaks_within_cells() -> None:
-    text = b'\n"time","what\never","torque"\n0,0,1\n1,0,much\n'
-    with pytest.raises(ReadError) as told:
-        read_record(text, "r.csv", WANTED)
-    [problem] = told.value.problems
-    assert problem.id == "E121"
-    assert "much" in problem.message
+    problem = fault_of_record(b'\n"time","what\never","torque"\n0,0,1\n1,0,much\n')
+    assert (problem.id, "much" in problem.message) == ("E121", True)
     assert problem.place is not None
     assert problem.place.line == 5
-
-
-def test_a_cell_of_a_million_letters_is_a_located_fault() -> None:
-    with pytest.raises(ReadError) as told:
-        read_record(b"time,torque\n0," + b"1" * 1_000_000 + b"\n", "r.csv", WANTED)
-    assert [problem.id for problem in told.value.problems] == ["E121"]
+    assert fault_of_record(b"time,torque\n0," + b"1" * 1_000_000 + b"\n").id == "E121"
 
 
 def test_a_column_that_is_missing_is_told_with_those_of_its_kind() -> None:
@@ -41,3 +40,39 @@ def test_a_column_that_is_missing_is_told_with_those_of_its_kind() -> None:
     assert "did you mean `torques[prop]`?" in told
     assert told.endswith("columns of torques are torques[prop], torques[tyres]")
     assert record.lacks("E883", "turns").message.count("speeds[") == 7
+
+
+GOOD = '{"ratio": [1.5]}'
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column", "words"),
+    [
+        (f"{GOOD}\n\n \n{GOOD[:-1]}\n{GOOD}\n", 4, 16, "the file is not JSON: "),
+        (f"\n\n{GOOD}\n{GOOD}\n{{]\n", 5, 2, "the file is not JSON: "),
+        (f"{GOOD[:-1]}\n{GOOD}\n", 1, 16, "the file is not JSON: "),
+        (f"{GOOD}\nx\n", 2, 1, "the file is not JSON: "),
+        (f"{GOOD}\n\n7\n", 3, 1, "result 2 is not a JSON object"),
+        (f"{GOOD}\r\n\r\n{{}}\r\n", 3, 1, "result 2 has none of the tables"),
+        (f'{GOOD}\n\n{{"ratio": 1}}\n', 3, 1, "ratio of result 2 is not a table of numbers"),
+        ('{\n  "ratio": [1,]\n}\n', 2, 15, "the file is not JSON: "),
+        ('{\n  "ratio": [1]\n}\nx\n', 4, 1, "the file is not JSON: "),
+        # a carriage return alone ends a line of CSV; a cell has 131072 characters at most
+        ("table,row,gear,value\nW,D\r,2,1\n", 2, None, "no row of a result"),
+        (f"table,row,gear,value\nW,1,1,{'1' * 140_000}\n", 2, None, "no CSV: field larger"),
+    ],
+)
+def test_a_fault_of_a_result_has_its_line(
+    text: str, line: int, column: int | None, words: str
+) -> None:
+    with pytest.raises(ReadError) as caught:
+        read_results(text.encode(), "file")
+    (problem,) = caught.value.problems
+    assert problem.place is not None
+    assert (problem.place.line, column or problem.place.column) == (line, problem.place.column)
+    assert problem.message.startswith(words)
+
+
+def test_empty_lines_before_and_between_json_lines_are_nothing() -> None:
+    read = read_results(f"\n{GOOD}\n \n{GOOD}\n\n".encode(), "file")
+    assert [one.tables["ratio"][0][0].value for one in read] == [1.5, 1.5]

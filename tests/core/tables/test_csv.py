@@ -66,18 +66,22 @@ def test_what_is_no_number_for_a_spreadsheet_is_text(text: str) -> None:
 
 
 @pytest.mark.parametrize("command", ["run", "flow", "summary", "explain"])
-@pytest.mark.parametrize("several", [False, True])
-def test_names_of_a_case_are_no_formulas(command: str, several: bool, case: Path) -> None:
-    given = [case] * (1 + several)
-    if several:
-        given[1] = case.with_name("two.yaml")
-        given[1].write_text(HOSTILE, encoding="utf-8")
-    said = vstatics(command, *given, "-f", "csv")
-    found = [one for one in cells(said.out) if one[:1] in {*"=+-@\t\r"}]
-    assert (said.status, [one for one in found if not is_number(one)]) == (0, [])
-    raw = cells(vstatics(command, *given, "-f", "csv", "--raw").out)
-    assert [unguarded(one) for one in cells(said.out)] == raw
-    assert {"@now", "-2+3"} & set(raw)
+def test_names_of_a_case_are_no_formulas(command: str, case: Path) -> None:
+    """In the CSV of one case or of several, and in a workbook."""
+    two = case.with_name("two.yaml")
+    two.write_text(HOSTILE, encoding="utf-8")
+    for cases in ([case], [case, two]):
+        said = vstatics(command, *cases, "-f", "csv")
+        found = [one for one in cells(said.out) if one[:1] in {*"=+-@\t\r"}]
+        assert (said.status, [one for one in found if not is_number(one)]) == (0, [])
+        raw = cells(vstatics(command, *cases, "-f", "csv", "--raw").out)
+        assert [unguarded(one) for one in cells(said.out)] == raw
+        assert {"@now", "-2+3"} & set(raw)
+    made = case.with_name("new.xlsx")
+    assert vstatics(command, case, "-o", made).status == 0
+    in_book = [cell for sheet in openpyxl.load_workbook(made) for row in sheet for cell in row]
+    assert {cell.data_type for cell in in_book} <= {"s", "inlineStr", "n", "b"}  # none is "f"
+    assert "@now" in [cell.value for cell in in_book]
 
 
 def test_headings_of_a_sweep_are_no_formulas(tmp_path: Path, case: Path) -> None:
@@ -90,22 +94,10 @@ def test_headings_of_a_sweep_are_no_formulas(tmp_path: Path, case: Path) -> None
     assert vstatics(*asked, "--raw", "-o", tmp_path / "new.npz").status == 2
 
 
-@pytest.mark.parametrize("heading", ["@now.ratio", "'@now.ratio"])
-@pytest.mark.parametrize("value", ["-96/39", "'-96/39"])
-def test_a_table_of_variants_is_read_with_apostrophes_and_without(
-    heading: str, value: str, tmp_path: Path, case: Path
-) -> None:
-    table = tmp_path / "variants.csv"
-    table.write_text(f"{heading}\n-2.5\n{value}\n", encoding="utf-8")
-    said = vstatics("sweep", case, "--variants", table, "--out", "ratio[#1]", "-f", "jsonl")
-    values = [json.loads(line)["@now.ratio"] for line in said.out.splitlines()]
-    assert values == pytest.approx([-2.5, -96 / 39])
-
-
-@pytest.mark.parametrize("command", ["run", "flow", "summary", "explain"])
-def test_a_workbook_has_no_formulas(command: str, case: Path) -> None:
-    made = case.with_name("new.xlsx")
-    assert vstatics(command, case, "-o", made).status == 0
-    found = [cell for sheet in openpyxl.load_workbook(made) for row in sheet for cell in row]
-    assert {cell.data_type for cell in found} <= {"s", "inlineStr", "n", "b"}  # none is "f"
-    assert "@now" in [cell.value for cell in found]
+def test_a_table_of_variants_is_read_with_apostrophes_and_without(case: Path) -> None:
+    table = case.with_name("variants.csv")
+    for heading in ("@now.ratio", "'@now.ratio"):
+        table.write_text(f"{heading}\n-2.5\n-96/39\n'-96/39\n", encoding="utf-8")
+        said = vstatics("sweep", case, "--variants", table, "--out", "ratio[#1]", "-f", "jsonl")
+        values = [json.loads(line)["@now.ratio"] for line in said.out.splitlines()]
+        assert values == pytest.approx([-2.5, -96 / 39, -96 / 39])

@@ -14,7 +14,7 @@ from vstatics import ReadError, Transmission, solve
 from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.tables.dataframe import to_dataframe
 from vstatics.core.tables.names import row_named
-from vstatics.core.tables.quantities import ASKED, BY_NAME, QUANTITIES
+from vstatics.core.tables.quantities import ASKED, QUANTITIES
 from vstatics.core.tables.values import tables
 
 EVERYTHING = """
@@ -48,14 +48,6 @@ DECLARED = [one for one in QUANTITIES + ASKED if one.columns == "gears"]
 @pytest.fixture(scope="module")
 def everything() -> Transmission:
     return loaded(EVERYTHING)
-
-
-# A quantity
-
-
-def test_all_names_and_deck_names_are_different() -> None:
-    names = [name for one in QUANTITIES + ASKED for name in (one.name, one.deck_name)]
-    assert len(names) == len(set(names)) == len(BY_NAME)
 
 
 def test_every_array_of_the_results_is_declared() -> None:
@@ -95,9 +87,6 @@ def test_the_documentation_lists_every_name_with_deck_name_rows_and_unit() -> No
         assert units[one.name] == (one.unit or ending or number)
 
 
-# A row
-
-
 def test_a_device_is_no_row_of_links_or_shift_elements() -> None:
     """A brake `P1.b` is none of the rows of the set P1."""
     case = loaded(EVERYTHING.replace("B1", "P1.b"))
@@ -105,9 +94,6 @@ def test_a_device_is_no_row_of_links_or_shift_elements() -> None:
         row_named("P1", "torques", case)
     with pytest.raises(ReadError, match="there is no shift element `P1`"):
         row_named("P1", "elements", case)
-
-
-# A data frame
 
 
 def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> None:
@@ -122,6 +108,3 @@ def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> Non
     assert found.tolist() == pytest.approx(lost.tolist())
     without = to_dataframe(shipped_results("simpson.yaml"))
     assert not [name for name in without if re.search("_rpm|_Nm|_kW", str(name))]
-
-
-# What is varied

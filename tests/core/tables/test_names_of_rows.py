@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.commands import vstatics
 from tests.core.elements.element_texts import AOD, loaded
 from tests.core.writers.result_cases import csv_of, table
 from vstatics import Results, solve
@@ -27,23 +26,16 @@ def aod() -> Results:
 
 @pytest.mark.parametrize("name", ROWS)
 def test_rows_are_those_that_the_case_names(aod: Results, name: str) -> None:
+    """In the arrays, in JSON and in CSV."""
     assert list(table_rows(name, aod.case)) == ROWS[name]
     assert getattr(aod, name).shape == (len(GEARS), len(ROWS[name]))
-
-
-@pytest.mark.parametrize("name", ROWS)
-def test_json_has_these_rows(aod: Results, name: str) -> None:
-    found = document(aod)
-    assert found["rows"][name] == ROWS[name]
-    values = np.array(found[name]).T
+    in_json = document(aod)
+    assert in_json["rows"][name] == ROWS[name]
+    values = np.array(in_json[name]).T
     assert values == pytest.approx(getattr(aod, name))
-
-
-@pytest.mark.parametrize("name", ROWS)
-def test_csv_has_these_rows(aod: Results, name: str) -> None:
-    found = [line for line in csv_of(aod) if line[0] == name]
-    assert len(found) == len(GEARS) * len(ROWS[name])
-    assert {row for line in found for row in line} >= set(ROWS[name])
+    in_csv = [line for line in csv_of(aod) if line[0] == name]
+    assert len(in_csv) == len(GEARS) * len(ROWS[name])
+    assert {row for line in in_csv for row in line} >= set(ROWS[name])
 
 
 def test_the_listing_has_these_rows(aod: Results) -> None:
@@ -54,9 +46,3 @@ def test_the_listing_has_these_rows(aod: Results) -> None:
     losses = table(text, "(LOSS(I,J),J=1,NP),I=1,KG:")
     for name, lines in {"torques": torques, "losses": losses}.items():
         assert [line.partition("| ")[2] for line in lines] == ROWS[name]
-
-
-def test_the_command_says_the_same(aod: Results) -> None:
-    said = vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=AOD.encode())
-    assert said.json["rows"]["losses"] == ROWS["losses"]
-    assert said.json["losses"][0] == pytest.approx(aod.losses[:, 0])

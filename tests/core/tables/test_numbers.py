@@ -14,55 +14,22 @@ from vstatics.core.tables.numbers import exponent, fixed, fixed_rows, rounded, s
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
 
 
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (0.726, "0.726"),
-        (-2.656, "-2.656"),
-        (1.0, "1.000"),
-        (0.0, "0.000"),
-        (-0.0, "0.000"),
-        (-0.0004, "0.000"),
-        (-0.0006, "-0.001"),
-        (0.9996, "1.000"),
-        (-12.5, "-12.500"),
-        (math.nan, "*****"),
-    ],
-)
-def test_fixed_has_a_zero_before_the_point(value: float, text: str) -> None:
-    assert fixed(value) == text
-
-
-def test_fixed_fills_its_field_and_grows_beyond_it() -> None:
-    assert fixed(0.726, width=8) == "   0.726"
-    assert fixed(-123456.0, width=8) == "-123456.000"
-    assert fixed(math.nan, width=8) == "********"
-    assert fixed(math.inf, width=8) == "********"
-
-
-def test_fixed_without_decimals_has_no_point() -> None:
+def test_fixed_has_a_zero_before_the_point_and_fills_its_field() -> None:
+    texts = {0.726: "0.726", -2.656: "-2.656", 1.0: "1.000", -0.0004: "0.000", -0.0006: "-0.001"}
+    texts |= {0.9996: "1.000", -12.5: "-12.500", math.nan: "*****"}
+    assert {value: fixed(value) for value in texts} == texts
+    assert fixed(0.0) == fixed(-0.0) == "0.000"
+    wide = {0.726: "   0.726", -123456.0: "-123456.000", math.nan: "********", math.inf: "********"}
+    assert {value: fixed(value, width=8) for value in wide} == wide
     assert [fixed(value, width=3, decimals=0) for value in (1, -1, 0)] == ["  1", " -1", "  0"]
 
 
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (-0.8, "-.8000E+00"),
-        (2.6, ".2600E+01"),
-        (-2.461, "-.2461E+01"),
-        (0.94, ".9400E+00"),
-        (1.0, ".1000E+01"),
-        (0.05, ".5000E-01"),
-        (0.0, ".0000E+00"),
-        (2.6145, ".26145E+01"),
-        (0.1 + 0.2, ".30000000000000004E+00"),
-        (1e-300, ".1000E-299"),
-        (5e-324, ".4941E-323"),
-        (math.nan, "**********"),
-    ],
-)
-def test_exponent_has_four_digits_or_as_many_as_needed(value: float, text: str) -> None:
-    assert exponent(value) == text
+def test_exponent_has_four_digits_or_as_many_as_needed() -> None:
+    texts = {-0.8: "-.8000E+00", 2.6: ".2600E+01", -2.461: "-.2461E+01", 0.94: ".9400E+00"}
+    texts |= {1.0: ".1000E+01", 0.05: ".5000E-01", 0.0: ".0000E+00", 2.6145: ".26145E+01"}
+    texts |= {0.1 + 0.2: ".30000000000000004E+00", 1e-300: ".1000E-299", 5e-324: ".4941E-323"}
+    assert {value: exponent(value) for value in texts} == texts
+    assert exponent(math.nan) == "**********"
 
 
 @given(FINITE)

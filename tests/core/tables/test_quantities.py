@@ -8,6 +8,7 @@ import pytest
 
 from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.tables.quantities import (
+    ASKED,
     BY_NAME,
     PRINTED,
     QUANTITIES,
@@ -23,9 +24,13 @@ PUBLISHED = ["AJK", "W", "WSAT", "WFRI", "AMLG", "AMLGP", "ETA", "IX"]
 
 
 def test_each_name_stands_for_one_quantity() -> None:
-    assert len({one.name for one in QUANTITIES}) == len(QUANTITIES)
+    """A person may type the name or the deck name."""
+    names = [name for one in QUANTITIES + ASKED for name in (one.name, one.deck_name)]
+    assert len(names) == len(set(names)) == len(BY_NAME)
     assert len(PRINTED) == len(QUANTITIES)
     assert all(BY_NAME[one.name] is BY_NAME[one.deck_name] is one for one in QUANTITIES)
+    assert BY_NAME["AMLGP_Nm"] is BY_NAME["lossy_torques_Nm"]
+    assert "w" not in BY_NAME
 
 
 def test_the_tables_of_the_source_come_first_under_its_names() -> None:
@@ -56,9 +61,3 @@ def test_a_load_adds_its_own_unit_to_each_quantity_that_has_one() -> None:
         assert not one.always
         if one.of:
             assert one.rows == BY_NAME[one.of].rows
-
-
-def test_a_person_may_type_either_name() -> None:
-    assert BY_NAME["W"] is BY_NAME["speeds"]
-    assert BY_NAME["AMLGP_Nm"] is BY_NAME["lossy_torques_Nm"]
-    assert "w" not in BY_NAME

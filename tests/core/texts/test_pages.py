@@ -17,6 +17,12 @@ SYMBOLS = {
     *("dETA", "all", "YAML", "rad", "MESH", "MESHP", "SVG", "lbf", "vstatics", "simulate", "serve"),
 }
 """Letters of equations and keys, which no language changes."""
+LATEX = {
+    *("NAME", "ABCDE", "begin", "end", "tabular", "hline", "noindent", "textbf", "par", "medskip"),
+    *("textasciicircum", "bullet", "cdot", "footnotesize", "setlength", "tabcolsep", "linewidth"),
+    *("raggedright", "tabularnewline", "nobreak", "smallskip", "shortstack", "frac", "mathrm"),
+    *("mbox", "textasciitilde", "scriptsize", "left", "right"),
+}
 SHOWN = tuple(str(CASES / one) for one in ("simpson.yaml", "mzkt7922.dat"))
 
 
@@ -58,22 +64,7 @@ def words_of(page: str) -> str:
 @pytest.mark.parametrize("form", [(), ("-f", "markdown"), ("-f", "latex")])
 def test_a_command_has_no_english_words(command: str, form: tuple[str, ...]) -> None:
     known = of_case(json_answer("run", SHOWN[0]))
-    known |= {"NAME", "ABCDE", "begin", "end", "tabular", "hline", "noindent", "textbf", "par"}
-    known |= {"medskip", "textasciicircum", "bullet", "cdot", "footnotesize", "setlength"}
-    known |= {
-        "tabcolsep",
-        "linewidth",
-        "raggedright",
-        "tabularnewline",
-        "nobreak",
-        "smallskip",
-        "shortstack",
-        "frac",
-        "mathrm",
-        "mbox",
-        "textasciitilde",
-    }
-    known |= {"scriptsize", "left", "right"}
+    known |= LATEX
     text = vstatics(command, SHOWN[0], "--lang", "ru", *form).out
     text = re.sub(r"(?m)^.*(\(I|\([A-Z]+\(|[A-Z]+= |[A-Z]+\(J\)).*$|\\begin\{tabular\}.*", "", text)
     assert left(text, known) == set()

@@ -14,7 +14,7 @@ import pytest
 from tests.installed import ANNEXES, needs
 from tests.rooms import PACKAGE, nodes
 from vstatics.core.tables.html import Markup
-from vstatics.core.texts import FORMS, rows, speaking, table, tr
+from vstatics.core.texts import FORMS, heading, rows, speaking, table, tr
 
 SAYING = {"tr", "word", "translated", "text", "filled"}
 """Functions whose first argument is a text; `text` of pictures, and of columns of tables."""
@@ -22,10 +22,9 @@ ROOMS_WITH_TABLES = ("tables", "summary", "explain", "report", "flow", "operatio
 """Their tables are shown in every language; those of other commands are English."""
 MADE = (
     *("lost", "kJ", "{count} error", "{count} warning", "{count} note", "neutral: the output"),
-    *("Other combinations", "power enters by", "power leaves by", "the gear is"),
-    "Torques of mechanisms, springs",
+    *("Other combinations", "power enters by", "power leaves by", "the gear is", "x by the "),
+    *("Torques of mechanisms, springs", "Torques of the members of the elements, of springs"),
     *("{number} of {all} ", "turns a second"),
-    *("Torques of the members of the elements, of springs", "x by the "),
 )
 """Beginnings of texts that are made of words, each of them said."""
 
@@ -56,8 +55,8 @@ def literals() -> set[str]:
     return said
 
 
-def asked() -> Iterator[tuple[str, str]]:
-    """Texts that functions are given to say, each with its file."""
+def asked() -> Iterator[str]:
+    """Texts that functions are given to say."""
     for path in PACKAGE.rglob("*.py"):
         has_tables = not {*path.relative_to(PACKAGE).parts}.isdisjoint(ROOMS_WITH_TABLES)
         for node in nodes(path):
@@ -75,17 +74,15 @@ def asked() -> Iterator[tuple[str, str]]:
                 inner = part.elts if isinstance(part, ast.Tuple | ast.List) else [part]
                 for one in inner:
                     if isinstance(one, ast.Constant) and isinstance(one.value, str) and one.value:
-                        yield one.value, path.name
+                        yield one.value
 
 
 @pytest.mark.slow
 def test_a_text_that_is_said_has_its_row() -> None:
-    said = {text for text, _ in asked()}
+    said = {*asked()}
     assert len(said) > 300
     with speaking("ru"):
         without = {text for text in said if not re.search("[A-Za-z]", text)}
-        from vstatics.core.texts import heading
-
         without |= {text for text in said if heading(text) != text}
     same = {row["en"] for row in rows() if row["ru"] == row["en"]}
     assert said - without - same == set()
@@ -112,21 +109,23 @@ def places(text: str) -> set[str]:
     return {name for _, name, _, _ in Formatter().parse(text) if name is not None}
 
 
-def test_a_row_has_its_places_and_its_forms() -> None:
+def test_a_row_has_its_places_its_forms_and_letters_of_its_language() -> None:
     for row in rows():
-        text = row["ru"]
-        assert text, row
-        assert text == text.rstrip()
-        assert text[0].isspace() == row["en"][0].isspace(), row
+        english, text = row["en"], row["ru"]
+        assert text == text.rstrip() != ""
+        assert text[0].isspace() == english[0].isspace(), row
+        assert not re.search("[а-яА-Я]", english), row
         if "scroller" not in text:  # a place of a script
-            assert places(text) == places(row["en"]), row
-        count = row["en"].count(FORMS) + 1
+            assert places(text) == places(english), row
+        count = english.count(FORMS) + 1
         assert text.count(FORMS) + 1 == (3 if count > 1 else 1), row
 
 
-def test_no_text_has_two_rows() -> None:
+def test_no_text_has_two_rows_and_all_are_in_the_order_of_the_english_texts() -> None:
     assert len({row["en"] for row in rows()}) == len(rows())
     assert [*table("ru")] == [row["en"] for row in rows()]
+    order = [row["en"].replace("\n", r"\n").strip(" ,;(").lower() for row in rows()]
+    assert order == sorted(order)
 
 
 TERMS = {
@@ -154,20 +153,14 @@ TERMS = {
     r"\bdamping ratio\b": "относительное затухание",
 }
 """Words of the field: what an English one is in Russian."""
-
-
 MEANINGS_OF_CAPITALS = {"change", "input"}
 """A button and what is changed; what is given and the link."""
 
 
-def words_of(text: str) -> str:
-    """A text without its places."""
-    return re.sub(r"\{.*?\}", "", text)
-
-
 def test_a_term_is_always_the_same_word() -> None:
+    without_places = [(re.sub(r"\{.*?\}", "", row["en"]), row) for row in rows()]
     for term, said in TERMS.items():
-        found = [row for row in rows() if re.search(term, words_of(row["en"]), re.IGNORECASE)]
+        found = [row for text, row in without_places if re.search(term, text, re.IGNORECASE)]
         assert found, term
         for row in found:
             assert re.search(said, row["ru"], re.IGNORECASE), row
@@ -188,11 +181,6 @@ def test_russian_writes_a_word_with_one_letter() -> None:
     both = {one for one in words if "ё" in one and one.replace("ё", "е") in words}
     assert both <= {"всё"}
     assert words.isdisjoint({"учетом", "расчет", "еще", "вперед", "ее", "дает", "счет"})
-
-
-def test_english_texts_have_no_cyrillic_letters() -> None:
-    for row in rows():
-        assert not re.search("[а-яА-Я]", row["en"]), row
 
 
 @needs("page")
@@ -246,7 +234,34 @@ def test_russian_forms_follow_the_last_digits(count: int) -> None:
     assert said == f"{count} предупреждени{ending}"
 
 
-def test_the_table_is_in_the_order_of_its_english_texts() -> None:
-    order = [row["en"].replace("\n", r"\n").strip(" ,;(").lower() for row in rows()]
-    assert order == sorted(order)
-    assert Path(PACKAGE / "core" / "texts" / "table.txt").is_file()
+GLOSSARY = Path(__file__).parents[3] / "docs" / "glossary.md"
+
+
+def cells_of_the_glossary() -> Iterator[dict[str, str]]:
+    """The first word of each language, by row."""
+    for line in GLOSSARY.read_text(encoding="utf-8").splitlines():
+        row = [cell.strip() for cell in line.split("|")[1:-1]]
+        if len(row) == 3 and row[0] not in {"English", "---"}:
+            words = (cell.partition(",")[0].lower() for cell in row[:2])
+            yield dict(zip(("en", "ru"), words, strict=True))
+
+
+def test_the_first_word_of_a_cell_of_the_glossary_is_the_one_that_the_program_says() -> None:
+    """Four terms are of documents alone."""
+    said: dict[str, set[str]] = {}
+    for row in rows():
+        said.setdefault(row["en"].lower(), set()).add(row["ru"].lower())
+    terms = list(cells_of_the_glossary())
+    for term in terms:
+        known = said.get(term["en"])
+        assert known is None or term["ru"] in known, term
+    foreign = {term["en"] for term in terms if term["en"] not in said}
+    assert foreign == {"willis equation", "sensitivity", "rolling power", "coupling power"}
+
+
+def test_a_term_of_the_glossary_has_one_row_and_two_languages() -> None:
+    terms = list(cells_of_the_glossary())
+    assert all(all(term.values()) for term in terms)
+    assert len({term["en"] for term in terms}) == len(terms)
+    for term in terms:
+        assert re.search("[а-яё]|кпд", term["ru"]), term

@@ -48,25 +48,13 @@ def test_published_deck_comes_back_in_its_own_order(lang: Literal["en", "ru"]) -
 
 def test_template_of_a_differential() -> None:
     lines = writer.write(DIFFERENTIAL).splitlines()
-    assert [line for line in lines if not line or line[0] in "KN(.-0123456789I" or "=" in line] == [
-        "KJG= 3 KL= 2 KG= 1 KNM= 0",
-        "NZF(I,1),I=1,KL: 1 2",
-        "NZF(I,2),I=1,KL: 2 0",
-        "NZD(I,1),I=1,KG: 1",
-        "NZD(I,2),I=1,KG: 2",
-        "NZD(I,3),I=1,KG: 3",
-        "IAB(I),I=1,KG:",
-        "-.2500E+01",
-        "ETAI(I),I=1,KG:",
-        ".1000E+01",
-        "NP= 2",
-        "KFRI(I),I=1,NP: 1 1",
-        "(NFRI(K,I),K=1,KFRI(I)),I=1,NP:",
-        "1",
-        "2",
-        "KWZ(I),I=1,NP: 0 0",
-        "KMZ(I),I=1,NP: 0 0",
-    ]
+    fields = [line for line in lines if not line or line[0] in "KN(.-0123456789I" or "=" in line]
+    assert "|".join(fields) == (
+        "KJG= 3 KL= 2 KG= 1 KNM= 0|NZF(I,1),I=1,KL: 1 2|NZF(I,2),I=1,KL: 2 0|NZD(I,1),I=1,KG: 1"
+        "|NZD(I,2),I=1,KG: 2|NZD(I,3),I=1,KG: 3|IAB(I),I=1,KG:|-.2500E+01|ETAI(I),I=1,KG:|.1000E+01"
+        "|NP= 2|KFRI(I),I=1,NP: 1 1|(NFRI(K,I),K=1,KFRI(I)),I=1,NP:|1|2|KWZ(I),I=1,NP: 0 0"
+        "|KMZ(I),I=1,NP: 0 0"
+    )
 
 
 def test_own_fields_only_where_they_are_not_the_default() -> None:
@@ -95,17 +83,10 @@ def test_own_fields_only_where_they_are_not_the_default() -> None:
     assert read_back(case) == case
 
 
-def test_a_case_of_nothing_but_a_clutch() -> None:
-    case = Transmission(2, [ShiftElement(1, 2)], [], [Gear([1]), Gear()], idle="published")
-    assert read_back(case) == case
-
-
 def test_lost_is_what_a_deck_cannot_keep() -> None:
     assert writer.lost(DIFFERENTIAL) == []
-    assert writer.lost(replace(DIFFERENTIAL, description="a", source="b")) == [
-        "description",
-        "source",
-    ]
+    told = replace(DIFFERENTIAL, description="a", source="b")
+    assert writer.lost(told) == ["description", "source"]
 
 
 @settings(max_examples=count(10, 75))

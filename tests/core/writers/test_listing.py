@@ -19,19 +19,11 @@ def test_tables_stand_in_the_order_of_the_source(published: Results) -> None:
     text = listing.write(published)
     heads = re.findall(r"^\(?([A-Z]+)\([IJ][,)].*:$", text.partition("RESULTS")[2], re.MULTILINE)
     assert heads[: len(SOURCE_ORDER)] == SOURCE_ORDER
-    for index_list in (
-        "(AJK(I,K),K=1,KLG),I=1,KJG:",
-        "(W(I,J),J=1,NP),I=1,KJG:",
-        "(WSAT(I,J),J=1,NP),I=1,KG:",
-        "(WFRI(I,J),J=1,NP),I=1,KL:",
-        "(AMLG(I,J),J=1,NP),I=1,KL:",
-        "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1:",
-        "(AMLGP(I,J),J=1,NP),I=1,KL:",
-        "(AMLGP(I,J),J=1,NP),I=(KL+1),KLG1:",
-        "ETA(J),J=1,NP:",
-        "(IX(I,J),J=1,NP),I=1,KG:",
-    ):
-        assert f"\n{index_list}\n" in text
+    indices = "AJK(I,K),K=1,KLG),I=1,KJG|W(I,J),J=1,NP),I=1,KJG|WSAT(I,J),J=1,NP),I=1,KG"
+    indices += "|WFRI(I,J),J=1,NP),I=1,KL|AMLG(I,J),J=1,NP),I=1,KL|AMLG(I,J),J=1,NP),I=(KL+1),KLG1"
+    indices += "|AMLGP(I,J),J=1,NP),I=1,KL|AMLGP(I,J),J=1,NP),I=(KL+1),KLG1|IX(I,J),J=1,NP),I=1,KG"
+    for index_list in (*(f"({one}" for one in indices.split("|")), "ETA(J),J=1,NP"):
+        assert f"\n{index_list}:\n" in text
 
 
 def test_what_does_not_exist_is_asterisks_of_the_width(several: Results) -> None:
@@ -47,9 +39,8 @@ def test_columns_stay_aligned_when_numbers_are_wide(ratio: float) -> None:
     results = reducer(ratio)
     for line in listing.write(results).splitlines():
         assert "-.000" not in line
-    case = Transmission(
-        2, [], [Mechanism(1, 2, 0, ratio)], [Gear(), Gear(torques={1: -0.5}), Gear(input=2, output=1)]
-    )  # fmt: skip
+    gears = [Gear(), Gear(torques={1: -0.5}), Gear(input=2, output=1)]
+    case = Transmission(2, [], [Mechanism(1, 2, 0, ratio)], gears)
     text = listing.write(solve(case))
     for part in re.findall(r":\n((?:[ \d.*-]+\n)+)", text.partition("RESULTS")[2]):
         lines = part.splitlines()

@@ -33,7 +33,9 @@ tables 1 and 2, as printed; a, h, b are sun, carrier and ring."""
 SET = """\
 links: 3
 shift_elements: {B: [0, 2]}
-mechanisms: {"=P": {first: 1, second: 2, third: housing, ratio: -2}, Q: {first: 1, second: 2, third: 3, ratio: -2}}
+mechanisms:
+  "=P": {first: 1, second: 2, third: housing, ratio: -2}
+  Q: {first: 1, second: 2, third: 3, ratio: -2}
 gears: {"1": {}}
 """
 

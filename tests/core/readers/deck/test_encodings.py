@@ -42,6 +42,7 @@ def test_the_title_of_a_deck_tells_its_encoding(encoding: str, name: str) -> Non
 
 
 def test_lines_of_a_table_are_no_words() -> None:
-    text = "┌───────┬──────┐\n│ Звено │ i    │\n╞═══════╪══════╡\n│ ВАЛ 1 │ 2.5  │\n└──┴══┘ ██░░ ─ │ ══ ╔╗\n"
+    text = "┌───────┬──────┐\n│ Звено │ i    │\n"
+    text += "╞═══════╪══════╡\n│ ВАЛ 1 │ 2.5  │\n└──┴══┘ ██░░ ─ │ ══ ╔╗\n"
     for encoding in ("cp866", "koi8-r"):
         assert in_each_encoding(text.encode(encoding))[0] == text

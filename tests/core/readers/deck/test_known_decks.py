@@ -83,14 +83,6 @@ def test_of_a_variant_only_numbers_are_read() -> None:
     assert [one.efficiency for one in second.mechanisms] == [0.94, 0.94, 0.97]
 
 
-@pytest.mark.parametrize("wrong", ["0", "1.7E+00", ".9 .9", "x"])
-def test_a_number_that_is_none_is_told_with_its_place(wrong: str) -> None:
-    read(TEXT)
-    with pytest.raises(ReadError) as caught:
-        read(TEXT.replace(".9500E+00", wrong))
-    assert all(problem.place and problem.place.line for problem in caught.value.problems)
-
-
 @pytest.mark.parametrize(
     "other",
     [

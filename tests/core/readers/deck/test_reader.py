@@ -26,13 +26,7 @@ KNM — число нестандартных преобразующих мех�
 
 MZKT7922 = Transmission(
     links=6,
-    shift_elements=[
-        ShiftElement(2, 0),
-        ShiftElement(2, 3),
-        ShiftElement(3, 0),
-        ShiftElement(5, 0),
-        ShiftElement(4, 6),
-    ],
+    shift_elements=[ShiftElement(*ends) for ends in ((2, 0), (2, 3), (3, 0), (5, 0), (4, 6))],
     mechanisms=[
         Mechanism(1, 2, 4, ratio=-0.8, efficiency=0.94, planet_ratio=0.9),
         Mechanism(1, 3, 4, ratio=2.6, efficiency=0.95, planet_ratio=2.6),
@@ -102,12 +96,9 @@ def test_same_deck_written_otherwise(old: str, new: str) -> None:
     assert case_of(text) == MZKT7922
 
 
-def test_idle_is_published_unless_said() -> None:
+def test_own_fields() -> None:
     assert case_of(SMALL.decode()).idle == "published"
     assert case_of(SMALL.decode() + "IDLE= 1\n").idle == "exact"
-
-
-def test_own_fields() -> None:
     case = case_of(
         SMALL.decode() + "INP= 3 IOUT= 2\nCOAST= 1\nINP(I),I=1,NP: 1 0\nIOUT(I),I=1,NP: 2*4\n"
         "NAME T: Коробка: 2\nname f3 :  Сцепление  \nNAME J2: ring\nNAME D1: ряд\nNAME P2: R\n"
@@ -156,43 +147,36 @@ def test_results_end_the_input() -> None:
     assert case_of(text) == MZKT7922
 
 
-def test_a_second_report_is_an_error() -> None:
-    text = PUBLISHED.decode() + "\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nKJG= 3\n"
-    (error,) = errors_of(text)
-    assert "KJG: another case begins here, expected a single case in a file" in str(error)
-
-
 def test_planet_warning_has_the_place_of_its_ratio() -> None:
     text = published("K N M :\n1 2", "K N M :\n1 3")
     (warning,) = deck.read(text.encode(), "case.dat").warnings
     assert str(warning).startswith("case.dat:17:12: warning: IAB(2): ratio 2.6 ")
 
 
+def test_a_second_report_is_an_error() -> None:
+    text = PUBLISHED.decode() + "\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nKJG= 3\n"
+    (error,) = errors_of(text)
+    assert "KJG: another case begins here, expected a single case in a file" in str(error)
+
+
 def test_all_errors_are_told_in_the_order_of_the_text() -> None:
     text = published("2 2 3 5 4", "2 2 3 7 4").replace("-.2461Е+01", "x")
-    text = text.replace(".9700Е+00", "1.97").replace("3 4\n3 5", "3 4\n3 3")
-    starts = ["5:24: error: NZF(4,1)", "17:22: error: IAB(3)", "20:21: error: ETAI(3)"]
-    starts.append("41:3: error: NFRI(2,6)")
-    errors = errors_of(text)
-    assert [
-        error.startswith(f"case.dat:{start}: ") for error, start in zip(errors, starts, strict=True)
+    text = text.replace(".9400Е+00", ".9x").replace(".9700Е+00", "1.97")
+    text = text.replace("3 4\n3 5", "3 4\n3 3")
+    assert [error.partition(": read")[0].partition(": shift")[0] for error in errors_of(text)] == [
+        "case.dat:5:24: error: NZF(4,1)",
+        "case.dat:17:22: error: IAB(3)",
+        "case.dat:20:1: error: ETAI(1)",
+        "case.dat:20:15: error: ETAI(3)",
+        "case.dat:41:3: error: NFRI(2,6)",
     ]
-    assert len(errors) == 4
 
 
-def test_mistyped_numbers_of_a_full_line_are_told_one_by_one() -> None:
-    errors = errors_of(published(".9400Е+00 .9500Е+00 .9700Е+00", ".9x .95 1.97"))
-    assert [error.split(": ")[2] for error in errors] == ["ETAI(1)", "ETAI(3)"]
-
-
-def test_an_unknown_size_gives_no_further_errors() -> None:
+def test_an_unknown_size_or_list_gives_no_further_errors() -> None:
     for old in ("KJG= 6", "KL= 5", "KG= 3", "N P=  6"):
         name = old.split("=")[0].replace(" ", "")
         (error,) = errors_of(published(old, ""))
         assert f"error: {name} is missing" in error
-
-
-def test_unreadable_lists_give_no_further_errors() -> None:
     (error,) = errors_of(published("NZF(I,1),I=1,KL: 2", "NZF(I,1),I=1,KL: two"))
     assert error == "case.dat:5:18: error: NZF(1,1): read 'two', expected a whole number [E102]"
 
@@ -227,37 +211,29 @@ def test_text_of_decks() -> None:
     assert not holds_deck(b"\0")
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "text",
-    [
-        "KJG= 2 KL= 0 KG= 0 NP= 1\nKFRI= 900000000*0",
-        "KJG= 9 KL= 30000 KG= 0 NP= 1\nNZF(I,1): " + "1x " * 30000 + "\nNZF(I,2): 30000*99\n",
-        "KJG= 9 KL= 9000 KG= 9000 NP= 9000\nIAB: 9000*0\nKFRI: 9000*1\nNFRI: 9000*77\n" * 2
-        + "z" * 9000,
-        "KJG= " + "9" * 300000 + " KL= " + "=" * 30000 + "\nIAB(" + "(" * 300000 + "\n" * 30000,
-        "IAB(I)"
-        + " " * 100000
-        + "x\nNZF(I,1)"
-        + ",I=1,KL" * 30000
-        + "\n"
-        + "KJG KL " * 30000
-        + "=",
-        "KJG= 2 KG= 1\nIAB= ." + "9" * 300000 + "\nETAI= 1e" + "9" * 300000,
-        "NAME J1: a\n" * 20000 + "KJG= 5\n" + "ABC= 1\n" * 20000,
-    ],
+DECKS = st.sampled_from([PUBLISHED, SMALL, PUBLISHED.decode().encode("cp866")])
+TOKENS = st.sampled_from(
+    b"-.8|0|-1|7|1000000000|1000000000*0|3*2|1e999|nan|,|KJG=|KL= 2|NP=|IAB(I):|NZF(I,1):"
+    b"|NAME J1: 2|AJK(I,J):|(|INP(I)=|IOUT=|KWZ= 2|NWZ= 1|\xd0|\0|\n|x|KNM= 3|=".split(b"|")
 )
-def test_hostile_decks_end_quickly(text: str) -> None:
-    start = time.process_time()
-    assert errors_of(text)
-    assert time.process_time() - start < 5
 
 
-def check_ends_well(data: bytes) -> None:
-    """A case, or errors with places in the file."""
+@given(DECKS, st.data(), st.integers(0, 6000), st.randoms(use_true_random=False))
+@settings(max_examples=count(120, 900))
+def test_decks_with_words_replaced_dropped_or_doubled_end_in_a_case_or_located_errors(
+    data: bytes, draws: st.DataObject, length: int, rng: Random
+) -> None:
+    """Cut off, too, and with their lines in any order; `tests/fuzz.py` tries much more."""
+    lines = [line.split(b" ") for line in data[:length].split(b"\n")]
+    for _ in range(draws.draw(st.integers(1, 4))):
+        line = draws.draw(st.sampled_from(lines))
+        at = draws.draw(st.integers(0, len(line) - 1)) if line else 0
+        line[at : at + 1] = draws.draw(st.lists(TOKENS, max_size=2)) or line[at : at + 1] * 2
+    if length % 4 == 0:
+        rng.shuffle(lines)
     start = time.process_time()
     try:
-        problems = deck.read(data, "case.dat").warnings
+        problems = deck.read(b"\n".join(b" ".join(line) for line in lines), "case.dat").warnings
         severity = "warning"
     except ReadError as error:
         problems, severity = error.problems, "error"
@@ -267,63 +243,3 @@ def check_ends_well(data: bytes) -> None:
         assert problem.place is not None
         assert problem.place.file == "case.dat"
         assert min(problem.place.line, problem.place.column) >= 1
-
-
-DECKS = st.sampled_from([PUBLISHED, SMALL, PUBLISHED.decode().encode("cp866")])
-TOKENS = st.sampled_from(
-    [
-        *(
-            b"-.8",
-            b"0",
-            b"-1",
-            b"7",
-            b"1000000000",
-            b"1000000000*0",
-            b"3*2",
-            b"1e999",
-            b"nan",
-            b",",
-        ),
-        *(b"KJG=", b"KL= 2", b"NP=", b"IAB(I):", b"NZF(I,1):", b"NAME J1: 2", b"AJK(I,J):", b"("),
-        *(b"INP(I)=", b"IOUT=", b"KWZ= 2", b"NWZ= 1", b"\xd0", b"\0", b"\n", b"x", b"KNM= 3", b"="),
-    ]
-)
-
-
-@given(DECKS, st.integers(0, 3000))
-def test_cut_decks(data: bytes, length: int) -> None:
-    check_ends_well(data[:length])
-
-
-@given(DECKS, st.lists(st.tuples(st.integers(0, 3000), st.integers(0, 9), TOKENS), max_size=4))
-@settings(max_examples=count(60, 450))
-def test_decks_with_bytes_and_tokens_replaced(
-    data: bytes, edits: list[tuple[int, int, bytes]]
-) -> None:
-    for at, deleted, token in edits:
-        data = data[:at] + token + data[at + deleted :]
-    check_ends_well(data)
-
-
-@given(DECKS, st.data())
-@settings(max_examples=count(60, 450))
-def test_decks_with_words_replaced_dropped_or_doubled(data: bytes, draws: st.DataObject) -> None:
-    lines = [line.split(b" ") for line in data.split(b"\n")]
-    for _ in range(draws.draw(st.integers(1, 4))):
-        line = draws.draw(st.sampled_from(lines))
-        at = draws.draw(st.integers(0, len(line) - 1)) if line else 0
-        line[at : at + 1] = draws.draw(st.lists(TOKENS, max_size=2)) or line[at : at + 1] * 2
-    check_ends_well(b"\n".join(b" ".join(line) for line in lines))
-
-
-@given(DECKS, st.randoms(use_true_random=False), st.integers(0, 3), st.integers(0, 3))
-def test_decks_with_lines_shuffled(data: bytes, rng: Random, dropped: int, doubled: int) -> None:
-    lines = data.splitlines()
-    rng.shuffle(lines)
-    check_ends_well(b"\n".join(lines[dropped:] + lines[:doubled]))
-
-
-@given(st.binary(max_size=200))
-def test_any_bytes(data: bytes) -> None:
-    check_ends_well(data)
-    check_ends_well(b"KJG= 2 KL= 1 KG= 0 NP= 1\n" + data)

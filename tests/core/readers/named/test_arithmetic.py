@@ -19,9 +19,6 @@ from vstatics.core.readers.named.arithmetic import ARITHMETIC, LONGEST_ARITHMETI
     ("text", "value", "behind"),
     [
         ("-96/39", -96 / 39, ""),
-        ("1.3*400 Nm", 520.0, "Nm"),
-        ("(2+3)*100 rpm", 500.0, "rpm"),
-        (" 1 + 78 / 30 ", 3.6, ""),
         ("2 - 3 - 4", -5.0, ""),
         ("24/2/3", 4.0, ""),
         ("-(1 + 30/60)*2", -3.0, ""),
@@ -29,7 +26,6 @@ from vstatics.core.readers.named.arithmetic import ARITHMETIC, LONGEST_ARITHMETI
         ("96/-39", -96 / 39, ""),
         ("1e3N*m", 1000.0, "N*m"),
         ("3000 1/min", 3000.0, "1/min"),
-        ("3000/min", 3000.0, "/min"),
         ("60/2/min", 30.0, "/min"),
         ("1.05*FL", 1.05, "*FL"),
         ("400 N·m", 400.0, "N·m"),
@@ -66,9 +62,7 @@ def test_arithmetic_is_that_of_exact_fractions(text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("1/0", "other than 0"),
         ("1/(3-3)", "other than 0"),
-        ("1e999", "expected a smaller number"),
         ("1e999999999/3", "expected a smaller number"),
         ("1/1e999", "expected a smaller number"),
         ("1e308*10", "expected a smaller number"),
@@ -77,7 +71,6 @@ def test_arithmetic_is_that_of_exact_fractions(text: str) -> None:
         ("\u22122.6", "with `-` instead of `\u2212`"),
         ("\u20132.6 kg", "with `-` instead of `\u2013`"),
         ("(1 + 2", "and `)` after it"),
-        ("(3 Nm)", "and `)` after it"),
         ("--5", "a number or a calculation"),
         ("", "a number or a calculation"),
         ("٣", "a number or a calculation"),

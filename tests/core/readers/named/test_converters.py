@@ -7,11 +7,12 @@ from pathlib import Path
 import pytest
 
 from tests.commands import vstatics
-from vstatics.core.errors import ReadError
+from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.open_converters import with_open_converters
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.named.reader import read_json, read_yaml
+from vstatics.core.writers.deck_limits import check_deck
 from vstatics.core.writers.named import write_json, write_yaml
 
 CASE = """links: [engine, turbine, out]
@@ -32,6 +33,9 @@ def test_a_converter_is_read_with_its_ratio_and_written_as_it_was() -> None:
     assert case.gears[0].speed_ratios == {2: 0.6}  # behind the one mechanism
     assert loaded(write_yaml(case)) == case
     assert read_json(write_json(case).encode(), "case.json").case == case
+    assert loaded(CASE.replace("[1, 1, 0]", "[1, 1, -2]")).converters[0].points[1] == (1, 1, -2)
+    with pytest.raises(CaseError, match="the converter of TC"):
+        check_deck(case)
 
 
 @pytest.mark.parametrize(
@@ -56,15 +60,6 @@ def test_a_fault_is_told_at_its_place(old: str, new: str, place: str, message: s
     assert message in str(caught.value)
 
 
-def test_a_converter_is_not_written_to_a_deck() -> None:
-    from vstatics.core.errors import CaseError
-    from vstatics.core.writers.deck_limits import check_deck
-
-    case = loaded(CASE)
-    with pytest.raises(CaseError, match="the converter of TC"):
-        check_deck(case)
-
-
 def test_a_mechanism_of_its_kind_with_lambda_is_one_of_them() -> None:
     """Its ratio in a gear is then that of the converter; other mechanisms keep theirs."""
     case = loaded("""links: [engine, turbine, out]
@@ -75,58 +70,38 @@ gears: {"1": {speed_ratios: {TC: 0.6, belt: 2}}}
 """)
     opened = with_open_converters(case)
     assert [one.name for one in opened.mechanisms] == ["belt"]
-    assert opened.converters == (Converter("TC", 1, 2, ((0.0, 2.5, 3.0), (1.0, 1.0, 0.0))),)
+    assert opened.converters == loaded(CASE).converters
     assert opened.gears[0].speed_ratios == {1: 2.0, 2: 0.6}
 
 
-def test_without_lambda_a_scenario_and_vibration_refuse_it(
-    tmp_path: object, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(str(tmp_path))
-    with open("box.yaml", "w") as file:  # noqa: PTH123
-        file.write("""links: [engine, turbine]
-mechanisms:
-  TC: {kind: converter, first: engine, second: turbine, points: [[0, 2.5], [1, 1]]}
+SCENARIO = "{case: box.yaml, duration: .5, start: {speeds: {engine: 9, turbine: 1}}}"
+BOX = """links: [engine, turbine]
+%s
 inertias: {engine: 1, turbine: 1}
-gears: {"1": {speed_ratios: {TC: 0.6}}}
-""")
-    with open("s.yaml", "w") as file:  # noqa: PTH123
-        file.write("{case: box.yaml, duration: 1, start: {speeds: {engine: 9, turbine: 1}}}")
-    for asked in (["torsion", "modes", "box.yaml"], ["simulate", "s.yaml"]):
-        said = vstatics(*asked)
-        assert said.fails("box.yaml:3:65: error: ", "TC has no lambda")
-
-
-@pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize(
-    "asked",
-    [
-        ["torsion", "modes", "box.yaml"],
-        ["torsion", "modes", "box.yaml", "--speed-ratio", "TC=.6"],
-        ["simulate", "s.yaml"],
-    ],
-)
-def test_without_a_speed_ratio_it_vibrates_and_moves_as_one_of_converters(asked: list[str]) -> None:
-    """Statics cannot be had of it, and says so at the gear."""
-    common = """links: [engine, turbine, shaft]
-shift_elements: {K: [turbine, shaft]}
-inertias: {engine: 0.5, turbine: 0.1, shaft: 2}
-gears: {"1": [K]}
+gears: {"1": {}}
 load: {speed: 1000 rpm, torque: 5 N*m}
 """
-    points = "points: [[0, 2.4, 1.0e-3], [0.5, 1.6, 1.0e-3], [1, 1, 0]]"
-    one = f"mechanisms: {{TC: {{kind: converter, first: engine, second: turbine, {points}}}}}\n"
-    other = f"converters: {{TC: {{links: [engine, turbine], {points}}}}}\n"
-    Path("s.yaml").write_text("""case: box.yaml
-duration: 0.5
-torques: {engine: 100, shaft: -20}
-start: {speeds: {engine: 100, turbine: 20}, engaged: [K]}
-""")
+POINTS = "points: [[0, 2.4, 1.0e-3], [0.5, 1.6, 1.0e-3], [1, 1, 0]]"
+
+
+@pytest.mark.parametrize("asked", ["torsion modes box.yaml", "simulate s.yaml"])
+def test_a_converter_without_a_speed_ratio_vibrates_and_moves_by_its_lambda(
+    asked: str, folder: Path
+) -> None:
+    """Statics cannot be had of it, and says so at the gear; without lambda nothing can."""
+    (folder / "s.yaml").write_text(SCENARIO)
+    mechanism = "mechanisms: {TC: {kind: converter, first: engine, second: turbine, %s}}"
     said = []
-    for converter in (one, other):
-        Path("box.yaml").write_text(common + converter)
-        said.append(vstatics(*asked, "-f", "json"))
+    for converter in (
+        mechanism % POINTS,
+        f"converters: {{TC: {{links: [engine, turbine], {POINTS}}}}}",
+    ):
+        (folder / "box.yaml").write_text(BOX % converter)
+        said.append(vstatics(*asked.split(), "-f", "json"))
     assert [(one.status, one.out) for one in said] == [(0, said[1].out)] * 2
-    Path("box.yaml").write_text(common + one)
+    (folder / "box.yaml").write_text(BOX % (mechanism % POINTS))
     statics = vstatics("run", "box.yaml")
     assert statics.fails("box.yaml:4:9: error: gears.1: `speed_ratio` of converter TC is missing")
+    text = BOX.replace("{}}", "{speed_ratios: {TC: 0.6}}}")
+    (folder / "box.yaml").write_text(text % (mechanism % "points: [[0, 2.5], [1, 1]]"))
+    assert vstatics(*asked.split()).fails("box.yaml:2:", "TC has no lambda")

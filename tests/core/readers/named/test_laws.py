@@ -28,14 +28,7 @@ def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
     return file
 
 
-def test_points_have_units_of_their_own(tmp_path: Path) -> None:
-    case = load(case_of(tmp_path, "[[0, 2], [300 rpm, 3.5 N*m]]"))
-    law = case.drag[2]
-    assert isinstance(law, PointLaw)
-    assert law.points[1] == pytest.approx((31.41592653589793, 3.5))
-
-
-def test_a_file_stands_beside_the_case(tmp_path: Path) -> None:
+def test_a_file_of_points_stands_beside_the_case(tmp_path: Path) -> None:
     (tmp_path / "drag.csv").write_text("speed [rpm],torque [N*m]\n0,1\n300,4\n", encoding="utf-8")
     law = load(case_of(tmp_path, "{file: drag.csv}")).drag[2]
     assert isinstance(law, PointLaw)
@@ -59,9 +52,6 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
         load(case_of(tmp_path, "{file: drag.csv}"))
     assert "case.yaml:3:11: error: drag.b: " in str(caught.value)
     assert said in str(caught.value)
-
-
-def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
     with pytest.raises(ReadError, match=r"read `none.csv`, which cannot be read: No such file"):
         load(case_of(tmp_path, "{file: none.csv}"))
 
@@ -90,14 +80,11 @@ def test_a_law_that_can_not_be_is_told(
     assert "case.yaml:" in str(caught.value)
 
 
-def test_what_depends_without_a_load_is_told_at_its_place(tmp_path: Path) -> None:
-    file = case_of(tmp_path, "1 + w")
-    text = file.read_text("utf-8").replace("load: {speed: 1000 rpm, torque: 100 N*m}\n", "")
-    file.write_text(text, encoding="utf-8")
-    with pytest.raises(
-        VstaticsError, match=r"case.yaml:2:8: error: drag.b: a drag that depends on"
-    ):
-        load(file)
+def test_what_depends_without_a_load_is_told_at_its_place() -> None:
+    text = CASE.format(drag="1 + w", efficiency="1")
+    text = text.replace("load: {speed: 1000 rpm, torque: 100 N*m}\n", "")
+    with pytest.raises(VstaticsError, match=r":2:8: error: drag.b: a drag that depends on"):
+        loads(text)
 
 
 SIZES = {
@@ -111,7 +98,7 @@ SIZES = {
 def test_points_of_an_efficiency_have_units_as_all_points_over_speed_do(
     seed: int, tmp_path: Path
 ) -> None:
-    """Random units point by point, also bare, in YAML and written again; other units are named."""
+    """Random units point by point, also bare; drag has the same; other units are named."""
     rng = seeded(seed)
     over, other = rng.sample(sorted(SIZES), 2)
     points, written = [], []
@@ -128,6 +115,9 @@ def test_points_of_an_efficiency_have_units_as_all_points_over_speed_do(
         assert isinstance(law, PointLaw)
         assert law.over == over
         np.testing.assert_allclose(law.points, points, rtol=1e-12)
+    law = load(case_of(tmp_path, "[[0, 2], [300 rpm, 3.5 N*m]]")).drag[2]
+    assert isinstance(law, PointLaw)
+    assert law.points[1] == pytest.approx((31.41592653589793, 3.5))
     wrong = text.replace(written[-1], f"[1 {rng.choice(sorted(SIZES[other]))}, .9]")
     with pytest.raises(
         ReadError, match=f"expected a {over} in .*, bare or with its unit"

@@ -3,31 +3,35 @@
 from __future__ import annotations
 
 import math
+import re
 from fractions import Fraction
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vstatics.core.model.shape import Measure
-from vstatics.core.readers.named.si_units import measured
-from vstatics.core.readers.named.units import LONGEST_UNIT, unit
+from vstatics.core.model.shape import UNIT_OF, Measure
+from vstatics.core.readers.named.scalars import NUMBER
+from vstatics.core.readers.named.si_units import WITH_UNIT, measured
+from vstatics.core.readers.named.units import LONGEST_UNIT, unit, with_article
 
+ONE, KILO, MEGA, MILLI = Fraction(1), Fraction(1000), Fraction(10**6), Fraction(1, 1000)
 POUND = Fraction("0.45359237")
 """In kg; with the foot of .3048 m: International Yard and Pound Agreement, 1959."""
 FOOT = Fraction("0.3048")
+INCH = FOOT / 12
 GRAVITY = Fraction("9.80665")
 """Standard gravity, m/s^2: 3rd General Conference on Weights and Measures, 1901."""
 LBF_FT = POUND * GRAVITY * FOOT
 
 TORQUES = {
-    Fraction(1): "N*m|Nm|N.m|N m|N-m|N·m|N⋅m|N * m|m*N|newton*meter|newton metre|newtons*meters"
+    ONE: "N*m|Nm|N.m|N m|N-m|N·m|N⋅m|N * m|m*N|newton*meter|newton metre|newtons*meters"
     "|Н*м|Нм|Н·м|N*m^1",
-    Fraction(1000): "kN*m|kNm|kN m|kilonewton*meter|кН*м|кНм|MN*mm",
-    Fraction(10**6): "MN*m|MNm",
+    KILO: "kN*m|kNm|kN m|kilonewton*meter|кН*м|кНм|MN*mm",
+    MEGA: "MN*m|MNm",
     Fraction(10): "daN*m|daNm|даН*м",
     Fraction(1, 100): "N*cm|Ncm",
-    Fraction(1, 1000): "mN*m|mNm|N*mm|Nmm",
+    MILLI: "mN*m|mNm|N*mm|Nmm",
     LBF_FT: "lbf*ft|lb*ft|lbf ft|lb ft|lb-ft|lb.ft|lb. ft|ft*lb|ft-lb|ft lbf|ft-lbs|lbft|ftlbf"
     "|LB-FT|FT-LB|Lbf*Ft|foot*pound|footpound|pounds*feet",
     LBF_FT / 12: "in*lbf|lbf*in|in-lb|in lbs|inlb|lbf*inch",
@@ -41,52 +45,134 @@ TORQUES = {
     Fraction(1, 10**7): "dyn*cm",
 }
 SPEEDS = {
-    Fraction(
-        1
-    ): "rpm|RPM|Rpm|1/min|1 / min|/min|min^-1|min-1|min⁻¹|min\u22121|min**-1|rev/min|r/min|U/min"
+    ONE: "rpm|RPM|Rpm|1/min|1 / min|/min|min^-1|min-1|min⁻¹|min\u22121|min**-1|rev/min|r/min|U/min"
     "|u/min|Umdr/min|tr/min|об/мин|turn/minute|revolutions per minute|revs per min|rev*min^-1",
     Fraction(60): "rev/s|rps|turn/s|revolution/second|cycle/s|об/с",
     Fraction(1, 60): "rev/h|rev/hour",
-    Fraction(1000): "krpm",
+    KILO: "krpm",
     Fraction(1, 6): "deg/s|degree/second|degrees per second|°/s",
 }
 POWERS = {
-    Fraction(1): "kW|kilowatt|kilowatts|кВт",
-    Fraction(1000): "MW|МВт",
-    Fraction(1, 1000): "W|watt|watts|Вт|N*m/s|Nm/s",
-    Fraction(1, 10**6): "mW",
+    ONE: "kW|kilowatt|kilowatts|кВт",
+    KILO: "MW|МВт",
+    MILLI: "W|watt|watts|Вт|N*m/s|Nm/s",
+    1 / MEGA: "mW",
     550 * LBF_FT / 1000: "hp|HP|Hp|bhp|horsepower",  # 550 ft*lbf/s
     75 * GRAVITY / 1000: "PS|ps|CV|ch|л.с.|лс",  # 75 kgf*m/s
     GRAVITY / 1000: "kgf*m/s",
     LBF_FT / 1000: "ft*lbf/s",
 }
-KNOWN = [
+OF_LOADS = [
     (quantity, size, text)
     for quantity, table in (("torque", TORQUES), ("speed", SPEEDS), ("power", POWERS))
     for size, texts in table.items()
     for text in texts.split("|")
 ]
-
-
-@pytest.mark.parametrize(("quantity", "size", "text"), KNOWN, ids=[text for *_, text in KNOWN])
-def test_a_unit_has_its_exact_size_rounded_once(quantity: str, size: Fraction, text: str) -> None:
-    assert unit(text) == (quantity, float(size))
-
-
-OF_SI: dict[str, tuple[Measure, float]] = {
-    "speed": ("si_speed", math.pi / 30),
-    "torque": ("si_torque", 1.0),
+EXACT: dict[Measure, dict[Fraction, str]] = {
+    "inertia": {
+        ONE: "kg*m^2|kg m^2|kg·m²|kg.m2|kgm^2|kg*m*m|кг*м^2|кг·м²|N*m*s^2|Nms^2|N*m/(rad/s^2)*rad"
+        "|Н·м·с²|kg*m**2|m^2*kg",
+        Fraction(1, 10**4): "kg*cm^2|kg·cm²|кг*см^2",
+        1 / MEGA: "kg*mm^2",
+        Fraction(1, 10**7): "g*cm^2|gcm^2|г*см²",
+        KILO: "t*m^2|kN*m*s^2",
+        GRAVITY: "kgf*m*s^2|кгс*м*с^2|kp*m*s^2",
+        GRAVITY / 100: "kgf*cm*s^2",
+        POUND * FOOT**2: "lb*ft^2|lb ft^2|lb-ft^2|ft^2*lb|pound*foot^2",
+        POUND * INCH**2: "lb*in^2|lb in²",
+        POUND / 16 * INCH**2: "oz*in^2",
+        LBF_FT: "lbf*ft*s^2|ft-lbf-s^2|lb*ft*s^2",
+        LBF_FT / 12: "lbf*in*s^2|in*lb*s^2",
+    },
+    "mass": {
+        ONE: "kg|кг",
+        MILLI: "g|г",
+        KILO: "t|т",
+        POUND: "lb|lbs|pounds",
+        POUND / 16: "oz",
+        GRAVITY: "kgf*s^2/m",
+    },
+    "length": {
+        ONE: "m|м|metre",
+        MILLI: "mm|мм",
+        Fraction(1, 100): "cm|см",
+        INCH: "in|inch",
+        FOOT: "ft",
+    },
+    "stiffness": {
+        ONE: "N*m/rad|Nm/rad|N m/rad|Н·м/рад|N*m*rad^-1|N*m per rad",
+        KILO: "kN*m/rad|kNm/rad|кН*м/рад",
+        MEGA: "MN*m/rad|MNm/rad",
+        GRAVITY: "kgf*m/rad|кгс*м/рад|kp*m/rad",
+        LBF_FT: "lbf*ft/rad|ft-lb/rad|lb-ft/rad",
+        LBF_FT / 12: "lbf*in/rad|in-lb/rad",
+    },
+    "compliance": {
+        ONE: "rad/(N*m)|rad/N/m|rad/Nm|1/(N*m)|1/Nm|N^(-1)*m^(-1)|рад/(Н·м)|Н^-1*м^-1|N⁻¹m⁻¹",
+        MILLI: "rad/(kN*m)|rad/kNm|1/(kN*m)",
+        1 / GRAVITY: "rad/(kgf*m)|1/(кгс*м)",
+        1 / LBF_FT: "rad/(lbf*ft)|1/(ft*lb)",
+    },
+    "damping": {
+        ONE: "N*m*s/rad|Nms/rad|Nm/(rad/s)|N*m/(rad/s)|N*m*s|Nms|Н·м·с/рад|Н*м*с",
+        KILO: "kN*m*s/rad|kNms",
+        GRAVITY: "kgf*m*s/rad|кгс*м*с",
+        LBF_FT: "lbf*ft*s/rad|lb-ft-s",
+    },
+    "area": {
+        ONE: "m^2|m²|м^2|m*m",
+        Fraction(1, 10**4): "cm^2|cm²|см²",
+        1 / MEGA: "mm^2",
+        INCH**2: "in^2",
+    },
+    "pressure": {
+        ONE: "Pa|Па|N/m^2|N/m²",
+        Fraction(100): "hPa|mbar",
+        KILO: "kPa|кПа",
+        Fraction(10**5): "bar|бар",
+        MEGA: "MPa|МПа|N/mm^2",
+        GRAVITY * 10**4: "kgf/cm^2|кгс/см²|kp/cm²",
+        POUND * GRAVITY / INCH**2: "psi|lbf/in^2|lb/in^2",
+    },
+    "time": {ONE: "s|sec|с", MILLI: "ms|мс", Fraction(60): "min", Fraction(3600): "h"},
+    "velocity": {ONE: "m/s|м/с|m*s^-1", Fraction(1000, 3600): "km/h|км/ч", FOOT: "ft/s"},
+    "pump_factor": {ONE: "N*m*s^2|N*m*s^2/rad^2|Nms²|kg*m^2", KILO: "kN*m*s^2"},
 }
+"""By size in SI: from the definitions of pound, foot and standard gravity."""
+OF_ANGLES: dict[Measure, dict[float, str]] = {
+    "stiffness": {
+        180 / math.pi: "N*m/deg|Nm/°|N m/deg",
+        1 / (2 * math.pi): "N*m/rev",
+        1000 * 180 / math.pi: "kN*m/deg",
+    },
+    "compliance": {math.pi / 180: "deg/(N*m)|°/Nm", math.pi / 180 / 1000: "deg/(kN*m)|deg/kNm"},
+    "angle": {1.0: "rad|рад", math.pi / 180: "deg|°", 2 * math.pi: "rev"},
+    "pump_factor": {(30 / math.pi) ** 2: "N*m/rpm^2"},
+    "damping": {30 / math.pi: "N*m/rpm", 180 / math.pi: "N*m*s/deg|N*m/(deg/s)"},
+}
+KNOWN = [
+    (measure, float(size), text)
+    for table in (EXACT, OF_ANGLES)
+    for measure, sizes in table.items()
+    for size, texts in sizes.items()
+    for text in texts.split("|")
+]
 
 
-@pytest.mark.parametrize(
-    ("quantity", "size", "text"), [one for one in KNOWN if one[0] in OF_SI], ids=str
-)
-def test_units_of_loads_are_those_of_headings_and_sweeps(
-    quantity: str, size: Fraction, text: str
-) -> None:
-    measure, of_si = OF_SI[quantity]
-    assert measured(f"1 {text}", measure) == pytest.approx(float(size) * of_si, rel=1e-15)
+def test_a_unit_of_a_load_has_its_exact_size_rounded_once() -> None:
+    """That of headings and sweeps is the same in SI."""
+    assert {text: unit(text) for *_, text in OF_LOADS} == {
+        text: (quantity, float(size)) for quantity, size, text in OF_LOADS
+    }
+    of_si: dict[str, tuple[Measure, float]] = {
+        "speed": ("si_speed", math.pi / 30),
+        "torque": ("si_torque", 1.0),
+    }
+    for quantity, size, text in OF_LOADS:
+        if quantity in of_si:
+            measure, factor = of_si[quantity]
+            expected = pytest.approx(float(size) * factor, rel=1e-15)
+            assert measured(f"1 {text}", measure) == expected, text
 
 
 def test_printed_sizes() -> None:
@@ -99,24 +185,19 @@ def test_printed_sizes() -> None:
     assert unit("kgf*m") == ("torque", 9.80665)
 
 
-@pytest.mark.parametrize(
-    "text", ["rad/s", "RAD/S", "radian/second", "rad*s^-1", "рад/с", "rad s-1"]
-)
-def test_an_angle_may_be_in_radians(text: str) -> None:
-    assert unit(text) == ("speed", 30 / math.pi)
+def test_an_angle_may_be_in_radians() -> None:
+    for text in ("rad/s", "RAD/S", "radian/second", "rad*s^-1", "рад/с", "rad s-1"):
+        assert unit(text) == ("speed", 30 / math.pi), text
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
+def test_other_units_are_none() -> None:
+    others = (
         *("", "1/s", "s^-1", "Hz", "1/h", "rad", "1/min/min", "N", "N*m^2", "N*m/rad", "J", "kW*h"),
         *("K", "degC", "°C", "°F", "kg*m", "nm", "NM", "KW", "kw", "w", "kNM", "MWatt", "g", "%"),
         *("N**m", "N//m", "-Nm", ".Nm", "Nm*", "N*m^9", "N*m^3^3^3^3", "N*m^-1", "rpm rpm", "m"),
         *("N" * LONGEST_UNIT, "N" * 10**6, "kip " * 10, "1/" * 20 + "min", "*" * 40, "^-1" * 13),
-    ],
-)
-def test_other_units_are_none(text: str) -> None:
-    assert unit(text)[0] is None
+    )
+    assert {text for text in others if unit(text)[0]} == set()
 
 
 @given(
@@ -126,3 +207,87 @@ def test_any_text_has_a_size_or_is_none(text: str) -> None:
     quantity, size = unit(text)
     assert quantity in ("speed", "torque", "power", None)
     assert 0 < size < math.inf
+
+
+def test_a_unit_has_its_size_in_si() -> None:
+    for measure, size, text in KNOWN:
+        assert measured(f"1 {text}", measure) == pytest.approx(size, rel=5e-16), text
+        assert measured(f"-2.5e3 {text}", measure) == pytest.approx(-2500 * size, rel=5e-16)
+        assert re.fullmatch(f"{NUMBER}|{WITH_UNIT}", f"2.5 {text}")
+
+
+@pytest.mark.parametrize(
+    ("text", "measure", "number"),
+    [
+        ("150 kg*cm^2", "inertia", 0.015),
+        ("1.3*400 Nm/rad", "stiffness", 520.0),
+        ("84 g", "mass", 0.084),
+        ("52 mm", "length", 0.052),
+        ("2.5kNm/rad", "stiffness", 2500.0),
+        ("(1 + 2)/4 rad/kNm", "compliance", 0.00075),
+        ("3.2*N*m*s/rad", "damping", 3.2),
+        ("3/4", "area", 0.75),
+    ],
+)
+def test_decimal_units_are_exact(text: str, measure: Measure, number: float) -> None:
+    assert measured(text, measure) == number
+
+
+IN = {
+    measure: f"expected {with_article(measure)} in {unit}, bare or with its unit"
+    for measure, unit in UNIT_OF.items()
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "measure", "said"),
+    [
+        ("3 rpm", "inertia", "; this is a speed"),
+        ("3 kW", "damping", "; this is a power"),
+        ("3 kg", "inertia", "; this is a mass"),
+        ("3 lb", "length", "; this is a force"),
+        ("3 kg*m^2", "mass", "; this is an inertia"),
+        ("3 N*m", "stiffness", "; this is a torque"),
+        ("3 rad/(N*m)", "stiffness", "; this is a compliance"),
+        ("3 N*m/rad", "compliance", "; this is a stiffness"),
+        ("3 N*m*s/rad", "stiffness", "; this is a damping"),
+        ("3 N*ms/rad", "time", "; this is a damping"),
+        ("3 bar", "area", "; this is a pressure"),
+        ("3 km/h", "time", "; this is a velocity"),
+        ("0,15", "inertia", " (with a decimal point)"),
+        ("heavy", "inertia", ""),
+        (".inf", "length", ""),
+        ("", "inertia", ""),
+        ("3 furlong", "length", ""),
+        ("3 Hz", "si_speed", "; did you mean `rev/s` or `rad/s`?"),
+        ("3 nm", "si_torque", "; did you mean `N*m`?"),
+        ("3 Nm/rad^", "stiffness", ""),
+        ("3 kg*m^2^2", "inertia", ""),
+        ("3 (kg*m^2", "inertia", ""),
+        ("3 kg//m^2", "inertia", ""),
+        ("3 " + "kg*m^2/kg*" * 10 + "kg", "inertia", ""),
+    ],
+)
+def test_another_unit_is_refused_with_what_it_is(text: str, measure: Measure, said: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(IN[measure]) + re.escape(said) + "$"):
+        measured(text, measure)
+
+
+def test_what_overflows_is_refused() -> None:
+    for text in ("1e308 kN*m/rad", "1e999", "1e308*10 N*m/rad"):
+        with pytest.raises(ValueError, match=r"expected a (stiffness that is )?smaller"):
+            measured(text, "stiffness")
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False), st.sampled_from(list(UNIT_OF)))
+def test_any_number_is_read_to_the_last_bit(number: float, measure: Measure) -> None:
+    assert measured(repr(number), measure) == number
+    assert measured(f"{number!r} {UNIT_OF[measure]}", measure) == number
+
+
+@given(st.text(max_size=60), st.sampled_from(list(UNIT_OF)))
+def test_any_text_is_a_number_or_refused(text: str, measure: Measure) -> None:
+    try:
+        assert math.isfinite(measured(f"3 {text}", measure))
+    except ValueError as error:
+        assert str(error).startswith("expected ")  # noqa: PT017 - either may be

@@ -8,7 +8,6 @@ import time
 import tracemalloc
 import zipfile
 from collections.abc import Mapping
-from random import Random
 from typing import Any
 
 import openpyxl
@@ -25,23 +24,15 @@ from vstatics.core.readers.workbook.cells import MOST_SHEET_CELLS, read_sheets
 SECONDS, MEMORY = 5, 400 * 2**20
 
 
-def _value(rng: Random) -> Any:
-    return rng.choice(
-        (
-            *(None, None, True, False, rng.uniform(-9, 9), rng.randint(-99, 99), 1e300, 0.1 + 0.2),
-            *(" текст ", "a & <b>", "line\nline", "_x000D_", "x", "78/30", ""),
-        )
-    )
-
-
 def test_cells_are_those_that_openpyxl_reads() -> None:
     rng = seeded(17)
+    values = (None, True, False, 1e300, 0.1 + 0.2, " текст ", "a & <b>", "line\nline", "_x000D_")
     for _ in range(count(30, 600)):
         book = openpyxl.Workbook()
         written: Any = book.active
         size = rng.randint(1, 8), rng.randint(1, 30)
         for _ in range(rng.randint(0, 60)):
-            value = _value(rng)
+            value = rng.choice((*values, "78/30", "", rng.uniform(-9, 9), rng.randint(-99, 99)))
             written.cell(rng.randint(1, size[0]), rng.randint(1, size[1]), value)
         data = io.BytesIO()
         book.save(data)
@@ -58,39 +49,23 @@ def test_cells_are_those_that_openpyxl_reads() -> None:
         assert found == expected
 
 
-@pytest.mark.parametrize(
-    ("value", "form", "is_date"),
-    [
-        (46083, "yyyy-mm-dd", True),
-        (0.5, "h:mm", True),
-        (1.5, "[h]:mm", True),
-        (46083, "General", False),
-        (2.5, '0.00 "days"', False),
-        (2.5, "[Red]0.00", False),
-        (2.5, "0.0E+00", False),
-    ],
-)
-def test_a_number_with_a_format_of_dates_is_refused(value: float, form: str, is_date: bool) -> None:
-    def changed(book: Any) -> None:
-        book["mechanisms"]["E3"] = value
-        book["mechanisms"]["E3"].number_format = form
+def test_a_number_with_a_format_of_dates_is_refused() -> None:
+    def with_ratio(value: object, form: str = "", first: dt.datetime = WINDOWS_EPOCH) -> bytes:
+        def changed(book: Any) -> None:
+            book.epoch = first
+            book["mechanisms"]["E3"] = value
+            if form:
+                book["mechanisms"]["E3"].number_format = form
 
-    data = typed(changed)
-    if is_date:
-        assert any("read a date or time" in one for one in faults(data))
-    else:
-        assert read(data).mechanisms[1].ratio == value
+        return typed(changed)
 
-
-def test_a_date_is_shown_as_a_date() -> None:
+    for value, form in ((46083, "yyyy-mm-dd"), (0.5, "h:mm"), (1.5, "[h]:mm")):
+        assert any("read a date or time" in one for one in faults(with_ratio(value, form))), form
+    for form in ("General", '0.00 "days"', "[Red]0.00", "0.0E+00"):
+        assert read(with_ratio(2.5, form)).mechanisms[1].ratio == 2.5
     day = dt.datetime(2026, 3, 2, 12)  # noqa: DTZ001
     for first in (WINDOWS_EPOCH, MAC_EPOCH):
-
-        def changed(book: Any, first: dt.datetime = first) -> None:
-            book.epoch = first
-            book["mechanisms"]["E3"] = day
-
-        assert any("2026-03-02 12:00:00" in one for one in faults(typed(changed)))
+        assert any("2026-03-02 12:00:00" in one for one in faults(with_ratio(day, first=first)))
 
 
 SHEET = "<worksheet><sheetData>{}</sheetData>{}</worksheet>"

@@ -108,21 +108,18 @@ def test_a_list_stands_in_a_cell_and_items_in_brackets() -> None:
     assert read(with_cells(points)) == read(with_cells(items)) == expected
 
 
-@pytest.mark.parametrize(
-    ("engaged", "not_engaged"),
-    [
+def test_a_shift_table_may_mark_what_is_engaged_and_what_is_not() -> None:
+    for engaged, not_engaged in (
         *[(1, 0), (1.0, 0.0), ("1", "0"), (True, False), ("TRUE", "FALSE")],
         *[("x", "-"), ("\u0445", "\u2013"), ("\u0425", "\u2014"), ("\u00d7", "\u2212")],
-    ],
-)
-def test_a_shift_table_may_mark_what_is_engaged_and_what_is_not(
-    engaged: object, not_engaged: object
-) -> None:
-    marks = not_engaged, engaged
-    table = {f"gears!{one}2": marks[is_on] for one, is_on in zip("BCD", (1, 0, 1), strict=True)}
-    table |= {f"gears!{one}3": marks[is_on] for one, is_on in zip("BCD", (1, 1, 0), strict=True)}
-    neutral = {"gears!A4": "neutral"} | {f"gears!{one}4": not_engaged for one in "BCD"}
-    assert read(with_cells(table | neutral)) == library.loads(SAME + "  neutral: []\n")
+    ):
+        marks = {"x": engaged, "-": not_engaged}
+        table: dict[str, Any] = {"gears!A4": "neutral"}
+        for row, shift in ((2, "x-x"), (3, "xx-"), (4, "---")):
+            table |= {
+                f"gears!{column}{row}": marks[one] for column, one in zip("BCD", shift, strict=True)
+            }
+        assert read(with_cells(table)) == library.loads(SAME + "  neutral: []\n"), engaged
 
 
 def test_other_sheets_and_empty_rows_do_not_matter() -> None:
@@ -151,7 +148,6 @@ def test_other_sheets_and_empty_rows_do_not_matter() -> None:
         ({"mechanisms!E3": '"[1'}, "mechanisms!E3: error: not YAML"),
         ({"gears!C1": "C3"}, "gears!C1: error: unknown heading `C3`, expected a key or the name "),
         ({"gears!D3": "y"}, "gears!D3: error: read `y`, expected `x` or 1, nothing or 0"),
-        ({"gears!D3": "1" * 5000}, "gears!D3: error: read `111"),
         ({"links!A1": "name[" + "1" * 5000 + "]"}, "links!A1: error: "),
         ({"gears!E1": "load.torqe"}, "gears!E2: error: gears.low.load: unknown key `torqe`"),
         ({"links!B3": "sun"}, "links!B3: error: read `sun`, expected names of links alone"),
@@ -173,24 +169,18 @@ def test_all_faults_are_told_at_once_with_their_cells_in_json(tmp_path: Path) ->
     file.write_bytes(with_cells({"mechanisms!E2": "much", "gears!D3": "y"}))
     said = vstatics("check", file)
     assert re.findall(r"box.xlsx:(\S+): error", said.err) == ["mechanisms!E2", "gears!D3"]
-    told = json_answer("check", file)
-    assert [(one["file"], one["line"], one["column"]) for one in told] == [
-        (str(file), 2, 5),
-        (str(file), 3, 4),
-    ]
+    places = [(one["file"], one["line"], one["column"]) for one in json_answer("check", file)]
+    assert places == [(str(file), 2, 5), (str(file), 3, 4)]
 
 
-def test_a_value_that_stands_for_several_rows_is_asked_for_in_each() -> None:
-    [said] = faults(typed(lambda book: book["mechanisms"].merge_cells("F2:F3")))
-    assert said.startswith("box.xlsx:mechanisms!F2: error: F2:F3 are merged into one cell")
-
-
-def test_a_mistyped_sheet_is_told() -> None:
+def test_a_mistyped_sheet_and_a_cell_merged_over_rows_are_told() -> None:
     def renamed(book: Any) -> None:
         book["gears"].title = "gear"
 
     said = "box.xlsx:gear!A1: error: unknown sheet `gear`; did you mean `gears`?"
     assert said in faults(typed(renamed))
+    [merged] = faults(typed(lambda book: book["mechanisms"].merge_cells("F2:F3")))
+    assert merged.startswith("box.xlsx:mechanisms!F2: error: F2:F3 are merged into one cell")
 
 
 def test_what_is_no_case_is_refused() -> None:
@@ -235,18 +225,16 @@ def test_what_is_written_is_read_again(case: Transmission) -> None:
     assert read(workbook.write(case)) == case
 
 
-ORDERS = [[1, 2], [2, 1], [2], []]
-"""Of engaged elements, which no order of columns can keep."""
-
-
 def test_odd_names_and_orders_are_kept() -> None:
+    """Of engaged elements, too, whose order no order of columns can keep."""
+    orders = [[1, 2], [2, 1], [2], []]
     odd = [*ODD_NAMES, "speeds", '"speeds"', "coast", "_x0041_", "both'\""]
     for name in odd:
         case = Transmission(
             3,
             [ShiftElement(1, 2, name), ShiftElement(2, 0, "other")],
             [Mechanism(1, 2, 3, -2.5, name=f"{name}-")],
-            [Gear(one, name=f"{name}{one}", speeds={2: 0.5} if not one else {}) for one in ORDERS],
+            [Gear(one, name=f"{name}{one}", speeds={2: 0.5} if not one else {}) for one in orders],
             name=name,
             link_names=["first", name, "third"],
             inertias={2: 0.1},

@@ -1,4 +1,4 @@
-"""Other numbers in the text of a document: the reader finds them there, and nothing else changed."""
+"""Other numbers in the text of a document: the reader finds them, and nothing else changed."""
 
 from __future__ import annotations
 
