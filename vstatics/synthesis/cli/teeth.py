@@ -83,7 +83,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
         help="Range of tooth numbers, or a fixed number, of all toothed gears of a name "
         "(sun=17:60), of one toothed gear (P2.ring=40:121), or of all others (all=17:90). Fewer "
         "than 17 teeth need a profile shift. Repeatable.  [default: 17 to 60, ring gears to 121, "
-        "gear pairs to 100, extended to the numbers of the case]",
+        "gear pairs to 100; always includes the numbers of the case]",
     ),
     click.option(
         "--planets",
