@@ -158,7 +158,8 @@ def teeth_command(
     All solutions can be built: the axes coincide, the planets can be assembled and do not
     touch, no toothed gear is undercut (14 to 16 teeth, if a range allows them, need a
     profile shift), and no tips interfere in a ring gear. The 20 best solutions are listed,
-    by the largest error of the wanted ratios. They are proven to be the best.
+    by the largest error of the wanted ratios. They are proven to be the best, unless a
+    warning appears.
 
     A mechanism without teeth is treated as a planetary gear set, or as a gear pair if it
     has two links; --dry-run lists the result. The CASE - is standard input.
