@@ -57,7 +57,7 @@ class PageOptions(NamedTuple):
         "--watch",
         is_flag=True,
         is_eager=True,
-        help="Serve the page and update it when its file is saved, as `vstatics serve` does.",
+        help="Serve the page and update it when the case is saved, as `vstatics serve` does.",
     ),
 )
 @gathered(

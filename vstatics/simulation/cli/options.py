@@ -72,7 +72,7 @@ _SAMPLES = gathered(
     click.option(
         "--out",
         metavar="LIST",
-        help="Additional columns, such as accelerations[out]; with --samples all columns.",
+        help="Columns to add, such as accelerations[out]; with --samples, the columns to write.",
     ),
     under(
         "Random samples",

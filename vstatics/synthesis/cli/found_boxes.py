@@ -195,7 +195,8 @@ box_option = under(
         multiple=True,
         callback=value(box_numbers),
         metavar="N,...",
-        help="Numbers of found gearboxes to show.  [default: Pareto list and families]",
+        help="Numbers of the gearboxes to show from a file of `synth box`.  "
+        "[default: Pareto list and families]",
     ),
 )
 """Option of commands that take several found boxes."""

@@ -83,7 +83,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
         help="Range of tooth numbers, or a fixed number, of all toothed gears of a name "
         "(sun=17:60), of one toothed gear (P2.ring=40:121), or of all others (all=17:90). Fewer "
         "than 17 teeth need a profile shift. Repeatable.  [default: 17 to 60, ring gears to 121, "
-        "gear pairs to 100, extended to the numbers of the case]",
+        "gear pairs to 100; always includes the numbers of the case]",
     ),
     click.option(
         "--planets",
@@ -158,7 +158,8 @@ def teeth_command(
     All solutions can be built: the axes coincide, the planets can be assembled and do not
     touch, no toothed gear is undercut (14 to 16 teeth, if a range allows them, need a
     profile shift), and no tips interfere in a ring gear. The 20 best solutions are listed,
-    by the largest error of the wanted ratios. They are proven to be the best.
+    by the largest error of the wanted ratios. They are proven to be the best, unless a
+    warning appears.
 
     A mechanism without teeth is treated as a planetary gear set, or as a gear pair if it
     has two links; --dry-run lists the result. The CASE - is standard input.

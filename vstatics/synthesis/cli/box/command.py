@@ -31,7 +31,7 @@ LOADING_SECONDS = 5.0
     *formats.TABLES,
     output_help="Output file, or a directory for all gearboxes as cases with diagrams and a page.",
 )
-@shared("a stopped search with -o")
+@shared("a stopped search; requires -o")
 @under(
     PROCESSING,
     click.option(

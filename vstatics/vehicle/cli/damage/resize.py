@@ -41,7 +41,7 @@ def _part(name: str, text: str) -> Option:
 )
 @_part(
     "ratio",
-    "Ratio of a reduction that the shaft moves behind: X times the torque, cycles divided by X.",
+    "Ratio of the reduction behind which the new shaft is: X times the torque, 1/X of the cycles.",
 )
 @_part("torque", "New torque divided by the present torque, instead of --ratio.")
 @_part("repeats", "New number of cycles divided by the present number; belongs to --torque.")
