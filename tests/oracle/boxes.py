@@ -10,8 +10,6 @@ is left at the end is fitted by scipy's least squares from many starts in these 
 leaves a gear beyond its range, SLSQP makes the largest error least.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache

@@ -5,8 +5,6 @@ against its slip. A set of signs is admissible if no mechanism gives power. For 
 input and one output, without freewheels, whose speeds and torques have one solution.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product

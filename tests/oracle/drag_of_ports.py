@@ -5,8 +5,6 @@ the power at the links that power leaves by without losses and drag, over that a
 enters. For gears without freewheels whose speeds and torques have one solution.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction

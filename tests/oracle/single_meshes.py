@@ -5,8 +5,6 @@ one linear equation between the pitch velocities of two wheels on a carrier, and
 them are solved by Gauss elimination over fractions. No ratio of a whole set is used.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any

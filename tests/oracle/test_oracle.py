@@ -7,8 +7,6 @@ multi-flow differential mechanism"; its teeth here are invented, so the expected
 numbers follow from the tooth counts by hand.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

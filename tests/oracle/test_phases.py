@@ -3,8 +3,6 @@
 The conditions are the usual closed ones; the simulation in `phases` knows none of them.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

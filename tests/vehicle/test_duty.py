@@ -1,7 +1,5 @@
 """Efficiency over a duty cycle."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Files of duty cycles: what they say and where they are wrong."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

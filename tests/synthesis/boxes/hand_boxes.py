@@ -1,7 +1,5 @@
 """Gearboxes that are built, as a search for boxes would have found them; links as in `cases/`."""
 
-from __future__ import annotations
-
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.structures.scheme import SetScheme
 

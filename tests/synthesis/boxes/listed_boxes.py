@@ -1,7 +1,5 @@
 """Documents of found boxes for tests of pictures and pages: gearboxes that are built."""
 
-from __future__ import annotations
-
 import copy
 import json
 from functools import cache
@@ -24,9 +22,7 @@ def _text(search: BoxSearch, box: FoundBox) -> str:
 
 def simpson() -> dict[str, Any]:
     """One box, of two sets."""
-    document: dict[str, Any] = json.loads(
-        _text(hand_boxes.SIMPSON_SEARCH, hand_boxes.SIMPSON),
-    )
+    document: dict[str, Any] = json.loads(_text(hand_boxes.SIMPSON_SEARCH, hand_boxes.SIMPSON))
     return document
 
 

@@ -6,8 +6,6 @@ as no other members need share a link. With shafts beside the sets these have fe
 brakes on all links but input and output, clutches between any two.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Cases of boxes with a member that is held for good keep it, in files and for their teeth."""
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics.core.explain.bodies import on_own_links

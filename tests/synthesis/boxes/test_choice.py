@@ -1,7 +1,5 @@
 """Found boxes side by side: what is one box, families, the Pareto list, filters, the document."""
 
-from __future__ import annotations
-
 import re
 from itertools import permutations
 from typing import Any

@@ -1,7 +1,5 @@
 """Found boxes as cases with figures, against printed numbers and exact fractions."""
 
-from __future__ import annotations
-
 import json
 import math
 import pickle

@@ -1,7 +1,5 @@
 """Documents of found boxes, read again."""
 
-from __future__ import annotations
-
 import copy
 import json
 from typing import Any

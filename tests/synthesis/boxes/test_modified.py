@@ -1,7 +1,5 @@
 """Boxes that keep parts of a gearbox: of shipped cases, whose ratios the solver tells."""
 
-from __future__ import annotations
-
 import json
 
 import pytest
@@ -84,10 +82,7 @@ def test_the_ten_speed_has_a_shaft_beside_its_sets() -> None:
     assert ends.count(search.links) == 3  # its clutches C, D, F
 
 
-@pytest.mark.parametrize(
-    ("name", "told"),
-    [("two-stage", "E920"), ("moskvich-start", "E921")],
-)
+@pytest.mark.parametrize(("name", "told"), [("two-stage", "E920"), ("moskvich-start", "E921")])
 def test_what_is_no_gearbox_of_sets_is_refused(name: str, told: str) -> None:
     with pytest.raises(CaseError) as error:
         kept_search(example(name), 0, (3.0, 1.0))

@@ -1,7 +1,5 @@
 """`vstatics synth fit`: what it shows, what it writes, what it is asked for wrongly."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Documents of found boxes as input of commands."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

@@ -3,8 +3,6 @@
 Counts are those of the lemma of Burnside (`tests/oracle/schemes.py`).
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -69,17 +67,13 @@ def test_ports_are_links_of_the_code() -> None:
     assert len(found) == 201
     one = [(x["input"], x["output"]) for x in found if x["code"] == "0-1-2-0-3-4"]
     assert one == [
-        *[(0, 1), (0, 2), (1, 0), (1, 2), (1, 3), (1, 4), (2, 0), (2, 1), (2, 3), (2, 4)],
+        *[(0, 1), (0, 2), (1, 0), (1, 2), (1, 3), (1, 4), (2, 0), (2, 1), (2, 3), (2, 4)]
     ]
 
 
 def test_a_count_is_a_document() -> None:
     said = vstatics("synth", "structures", "--sets", 3, "--all", "--count")
-    assert said.json == {
-        "sets": 3,
-        "count": 2295,
-        "by_links": {"5": 1242, "6": 864, "7": 189},
-    }
+    assert said.json == {"sets": 3, "count": 2295, "by_links": {"5": 1242, "6": 864, "7": 189}}
     assert said.out.startswith('{\n "sets": 3,\n')
 
 

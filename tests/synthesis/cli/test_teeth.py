@@ -1,7 +1,5 @@
 """`vstatics synth teeth`: what it shows, what it writes, what it is asked for wrongly."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Cases of schemes, against speeds that follow without any solver."""
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics import solve

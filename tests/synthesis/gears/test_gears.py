@@ -1,7 +1,5 @@
 """Combinations of shift elements against published tables, closed forms and other ways."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from itertools import permutations
@@ -145,10 +143,7 @@ def test_free_links_are_told() -> None:
 def test_ratio_1_by_chance_is_no_direct_drive() -> None:
     """Two sets in series with K and 1/K have 1 by their numbers; a clutch by itself."""
     case = Transmission(
-        3,
-        [ShiftElement(1, 3)],
-        [Mechanism(1, 2, 0, -3), Mechanism(2, 3, 0, -1 / 3)],
-        [Gear()],
+        3, [ShiftElement(1, 3)], [Mechanism(1, 2, 0, -3), Mechanism(2, 3, 0, -1 / 3)], [Gear()]
     )
     assert [(one.kind, one.ratio) for one in combinations(case, [0])] == [("gear", 1.0)]
     assert combinations(case, [1])[0].kind == "gear"

@@ -1,7 +1,5 @@
 """The program's search for boxes against the brute force: complete lists of small spaces."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import combinations
 from typing import Any

@@ -1,7 +1,5 @@
 """Counts of schemes against closed forms, and against lists made in the simplest way."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from itertools import combinations, permutations, product

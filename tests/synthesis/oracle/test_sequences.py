@@ -6,8 +6,6 @@ what is found must be so by the null space of the equations (`tests.oracle.test_
 each element in a gear.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations, pairwise, product

@@ -1,7 +1,5 @@
 """What the program finds against the oracles, on trains that nobody chose."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """The picture of found boxes, and the stick diagrams of boxes without teeth."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from typing import Any

@@ -7,8 +7,6 @@ in table 15. Not printed: what the pairs are. It follows here from the equations
 sets in exact fractions, for every scheme and every choice of its links J1 to J4.
 """
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator

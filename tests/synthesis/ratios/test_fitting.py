@@ -1,7 +1,5 @@
 """Ratios fitted to wanted gears: closed forms, published gearboxes, what can't be."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable
@@ -118,9 +116,7 @@ def test_a_bound_holds_and_the_others_give_way() -> None:
     assert found.ratios["P4"] == pytest.approx(-6.12 / 2.9, rel=1e-9)
     assert found.unmet == ["2"]
     assert found.residual == pytest.approx(math.log(4 / 3.9), rel=1e-9)
-    assert found.warnings == [
-        "gear 2 cannot have 4: within the bounds its ratio is 3 to 3.9",
-    ]
+    assert found.warnings == ["gear 2 cannot have 4: within the bounds its ratio is 3 to 3.9"]
 
 
 def test_a_ratio_may_be_given() -> None:

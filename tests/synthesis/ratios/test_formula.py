@@ -1,7 +1,5 @@
 """Formulas of gears: against published ones, and against the solver on all shipped cases."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from fractions import Fraction

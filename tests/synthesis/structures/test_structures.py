@@ -1,7 +1,5 @@
 """Lists and counts of schemes, against lists made in the simplest way and counts that list none."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """Numbers of teeth for a set that is given by its ratios."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.core.elements.test_ratios import of_ratios

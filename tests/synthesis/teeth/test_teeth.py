@@ -1,7 +1,5 @@
 """Teeth that are found, against the searches in plain loops of `tests/oracle/teeth.py`."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import math

@@ -1,7 +1,5 @@
 """Doubts about the vehicle of a case."""
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics import Gear, Mechanism, ShiftElement, Transmission

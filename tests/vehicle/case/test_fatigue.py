@@ -1,7 +1,5 @@
 """Fatigue strengths of devices: what a case may say of them, read, checked, written again."""
 
-from __future__ import annotations
-
 import math
 import pickle
 

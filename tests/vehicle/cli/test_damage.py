@@ -1,7 +1,5 @@
 """`vstatics damage`: records, closed forms, and what they refuse."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Damage of devices: by hand, and a long random record against the closed form."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Rainflow counting against the example of the standard, another way to count, and its own sums."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 

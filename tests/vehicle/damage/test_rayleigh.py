@@ -1,7 +1,5 @@
 """Life under random stresses against the book, quadrature, and limits."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Shafts of equal life against the book."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Driving cycles: energies in closed form, and what the engine gives against statics."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """Duty cycles by points: energies against closed forms and against the results of each point."""
 
-from __future__ import annotations
-
 import json
 import math
 from pathlib import Path

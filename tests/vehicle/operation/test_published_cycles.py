@@ -1,7 +1,5 @@
 """Driving cycles as they are published: the same cycle in hundreds of layouts, by exact sums."""
 
-from __future__ import annotations
-
 import math
 import resource
 import subprocess
@@ -153,10 +151,7 @@ class Layout:
         return text.encode(rng.choice(["utf-8", "utf-8-sig", "utf-16"]))
 
 
-@pytest.mark.parametrize(
-    "seed",
-    with_marked(range(1), range(1, count(8, 100)), pytest.mark.slow),
-)
+@pytest.mark.parametrize("seed", with_marked(range(1), range(1, count(8, 100)), pytest.mark.slow))
 def test_layouts_of_published_cycles(seed: int) -> None:
     """Distance by exact fractions; work at the wheels by the equation of motion, row by row."""
     for number in range(30):

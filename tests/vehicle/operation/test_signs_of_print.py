@@ -1,7 +1,5 @@
 """Blanks of print in a driving cycle."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.chance import count, seeded

@@ -1,7 +1,5 @@
 """What a vehicle can: closed forms, and an integrator of its own."""
 
-from __future__ import annotations
-
 import json
 import math
 from pathlib import Path

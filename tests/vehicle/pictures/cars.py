@@ -1,7 +1,5 @@
 """Boxes in vehicles, and what SVG of their pictures tells."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from xml.etree import ElementTree as ET
 

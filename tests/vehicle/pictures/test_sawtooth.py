@@ -1,7 +1,5 @@
 """Engine speed over road speed: revolutions by ratio and radius."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

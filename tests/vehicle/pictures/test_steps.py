@@ -1,7 +1,5 @@
 """Steps between gears: quotients of ratios, and laws that they are compared with."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The traction chart: forces and speeds in closed form, and those of `vstatics summary`."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

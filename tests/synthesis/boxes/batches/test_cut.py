@@ -3,8 +3,6 @@
 Source of the choices: those of tests/oracle/boxes.py, found among all schemes in the simplest way.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 
 import pytest

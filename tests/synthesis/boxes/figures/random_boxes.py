@@ -1,7 +1,5 @@
 """Boxes by chance: any scheme, ports, held link, meshed sets and elements; gears that these give."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import cache
 from itertools import combinations

@@ -1,7 +1,5 @@
 """Figures of gears and boxes against the case that a box is written as, solved by itself."""
 
-from __future__ import annotations
-
 import math
 from itertools import combinations as pairs_of
 

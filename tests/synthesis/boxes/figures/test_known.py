@@ -1,7 +1,5 @@
 """Boxes that are built are told by the names of their cases; a case is read back as a box."""
 
-from __future__ import annotations
-
 from importlib.resources import files
 
 import pytest

@@ -1,7 +1,5 @@
 """What is cut off from cells of ratios holds no solution."""
 
-from __future__ import annotations
-
 from itertools import permutations
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The search for sets of shift elements, against all sets there are and SciPy's matching."""
 
-from __future__ import annotations
-
 from itertools import combinations
 
 import numpy as np
@@ -37,8 +35,7 @@ def is_wanted(
 
 
 @pytest.mark.parametrize(
-    ("engaged", "size", "targets"),
-    [(1, 4, 3), (2, 4, 4), (2, 5, 3), (3, 5, 6)],
+    ("engaged", "size", "targets"), [(1, 4, 3), (2, 4, 4), (2, 5, 3), (3, 5, 6)]
 )
 def test_all_sets_are_found_and_each_once(engaged: int, size: int, targets: int) -> None:
     table = combinations_table(BRAKES, engaged, size)

@@ -1,7 +1,5 @@
 """Boxes that are left out within the search are those that would be left out behind it."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import pytest

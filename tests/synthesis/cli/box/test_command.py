@@ -4,8 +4,6 @@ A simple set with the sun as input and the carrier as output has 1 + p with the 
 with two members clutched, whichever they are.
 """
 
-from __future__ import annotations
-
 import csv
 import importlib.util
 import json
@@ -181,10 +179,7 @@ def test_filters(options: tuple[object, ...], count: int) -> None:
             "none of 600 comes within 1e-300 of these ratios; "
             "the nearest has 1: 3, 2: 1: --tolerance 1.01e-09 finds it",
         ),
-        (
-            ("--tolerance", "1e-300,1=.0001", "--brakes", 1),
-            "none of 600 comes within these ranges",
-        ),
+        (("--tolerance", "1e-300,1=.0001", "--brakes", 1), "none of 600 comes within these ranges"),
         (("--brakes", 0), "4 boxes with these ratios, none as wanted"),
         (("--limit", "torque=1.9"), "4 boxes with these ratios, none as wanted"),
     ],
@@ -291,7 +286,7 @@ def test_where_there_are_many_the_first_are_drawn(monkeypatch: pytest.MonkeyPatc
     said = vstatics("synth", "box", *ASKED, "-o", "found")
     assert said.err.startswith("found: 2 of 3 boxes have a diagram: those of the Pareto list, ")
     assert [name for name in names(Path("found")) if name.startswith("box-")] == [
-        *("box-0001.svg", "box-0001.yaml", "box-0002.yaml", "box-0003.svg", "box-0003.yaml"),
+        *("box-0001.svg", "box-0001.yaml", "box-0002.yaml", "box-0003.svg", "box-0003.yaml")
     ]
 
 
@@ -448,9 +443,7 @@ def test_what_cannot_be_asked_for_is_wrong_use(options: Options, told: str) -> N
     [("numba", ()), ("numba", ("-o", "found/")), ("distributed", ("--scheduler", "tcp://h:1"))],
 )
 def test_packages_that_are_missing_are_told_before(
-    package: str,
-    options: Options,
-    monkeypatch: pytest.MonkeyPatch,
+    package: str, options: Options, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     hide(package, monkeypatch)
     said = vstatics("synth", "box", *ASKED, *options)

@@ -1,7 +1,5 @@
 """`vstatics synth box --keep`: what is asked of a case, and what can't be."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.commands import vstatics
@@ -24,11 +22,7 @@ def test_the_gearbox_itself_is_found() -> None:
         ((*KEEP, "--free", "sets=1"), 2, "read `sets`, expected shift-elements=N"),
         ((*KEEP, "--free", "elements=x"), 2, "expected a number from 0 to 12"),
         ((*KEEP, "--free", "shift-elements=x"), 2, "expected a number from 0 to 12"),
-        (
-            ("--free", "elements=1", *COUNTS, *KEEP[2:]),
-            2,
-            "--free applies to the case of --keep",
-        ),
+        (("--free", "elements=1", *COUNTS, *KEEP[2:]), 2, "--free applies to the case of --keep"),
         (("--keep", "cases/none.yaml", *KEEP[2:]), 1, "none.yaml"),
         (("--keep", "cases/two-stage.yaml", *KEEP[2:]), 1, "P0 is not a planetary gear set"),
         (KEEP[2:], 2, "Missing option '--sets'"),

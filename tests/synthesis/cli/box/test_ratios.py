@@ -1,7 +1,5 @@
 """Ranges of ratios and tolerances by gear, as they are typed."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

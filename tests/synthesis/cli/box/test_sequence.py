@@ -1,7 +1,5 @@
 """`vstatics synth box --gears`: what is asked, and what can't be."""
 
-from __future__ import annotations
-
 import itertools
 
 import pytest
