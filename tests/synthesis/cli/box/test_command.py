@@ -17,13 +17,13 @@ from jsonschema import Draft202012Validator
 
 from tests.commands import Said, json_answer, vstatics
 from tests.processes import names
+from tests.synthesis.boxes.states import prepare_boxes
 from vstatics import load, solve
 from vstatics.core.cli.schemas import schemas
 from vstatics.synthesis.boxes.batches import work
 from vstatics.synthesis.boxes.batches.found import FoundPiece
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.cli.box import command
-from vstatics.synthesis.cli.box import run as box_run
 from vstatics.synthesis.cli.box.output import RECORD
 from vstatics.synthesis.structures.scheme import SetScheme
 
@@ -67,13 +67,8 @@ def searched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Searched:
     """A search of six pieces, in a folder of its own; nothing is drawn."""
     monkeypatch.chdir(tmp_path)
     made = Searched()
-    monkeypatch.setattr(box_run, "cut", lambda _: PIECES)
-    monkeypatch.setattr(box_run, "prepare", lambda _: None)
+    prepare_boxes(monkeypatch, PIECES)
     monkeypatch.setattr(work, "found_in", made.found_in)
-    monkeypatch.setattr("vstatics.synthesis.pictures.stick.stick_diagram", lambda _: b"<svg/>")
-    monkeypatch.setattr(
-        "vstatics.synthesis.report.boxes.box_pages", lambda _: {"boxes.html": b"<html/>"}
-    )
     return made
 
 
