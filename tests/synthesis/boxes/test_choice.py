@@ -1,6 +1,7 @@
 """Found boxes side by side: what is one box, families, the Pareto list, filters, the document."""
 
 import re
+from functools import cache
 from itertools import permutations
 from typing import Any
 
@@ -22,7 +23,8 @@ from vstatics import solve
 from vstatics.core.readers import from_dict
 from vstatics.core.tables.answer import plain_data, schema
 from vstatics.synthesis import StructureSearch, schemes
-from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.boxes.batches.found import found_in
+from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, ranked
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
@@ -218,3 +220,32 @@ def test_a_notebook_shows_counts_the_pareto_list_and_families() -> None:
         assert row in rows
     assert "Pareto list" in found
     assert ">2.479<" in found  # its first gear, as printed for the ZF 3HP 22
+
+
+TRUCK = BoxSearch(3, 5, 2, (6.0, 3.6, 2.3, 1.5, 1.0, 0.75, -5.0), tolerance=0.04)
+
+
+@cache
+def boxes_of(search: BoxSearch) -> tuple[FoundBox, ...]:
+    return found_in(search).boxes
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "wanted",
+    [
+        BoxFilter(single=True),
+        BoxFilter(brakes=(2,)),
+        BoxFilter(single=True, clutches=(2, 3)),
+        BoxFilter(limits={"clutches": 2, "brakes": 3}),
+    ],
+)
+def test_filters_within_the_search_give_what_those_behind_it_give(wanted: BoxFilter) -> None:
+    assert wanted.narrowed(TRUCK) != TRUCK
+    behind, within = (
+        ranked(TRUCK, [measured(TRUCK, box, 0.98) for box in boxes_of(search)], wanted)
+        for search in (TRUCK, wanted.narrowed(TRUCK))
+    )
+    assert behind
+    assert [one.found.box for one in behind] == [one.found.box for one in within]
+    assert len(behind) < len(boxes_of(TRUCK)) or wanted.limits
