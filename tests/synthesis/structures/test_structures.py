@@ -10,7 +10,8 @@ import pytest
 
 from tests.chance import with_marked
 from tests.oracle import schemes as oracle
-from tests.synthesis.oracle.test_schemes import GROUPS, all_codes, is_connected, is_sound, least
+from tests.oracle.boxes import codes, hangs_together
+from tests.synthesis.oracle.test_schemes import GROUPS, is_sound, least
 from vstatics.core.tables.answer import plain_data
 from vstatics.synthesis.structures.counts import count
 from vstatics.synthesis.structures.estimate import estimate
@@ -50,9 +51,9 @@ def rows(search: StructureSearch) -> list[Row]:
 
 def listed(search: StructureSearch) -> list[Row]:
     """The same by looking at every code, every order and every exchange."""
-    good = is_connected if search.unsound else is_sound
+    good = hangs_together if search.unsound else is_sound
     found = set()
-    for code in all_codes(search.sets):
+    for code in codes(search.sets):
         links = max(code) + 1
         if links in search.link_range and good(code):
             pairs = permutations(range(links), 2) if search.ports else [()]
