@@ -1,9 +1,6 @@
 """Combinations of shift elements against published tables, closed forms and other ways."""
 
 import math
-from collections import Counter
-from itertools import combinations as subsets
-from itertools import permutations
 from typing import Any
 
 import pytest
@@ -47,30 +44,6 @@ def test_belaz_7516_as_published() -> None:
         kind, ratio = BELAZ.get((first, second), ("parking", None))
         assert (one.kind, one.free) == (kind, False), one
         assert one.ratio == pytest.approx(ratio, rel=1e-12) if ratio else one.ratio != one.ratio
-
-
-def two_sets(order: tuple[int, ...]) -> Transmission:
-    """A scheme of two sets with two common links, and the engine as link 5.
-
-    Clutches F1 to F10 and brakes T1, T2 as in table 13; J1 to J4 are links of `order`.
-    """
-    pairs = [*subsets(order, 2), *((5, link) for link in order), (order[1], 0), (order[2], 0)]
-    names = [*(f"F{number}" for number in range(1, 11)), "T1", "T2"]
-    elements = [ShiftElement(*pair, name=name) for pair, name in zip(pairs, names, strict=True)]
-    sets = [Mechanism(1, 2, 3, -2.3), Mechanism(2, 4, 3, -3.1)]
-    return Transmission(5, elements, sets, [Gear()], input=5, output=order[3])
-
-
-def test_table_14_of_the_source() -> None:
-    """66 combinations: 32 direct drives, 4 gears, 2 that block, 13 park, 15 leave it free."""
-    for order in permutations(range(1, 5)):
-        found = combinations(two_sets(order))
-        kinds = Counter(one.kind for one in found)
-        assert kinds == {"direct": 32, "gear": 4, "blocked": 2, "parking": 13, "neutral": 15}
-        gears = {tuple(one.engaged) for one in found if one.kind == "gear"}
-        assert gears == {("F7", "T1"), ("F7", "T2"), ("F8", "T2"), ("F9", "T1")}
-        blocked = {tuple(one.engaged) for one in found if one.kind == "blocked"}
-        assert blocked == {("F8", "T1"), ("F9", "T2")}
 
 
 RATIOS_OF_UMDM = {

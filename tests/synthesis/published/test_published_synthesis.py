@@ -25,7 +25,8 @@ from vstatics.core.model.transmission import Gear, ShiftElement
 from vstatics.synthesis.gears.search import combinations as combinations_of
 
 PAGE = ROOT / "docs" / "synthesis" / "tables.md"
-TABLE_10 = "a1 h1 b1 a2 h2 b2 a1,a2 a1,h2 a1,b2 h1,a2 h1,h2 h1,b2 b1,a2 b1,h2 b1,b2".split()  # noqa: SIM905
+TABLE_10 = "a1 h1 b1 a2 h2 b2 a1,a2 a1,h2 a1,b2 h1,a2 h1,h2 h1,b2 b1,a2 b1,h2 b1,b2"
+ELEMENTS = ["a1", "h1", "b1", "a2", "h2", "b2"]
 PRINTED_SCHEMES = {22: (1, 2, 4, 14), 233: (1, 5, 10, 14), 686: (3, 4, 9, 11)}
 PRINTED_SCHEMES[1145] = (5, 10, 14, 15)
 """Of table 11: first, some inside, of all 1365 choices of four of the fifteen links."""
@@ -52,9 +53,9 @@ RATIOS = [Fraction(-2), Fraction(-26, 10)]
 
 def schemes() -> Iterator[tuple[int, list[set[str]]]]:
     """Numbers and links of the schemes with four links in which each element is once."""
-    links = [set(one.split(",")) for one in TABLE_10]
+    links = [set(one.split(",")) for one in TABLE_10.split()]
     for number, chosen in enumerate(combinations(links, 4), 1):
-        if sorted(element for link in chosen for element in link) == sorted(TABLE_10[:6]):
+        if sorted(element for link in chosen for element in link) == sorted(ELEMENTS):
             yield number, list(chosen)
 
 
@@ -91,8 +92,8 @@ def test_scheme_22_lacks_b2_and_18_of_1365_are_complete() -> None:
     numbered = dict(enumerate(combinations(range(1, 16), 4), 1))
     assert len(numbered) == 1365
     assert {n: numbered[n] for n in PRINTED_SCHEMES} == PRINTED_SCHEMES
-    elements = ",".join(TABLE_10[link - 1] for link in PRINTED_SCHEMES[22]).split(",")
-    assert set(TABLE_10[:6]) - set(elements) == {"b2"}
+    elements = ",".join(TABLE_10.split()[link - 1] for link in PRINTED_SCHEMES[22]).split(",")
+    assert set(ELEMENTS) - set(elements) == {"b2"}
     found = [number for number, _ in schemes()]
     assert len(found) == 18
     text = PAGE.read_text(encoding="utf-8")
@@ -173,7 +174,8 @@ def test_the_program_gives_the_gears_of_the_page(case_of_the_page: Path) -> None
     }
     found = dict(zip((gear.name for gear in case.gears), solve(case).ratio.tolist(), strict=True))
     assert found == pytest.approx(forms | {"direct": 1.0}, rel=1e-14)
-    rows = re.findall(r"^\| (F\d T\d) \| .* \| .* \| (\S*) \|$", PAGE.read_text("utf-8"), re.MULTILINE)
+    line = re.compile(r"^\| (F\d T\d) \| .* \| .* \| (\S*) \|$", re.MULTILINE)
+    rows = line.findall(PAGE.read_text("utf-8"))
     assert dict(rows) == {name: f"{form:.4f}".rstrip("0") for name, form in forms.items()}
 
 
