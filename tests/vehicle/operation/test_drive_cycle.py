@@ -244,7 +244,7 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
 
 def test_three_gears_by_shift_speeds() -> None:
     """Up at 6 and 12 m/s, down below 4 and 9 m/s: the mean speeds of the steps decide."""
-    speeds = [5, 7, 11, 13, 10, 8.5, 11, 5, 3.5, 13, 3]
+    speeds = [5, 7, 11, 13, 9, 8.5, 11, 5, 3.5, 13, 3]
     rows = [(2.0 * n, speeds[n // 2], "") for n in range(22)]
     choice = GearChoice(shifts=read_shifts("1-2: 6 m/s/4 m/s, 2-3: 12 m/s/9 m/s"))
     made = drive(parallel({"1": 4.0, "2": 2.0, "3": 1.0}), trace(*rows)._replace(gears=[]), choice)
