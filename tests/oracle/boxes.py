@@ -10,8 +10,6 @@ is left at the end is fitted by scipy's least squares from many starts in these 
 leaves a gear beyond its range, SLSQP makes the largest error least.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
@@ -112,13 +110,12 @@ class Box(NamedTuple):
     found_as: tuple[Frame, tuple[tuple[int, int], ...]]
 
 
-def codes(sets: int, links: int) -> Iterator[Code]:
-    """All schemes of so many links, each set with three of its own."""
+def codes(sets: int) -> Iterator[Code]:
+    """All schemes, each set with three links of its own, as restricted growth strings."""
 
     def grown(code: Code) -> Iterator[Code]:
         if len(code) == 3 * sets:
-            if max(code) + 1 == links:
-                yield code
+            yield code
             return
         own = code[len(code) // 3 * 3 :]
         for link in range(max(code, default=-1) + 2):
@@ -182,9 +179,11 @@ def frames(space: Space) -> Iterator[Frame]:
         tuple(at in some for at in range(space.sets))
         for some in combinations(range(space.sets), space.meshed)
     ]
-    for code in codes(space.sets, space.links):
+    for code in codes(space.sets):
         in_parts = space.fixed and not space.shafts
-        if not is_sound(code) or not (in_parts or hangs_together(code)):
+        if max(code) + 1 != space.links or not is_sound(code):
+            continue
+        if not (in_parts or hangs_together(code)):
             continue
         links = range(space.links)
         held = [one for one in links if code.count(one) == space.fixed] if space.fixed else [HELD]
@@ -278,8 +277,8 @@ def reached(speeds: Pair, target: float, tolerance: float) -> int:
 def _can(speeds: Array, target: float, tolerance: float) -> npt.NDArray[np.bool_]:
     """Whether choices, the last axis, can be near the target somewhere between all corners."""
     low, high = (speeds[:, 0] - target * math.exp(s * tolerance) * speeds[:, 1] for s in (-1, 1))
-    not_above, not_below = (low <= 0) | (high <= 0), (low >= 0) | (high >= 0)
-    able: npt.NDArray[np.bool_] = np.logical_and(not_above.any(axis=0), not_below.any(axis=0))
+    above, below = ((low > 0) & (high > 0)), ((low < 0) & (high < 0))
+    able: npt.NDArray[np.bool_] = ~np.logical_or(above.all(axis=0), below.all(axis=0))
     return able
 
 
@@ -301,6 +300,17 @@ Choice = tuple[tuple[Gear, ...], int]
 """Gears, one for each target, and the cells that are left."""
 Way = tuple[frozenset[int], frozenset[int], dict[int, Gear], int]
 """Elements that are engaged, those that are in use, gears of targets, cells."""
+
+
+class Minimum(NamedTuple):
+    """Of the sum of squares of ln(i/target)/width."""
+
+    squares: float
+    error: float
+    """The largest |ln(i/target)| there."""
+    farthest: float
+    """The largest |ln(i/target)|/width, as small as can be near it."""
+    ratios: Array
 
 
 class Search:
@@ -434,17 +444,6 @@ class Search:
             size = float((abs(gaps) * widths).max())
             minima.append(Minimum(float(gaps @ gaps), size, farthest, ratios))
         return minima
-
-
-class Minimum(NamedTuple):
-    """Of the sum of squares of ln(i/target)/width."""
-
-    squares: float
-    error: float
-    """The largest |ln(i/target)| there."""
-    farthest: float
-    """The largest |ln(i/target)|/width, as small as can be near it."""
-    ratios: Array
 
 
 def _least_farthest(

@@ -1,7 +1,5 @@
 """Small trains at which a solver is most easily wrong; most were found in random runs."""
 
-from __future__ import annotations
-
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 
 D, S, T = Mechanism, ShiftElement, Transmission
@@ -61,10 +59,7 @@ NASTY: dict[str, Transmission] = {
         4, [S(4)], [D(1, 3, 2, 1.45, 0.88), D(0, 1, 4, 0.99, 0.978)], [Gear()]
     ),
     "idle by coincidence, efficiency depends on it": T(
-        3,
-        [S(2)],
-        [D(2, 3, 0, 1.0, 0.855), D(1, 2, 3, -3.7, 0.98)],
-        [Gear(input=3, output=1)],
+        3, [S(2)], [D(2, 3, 0, 1.0, 0.855), D(1, 2, 3, -3.7, 0.98)], [Gear(input=3, output=1)]
     ),
     "no ideal torque, sign of the lossy flow": T(
         6,
@@ -120,12 +115,7 @@ NASTY: dict[str, Transmission] = {
         idle="published",
         coast=True,
     ),
-    "no power at all": T(
-        3,
-        [S(2)],
-        [D(1, 2, 3, -2.0, 0.97)],
-        [Gear([1], torques={1: -1.0})],
-    ),
+    "no power at all": T(3, [S(2)], [D(1, 2, 3, -2.0, 0.97)], [Gear([1], torques={1: -1.0})]),
     "input gives power back": T(
         3, [S(2)], [D(1, 2, 3, -2.0, 0.97)], [Gear([1], torques={1: -3.0})]
     ),

@@ -5,8 +5,6 @@ what is engaged. A basis of all speeds that these allow is written down, and loo
 the input and the output. No numbers are rounded, nothing is shared with the program.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass

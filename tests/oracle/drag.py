@@ -5,8 +5,6 @@ against its slip. A set of signs is admissible if no mechanism gives power. For 
 input and one output, without freewheels, whose speeds and torques have one solution.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
@@ -57,30 +55,33 @@ def _passing(found: list[Admissible]) -> list[Admissible]:
     return [one for one in found if one.efficiency > 0]
 
 
-def solve_gear(case: Transmission, gear: Gear) -> GearWithDrag:
-    """A gear with its drag."""
-    speeds, turn = Speeds(case, gear), -1 if case.coast else 1
+def drag_of(case: Transmission, gear: Gear, speeds: Speeds) -> tuple[dict[int, Fraction], Fraction]:
+    """Drag torque on each link, and the power that all of it takes."""
+    turn, taken = -1 if case.coast else 1, ZERO
     drag: dict[int, Fraction] = {}
-    taken = ZERO
-    torques = [(link, 0, exact(torque)) for link, torque in gear.drag.items()]
+    torques = [(link, HOUSING, torque) for link, torque in gear.drag.items()]
     torques += [
-        (one.first, one.second, exact(gear.open_drag.get(number, one.drag)))
+        (one.first, one.second, gear.open_drag.get(number, one.drag))
         for number, one in enumerate(case.shift_elements, 1)
         if number not in gear.engaged
     ]
     for first, second, torque in torques:
         slip = speeds.difference(first, second)
         assert slip is not None
-        against = torque * turn * sign(slip)
+        against = exact(torque) * turn * sign(slip)
         taken += slip * against
         for link, pull in ((first, -against), (second, against)):
             if link != HOUSING:
                 drag[link] = drag.get(link, ZERO) + pull
-    return GearWithDrag(
-        _every_admissible(case, gear, speeds, drag),
-        _every_admissible(case, gear, speeds, {}),
-        taken,
-    )
+    return drag, taken
+
+
+def solve_gear(case: Transmission, gear: Gear) -> GearWithDrag:
+    """A gear with its drag."""
+    speeds = Speeds(case, gear)
+    drag, taken = drag_of(case, gear, speeds)
+    found, bare = (_every_admissible(case, gear, speeds, each) for each in (drag, {}))
+    return GearWithDrag(found, bare, taken)
 
 
 def _of_one_piece(case: Transmission, index: int) -> tuple[int, ...]:

@@ -5,16 +5,15 @@ the power at the links that power leaves by without losses and drag, over that a
 enters. For gears without freewheels whose speeds and torques have one solution.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 
+from tests.oracle.drag import drag_of
 from tests.oracle.linear import ONE, ZERO, exact, sign
 from tests.oracle.systems import Speeds, Torques, ratios
-from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.model.transmission import Gear, Transmission
 
 
 @dataclass(frozen=True)
@@ -47,26 +46,7 @@ class GearOfPorts:
         self.speeds = Speeds(case, gear)
         self.ideal = Torques(case, gear, ratios(case))
         self.is_regular = self.ideal.system.consistent and not self.ideal.system.missing
-        self.drag: dict[int, Fraction] = {}
-        self.drag_losses = ZERO
-        self._add_drag()
-
-    def _add_drag(self) -> None:
-        case, gear = self.case, self.gear
-        torques = [(link, HOUSING, torque) for link, torque in gear.drag.items()]
-        torques += [
-            (one.first, one.second, gear.open_drag.get(number, one.drag))
-            for number, one in enumerate(case.shift_elements, 1)
-            if number not in gear.engaged
-        ]
-        for first, second, torque in torques:
-            slip = self.speeds.difference(first, second)
-            assert slip is not None
-            against = exact(torque) * self.turn * sign(slip)
-            self.drag_losses += slip * against
-            for link, pull in ((first, -against), (second, against)):
-                if link != HOUSING:
-                    self.drag[link] = self.drag.get(link, ZERO) + pull
+        self.drag, self.drag_losses = drag_of(case, gear, self.speeds)
 
     @property
     def solutions(self) -> list[Solution]:

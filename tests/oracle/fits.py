@@ -5,8 +5,6 @@ derivatives, many starts, and scipy's optimiser over -- per set -- the logarithm
 search that knows no derivatives at all. Nothing is shared with the program.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple

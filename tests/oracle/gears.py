@@ -17,8 +17,6 @@ lossy quantity is given if every guess of such signs leads to the same value,
 nothing if one leads to an efficiency of 0 or less, and `consistent` is None.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Linear systems over the rational numbers: what has one value has it exactly."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 

@@ -5,8 +5,6 @@ form: ``x = sign(M (w_first - w_third))`` with the ideal torque M; coasting
 turns every flow, so every x that is not idle.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

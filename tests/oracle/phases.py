@@ -14,8 +14,6 @@ The direction from one planet to the next in a set is the angle of a triangle of
 It is irrational; its float is taken as an exact fraction, the same for every set.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction

@@ -11,8 +11,6 @@ place of a link. With bodies of b links an outside element has b links to join. 
 have at least N + 2 links and bodies of N sets at most N + 1, so both follow from the rest.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from functools import cache

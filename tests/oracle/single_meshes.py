@@ -5,8 +5,6 @@ one linear equation between the pitch velocities of two wheels on a carrier, and
 them are solved by Gauss elimination over fractions. No ratio of a whole set is used.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
@@ -121,6 +119,22 @@ def link(name: Any) -> str:
     return HOUSING if str(name) == "0" else str(name)
 
 
+CHAINS: Mapping[str, list[str]] = {
+    "planetary": ["sun x planet o ring"],
+    "double_planet": ["sun x inner x outer o ring"],
+    "stepped": ["sun x planet", "ring o planet", "sun2 x planet2", "ring2 o planet2"],
+    "ravigneaux": ["small_sun x short x long", "large_sun x long", "ring o long"],
+    "gear_pair": ["first x second"],
+    "internal_pair": ["first o second"],
+    "chain": ["first o second"],
+    "belt": ["first o second"],
+    "idler": ["first x idler x second"],
+}
+"""Wheels that mesh from outside (x), or whose rims run the same way (o): one inside the other,
+a chain, a belt. What begins with a wheel that an element has not is left out."""
+PLANETS = {"planet", "planet2", "inner", "outer", "short", "long", "idler"}
+
+
 class _Element:
     """One element with its name, teeth and members, and the bodies to add it to."""
 
@@ -130,70 +144,30 @@ class _Element:
         self.content = content
         self.sizes: Document = content.get("teeth") or content.get("diameters") or {}
 
-    def __contains__(self, member: str) -> bool:
-        return member in self.content
-
     def link(self, member: str) -> str:
         return link(self.content[member])
 
-    def teeth(self, member: str) -> Fraction:
-        return number(self.sizes[member])
+    def wheel(self, name: str) -> tuple[str, Fraction]:
+        """A member or a planet as a body, with its teeth or a stand-in for them.
 
-    def planet(self, name: str) -> tuple[str, Fraction]:
-        """A planet as a body, with its teeth or a stand-in for them."""
-        body = f"{self.name}.{name}"
+        Two rims of a planet are one body.
+        """
+        if name not in PLANETS:
+            return self.link(name), number(self.sizes[name])
+        body = f"{self.name}.{name.removesuffix('2')}"
         if name in self.sizes:
-            return body, self.teeth(name)
+            return body, number(self.sizes[name])
         self.bodies.unknown.add(body)
         return body, STAND_IN
 
-    def sun(self, member: str, planet: str) -> None:
-        """A central wheel meshes from outside with a planet."""
-        self.bodies.external(
-            self.link(member), self.teeth(member), *self.planet(planet), self.link("carrier")
-        )
-
-    def ring(self, member: str, planet: str) -> None:
-        """A ring has a planet inside."""
-        self.bodies.internal(
-            self.link(member), self.teeth(member), *self.planet(planet), self.link("carrier")
-        )
-
-    def planets(self, first: str, second: str) -> None:
-        """Two planets mesh with each other."""
-        self.bodies.external(*self.planet(first), *self.planet(second), self.link("carrier"))
-
-
-def _planetary(one: _Element) -> None:
-    one.sun("sun", "planet")
-    one.ring("ring", "planet")
-
-
-def _double_planet(one: _Element) -> None:
-    one.sun("sun", "inner")
-    one.planets("inner", "outer")
-    one.ring("ring", "outer")
-
-
-def _stepped(one: _Element) -> None:
-    """The second rim turns with the first: one body, known as `planet`."""
-    body, carrier = f"{one.name}.planet", one.link("carrier")
-    for wheel, rim in (("sun", "planet"), ("sun2", "planet2")):
-        if wheel in one:
-            one.bodies.external(one.link(wheel), one.teeth(wheel), body, one.teeth(rim), carrier)
-    for wheel, rim in (("ring", "planet"), ("ring2", "planet2")):
-        if wheel in one:
-            one.bodies.internal(one.link(wheel), one.teeth(wheel), body, one.teeth(rim), carrier)
-
-
-def _ravigneaux(one: _Element) -> None:
-    if "small_sun" in one:
-        one.sun("small_sun", "short")
-        one.planets("short", "long")
-    if "large_sun" in one:
-        one.sun("large_sun", "long")
-    if "ring" in one:
-        one.ring("ring", "long")
+    def mesh(self, chain: str) -> None:
+        """Add wheels that mesh one after another."""
+        wheels, kinds = chain.split()[::2], chain.split()[1::2]
+        if wheels[0] in self.content:
+            carrier = link(self.content.get("carrier", HOUSING))
+            for first, kind, second in zip(wheels, kinds, wheels[1:], strict=False):
+                tie = self.bodies.external if kind == "x" else self.bodies.internal
+                tie(*self.wheel(first), *self.wheel(second), carrier)
 
 
 def _planet_group(one: _Element) -> None:
@@ -227,53 +201,18 @@ def _bevel(one: _Element) -> None:
         one.bodies.tie((one.link(side), teeth), (carrier, -teeth), (planet, -sense * spin))
 
 
-def _gear_pair(one: _Element) -> None:
-    one.bodies.external(
-        one.link("first"), one.teeth("first"), one.link("second"), one.teeth("second")
-    )
-
-
-def _same_sense(one: _Element) -> None:
-    """An internal pair, a chain or a belt: both rims run the same way."""
-    one.bodies.internal(
-        one.link("first"), one.teeth("first"), one.link("second"), one.teeth("second")
-    )
-
-
-def _idler(one: _Element) -> None:
-    idler = one.planet("idler")
-    one.bodies.external(one.link("first"), one.teeth("first"), *idler)
-    one.bodies.external(*idler, one.link("second"), one.teeth("second"))
-
-
-def _shaft(one: _Element) -> None:
-    one.bodies.join(one.link("first"), one.link("second"))
-
-
 def _worm(one: _Element) -> None:
     """In one turn of the worm the wheel goes on by as many teeth as the worm has threads."""
-    one.bodies.tie((one.link("worm"), one.teeth("worm")), (one.link("wheel"), -one.teeth("wheel")))
-
-
-def _held(one: _Element) -> None:
-    one.bodies.join(one.link("link"))
+    (worm, threads), (wheel, teeth) = one.wheel("worm"), one.wheel("wheel")
+    one.bodies.tie((worm, threads), (wheel, -teeth))
 
 
 KINDS: Mapping[str, Callable[[_Element], None]] = {
-    "planetary": _planetary,
-    "double_planet": _double_planet,
-    "stepped": _stepped,
-    "ravigneaux": _ravigneaux,
     "planet_group": _planet_group,
     "bevel": _bevel,
-    "gear_pair": _gear_pair,
-    "internal_pair": _same_sense,
-    "idler": _idler,
-    "chain": _same_sense,
-    "belt": _same_sense,
-    "shaft": _shaft,
+    "shaft": lambda one: one.bodies.join(one.link("first"), one.link("second")),
     "worm": _worm,
-    "held": _held,
+    "held": lambda one: one.bodies.join(one.link("link")),
 }
 
 
@@ -283,7 +222,11 @@ def bodies_of(document: Document) -> Bodies:
     for name in document.get("links", ()):
         bodies.names.setdefault(link(name))
     for name, content in document.get("elements", {}).items():
-        KINDS[content["kind"]](_Element(bodies, str(name), content))
+        element = _Element(bodies, str(name), content)
+        for chain in CHAINS.get(content["kind"], ()):
+            element.mesh(chain)
+        if content["kind"] not in CHAINS:
+            KINDS[content["kind"]](element)
     for content in document.get("mechanisms", {}).values():
         first, second = link(content["first"]), link(content["second"])
         ratio, third = number(content["ratio"]), link(content.get("third", HOUSING))

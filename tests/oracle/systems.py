@@ -4,8 +4,6 @@ Source: Algin V.B., "Schematization and calculation of mobile machine presented
 as multibody system. Kinematics and quasistatics".
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from types import MappingProxyType

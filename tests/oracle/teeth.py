@@ -5,8 +5,6 @@ which is the textbook rule of whole numbers; tip circles of height ``TIP`` with 
 them in the plane. Lengths are in modules, halves of tooth counts.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product

@@ -1,7 +1,5 @@
 """The brute force finds what is built, and what it was given to find."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from itertools import combinations

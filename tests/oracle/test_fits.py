@@ -1,7 +1,5 @@
 """The slow fit against closed forms, and two ways of it against each other."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

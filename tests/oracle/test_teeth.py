@@ -1,7 +1,5 @@
 """The exhaustive search of teeth against the figures of the issue's facts and built gearboxes."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 

@@ -1,7 +1,5 @@
 """Good inputs of readers of duties, for `tests.fuzz`."""
 
-from __future__ import annotations
-
 from tests.fuzz import Kind
 from vstatics.vehicle.duty_file import read_duty
 
@@ -9,5 +7,5 @@ KINDS = {
     "duty": Kind(
         ("energy: {1: .2, 2: .3, 3: .5}\n", "time: {low: 1/3, R: 2/3}\n"),
         lambda data: read_duty(data, "duty.yaml"),
-    ),
+    )
 }

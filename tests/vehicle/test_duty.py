@@ -1,24 +1,22 @@
-"""Efficiency over a duty cycle."""
-
-from __future__ import annotations
+"""Efficiency over a duty cycle, and what its file may say."""
 
 import math
+from pathlib import Path
 
 import pytest
 
-from tests.core.summary.capacities import LOW, case
+from tests.commands import json_answer, vstatics
+from tests.core.summary.capacities import CASE, LOW, case
 from vstatics import Gear, Load, Mechanism, Transmission, solve
 from vstatics.core.model.parts import OfLoad
 from vstatics.vehicle.duty import Duty, cycle
 
 
 def test_shares_of_energy_give_a_weighted_mean() -> None:
+    """Also where the sum of shares is beyond any number."""
     made = cycle(solve(case()), Duty("energy", {"low": 1, "direct": 3, "N": 0}))
     assert [(one.gear, one.energy) for one in made.stages] == [("low", 0.25), ("direct", 0.75)]
     assert made.efficiency == pytest.approx(0.25 * LOW + 0.75)
-
-
-def test_shares_may_have_a_sum_that_no_number_holds() -> None:
     made = cycle(solve(case()), Duty("energy", {"low": 1e308, "direct": 1e308}))
     assert [one.energy for one in made.stages] == [0.5, 0.5]
     assert made.efficiency == pytest.approx((LOW + 1) / 2)
@@ -49,9 +47,8 @@ def test_of_a_dragged_gear_nothing_leaves(torque: float) -> None:
     assert results.dragged.tolist() == [True, False]
     entering = 300 * torque + (2 * 100 - 0.98 * 300 * torque) / 0.98 + 5 * 50
     expected = 0.98**2 * 30000 / (30000 + entering)
-    assert cycle(results, Duty("time", {"little": 1, "much": 1})).efficiency == pytest.approx(
-        expected
-    )
+    by_time = cycle(results, Duty("time", {"little": 1, "much": 1}))
+    assert by_time.efficiency == pytest.approx(expected)
     made = cycle(results, Duty("energy", {"little": 1, "much": 1}))
     assert [one.efficiency for one in made.stages] == pytest.approx([0, 0.98**2])
 
@@ -62,3 +59,41 @@ def test_a_dragged_gear_that_drives_a_further_output_has_what_leaves_there() -> 
     pairs = [Mechanism(1, 2, 0, 1.0), Mechanism(1, 3, 0, 1.0)]
     made = cycle(solve(Transmission(3, [], pairs, [gear], output=2)), Duty("energy", {"1": 1}))
     assert made.efficiency == pytest.approx(0.25 / 2.25)
+
+
+@pytest.mark.parametrize(
+    ("duty", "message"),
+    [
+        ('energy:\n  "7": 2\n  low: 1', "2:3: error: gear 7: there is no such gear"),
+        ("energy: {low: 1, N: 2}", "gear N: the gear has no efficiency"),
+        ("energy: {low: 0}", "all shares are 0"),
+        ("energy: {low: -1}", "read '-1', expected a share of 0 or more"),
+        ("energy: {low: much}", "read 'much', expected a share"),
+        ("energy: {low: 1, low: 2}", "gear low is given twice"),
+        ("enrgy: {low: 1}", "did you mean `energy`?"),
+        ("energy: [low]", "read a list, expected a share for each gear"),
+        ("energy: {low: 1}\ntime: {low: 1}", "expected `energy` or `time`"),
+        ("low", "expected `energy` or `time`"),
+        ("", "the file is empty"),
+    ],
+)
+def test_what_is_wrong_with_a_duty_cycle_is_told_with_its_place(
+    duty: str, message: str, folder: Path
+) -> None:
+    (folder / "duty.yaml").write_text(duty)
+    said = vstatics("summary", "-", "--duty", "duty.yaml", stdin=CASE.encode())
+    assert said.gives_nothing(message, "duty.yaml")
+    (folder / "duty.yaml").write_text("time: {low: 1}")
+    text = CASE.replace("load: {speed: 1000 rpm, torque: 200 N*m}\n", "").replace("300 N*m", "1.5")
+    said = vstatics("summary", "-", "--duty", "duty.yaml", stdin=text.encode())
+    assert said.fails("expected a load with speed and torque")
+    assert vstatics("summary", "-", "--duty", "-", stdin=CASE.encode()).status == 2
+
+
+def test_a_duty_cycle_is_shown_alone_and_of_two_cases(folder: Path) -> None:
+    (folder / "duty.yaml").write_text("energy: {low: 25, direct: 75}")
+    (folder / "case.yaml").write_text(CASE)
+    asked = ("summary", "case.yaml", "--duty", "duty.yaml")
+    assert "in all   1.000       0.993" in vstatics(*asked).out
+    assert "efficiency of the duty cycle" in vstatics(*asked, "case.yaml").out
+    assert json_answer(*asked)["duty"]["efficiency"] == pytest.approx(0.25 * LOW + 0.75)

@@ -1,7 +1,5 @@
 """Documents of found boxes for tests of pictures and pages: gearboxes that are built."""
 
-from __future__ import annotations
-
 import copy
 import json
 from functools import cache
@@ -22,18 +20,19 @@ def _text(search: BoxSearch, box: FoundBox) -> str:
     return json.dumps(plain_data(listing))
 
 
+def _document(search: BoxSearch, box: FoundBox) -> dict[str, Any]:
+    document: dict[str, Any] = json.loads(_text(search, box))
+    return document
+
+
 def simpson() -> dict[str, Any]:
     """One box, of two sets."""
-    document: dict[str, Any] = json.loads(
-        _text(hand_boxes.SIMPSON_SEARCH, hand_boxes.SIMPSON),
-    )
-    return document
+    return _document(hand_boxes.SIMPSON_SEARCH, hand_boxes.SIMPSON)
 
 
 def zf_6hp() -> dict[str, Any]:
     """One box, with meshed planets and a sun that is held for good."""
-    document: dict[str, Any] = json.loads(_text(hand_boxes.ZF_6HP_SEARCH, hand_boxes.ZF_6HP))
-    return document
+    return _document(hand_boxes.ZF_6HP_SEARCH, hand_boxes.ZF_6HP)
 
 
 def many(count: int) -> dict[str, Any]:

@@ -1,7 +1,5 @@
 """Searches for gearboxes that leave a state, in small pieces."""
 
-from __future__ import annotations
-
 import math
 from functools import partial
 

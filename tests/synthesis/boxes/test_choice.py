@@ -1,8 +1,7 @@
 """Found boxes side by side: what is one box, families, the Pareto list, filters, the document."""
 
-from __future__ import annotations
-
 import re
+from functools import cache
 from itertools import permutations
 from typing import Any
 
@@ -24,7 +23,8 @@ from vstatics import solve
 from vstatics.core.readers import from_dict
 from vstatics.core.tables.answer import plain_data, schema
 from vstatics.synthesis import StructureSearch, schemes
-from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.boxes.batches.found import found_in
+from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, ranked
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
@@ -33,7 +33,6 @@ from vstatics.synthesis.boxes.least_form import identity, least_box
 from vstatics.synthesis.boxes.listing import BoxListing, listed_box, wanted_of
 from vstatics.synthesis.boxes.reading import listing_of
 from vstatics.synthesis.boxes.tables import box_grids
-from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
 
@@ -81,28 +80,23 @@ def test_a_box_in_other_words_is_the_same(box: FoundBox) -> None:
 
 
 def test_codes_and_ports_are_those_of_the_list_of_schemes() -> None:
-    # by the least of all orders of the sets, which another module finds
-    listed = {(one.code, one.input, one.output) for one in _three_sets()}
-    for seed, one in enumerate(_three_sets()[::200]):
-        assert one.input is not None
-        assert one.output is not None
+    """By the least of all orders of the sets, which another module finds."""
+    for seed, one in enumerate([*schemes(StructureSearch(3, "sets", ports=True))][::200]):
+        source, sink = one.input or 0, one.output or 0
         scheme = SetScheme.of_code(one.code)
-        box = FoundBox(scheme, None, one.input, one.output, (), (-2.0,) * 3, (), 0.0)
-        least = least_box(renamed(box, seed))
-        assert (least.scheme.code, least.input, least.output) == (one.code, one.input, one.output)
-        assert (least.scheme.code, least.input, least.output) in listed
-
-
-def _three_sets() -> list[FoundScheme]:
-    return list(schemes(StructureSearch(3, "sets", ports=True)))
+        least = least_box(
+            renamed(FoundBox(scheme, None, source, sink, (), (-2.0,) * 3, (), 0.0), seed)
+        )
+        assert (least.scheme.code, least.input, least.output) == (one.code, source, sink)
 
 
 def test_meshed_sets_and_held_links_tell_boxes_apart() -> None:
     least = least_box(ZF_6HP)
-    other = least_box(ZF_6HP._replace(ratios=(-71 / 37, 85 / 31, -85 / 38)))
-    assert identity(least) != identity(other)
-    free = least_box(ZF_6HP._replace(held=None))
-    assert identity(least) != identity(free)
+    for other in (
+        ZF_6HP._replace(ratios=(-71 / 37, 85 / 31, -85 / 38)),
+        ZF_6HP._replace(held=None),
+    ):
+        assert identity(least_box(other)) != identity(least)
     # a clutch to what is held is a brake
     clutch = ZF_6HP._replace(elements=(*ZF_6HP.elements[:3], (1, 4), (5, HELD)))
     assert least_box(clutch) == least
@@ -116,20 +110,15 @@ def with_figures(found: MeasuredBox, number: int, **figures: Any) -> MeasuredBox
 
 
 def test_families_have_equal_ratios_in_all_gears() -> None:
-    def other(number: int, *parts: float) -> MeasuredBox:
-        pairs = zip(FAST.gears, parts, strict=True)
-        gears = tuple(
-            gear._replace(ratio=gear.ratio * (1 + SAME_FITTED_RATIO * part)) for gear, part in pairs
-        )
-        return with_figures(FAST, number, loss=number)._replace(gears=gears)
-
-    boxes = [
-        other(0, 0, 0, 0, 0),
-        other(1, 0, 0, 0, 5),
-        other(2, 0.3, 0, -0.3, 0),
-        other(3, 0, 5, 0, 5),
-        other(4, 0, 0, 0, 5.3),
-    ]
+    """Equal but for parts of the tolerance."""
+    boxes = []
+    for number, parts in enumerate(
+        [(0, 0, 0, 0), (0, 0, 0, 5), (0.3, 0, -0.3, 0), (0, 5, 0, 5), (0, 0, 0, 5.3)]
+    ):
+        factors = [1 + SAME_FITTED_RATIO * part for part in parts]
+        pairs = zip(FAST.gears, factors, strict=True)
+        gears = tuple(gear._replace(ratio=gear.ratio * factor) for gear, factor in pairs)
+        boxes.append(with_figures(FAST, number, loss=number)._replace(gears=gears))
     found = ranked(SIMPSON_SEARCH, reversed(boxes), BoxFilter())
     assert [box.family for box in found] == [1, 2, 1, 3, 2]
 
@@ -159,13 +148,10 @@ def test_what_is_found_twice_is_told_once() -> None:
 
 
 def test_pareto_list_is_that_of_all_pairs() -> None:
-    rng = np.random.default_rng(15)
-    figures = rng.integers(0, 6, (300, 4)).astype(float)
-    expected = [
-        not any((other <= one).all() and (other < one).any() for other in figures)
-        for one in figures
-    ]
-    assert pareto(figures).tolist() == expected
+    figures = np.random.default_rng(15).integers(0, 6, (300, 4)).astype(float)
+    no_worse = (figures[:, None] <= figures).all(axis=2)
+    better = (figures[:, None] < figures).any(axis=2)
+    assert pareto(figures).tolist() == (~(no_worse & better).any(axis=0)).tolist()
     assert PARETO == ("loss", "planet_speed", "torque", "clutches")
 
 
@@ -183,49 +169,44 @@ def test_pareto_list_is_that_of_all_pairs() -> None:
 def test_filters(wanted: BoxFilter, *, stays: bool) -> None:
     assert len(ranked(ZF_8HP_SEARCH, [EIGHT], wanted)) == stays
     assert wanted.before(EIGHT.box) or not stays
-
-
-def test_filters_of_what_is_so() -> None:
     no = EIGHT._replace(figures=EIGHT.figures._replace(single=False, planar=False))
-    assert not BoxFilter(single=True).lets(no)
-    assert not BoxFilter(planar=True).lets(no)
-    assert BoxFilter().lets(no)
+    for each, lets in (
+        (BoxFilter(single=True), False),
+        (BoxFilter(planar=True), False),
+        (BoxFilter(), True),
+    ):
+        assert each.lets(no) == lets
 
 
 def test_document_follows_the_schema_and_its_cases_are_cases() -> None:
-    search, box = ZF_6HP_SEARCH, ZF_6HP
-    found = ranked(search, [measured(search, box, 0.98)], BoxFilter())
-    document = plain_data(BoxListing(1234, (listed_box(1, found[0]),), 0, wanted_of(search)))
+    search = ZF_6HP_SEARCH
+    [found] = ranked(search, [measured(search, ZF_6HP, 0.98)], BoxFilter())
+    document = plain_data(BoxListing(1234, (listed_box(1, found),), 0, wanted_of(search)))
     Draft202012Validator(schema(BoxListing)).validate(document)
     assert (document["searched"], document["found"], document["families"]) == (1234, 1, 1)
     for target, (low, high) in zip(search.targets, document["wanted"]["ratios"], strict=True):
         assert low < target < high
     assert listing_of(document).wanted == wanted_of(search)
     [one] = document["boxes"]
-    assert one["held"] == found[0].found.box.held
+    assert one["held"] == found.found.box.held
     # L0 large sun, L1 rear carrier, L3 small sun, L5 front carrier, L6 input: C, D, B, E, A
-    assert list(one["elements"]) == ["T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"]
+    assert [*one["elements"]] == ["T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"]
     assert one["elements"]["F-L3-L5"] == ["L3", "L5"]
     assert one["elements"]["T-L0"] == ["L0", "housing"]
     case = from_dict(one["case"])
-    assert case == found[0].found.case
-    ratios = {name: gear["ratio"] for name, gear in one["gears"].items()}
-    assert solve(case).ratio.tolist() == pytest.approx(list(ratios.values()), rel=1e-12)
-    assert [gear["engaged"] for gear in one["gears"].values()] == [
-        [case.shift_elements[number - 1].name for number in gear.engaged] for gear in case.gears
-    ]
+    assert case == found.found.case
+    ratios = [gear["ratio"] for gear in one["gears"].values()]
+    assert solve(case).ratio.tolist() == pytest.approx(ratios, rel=1e-12)
+    names = [element.name for element in case.shift_elements]
+    engaged = [[names[number - 1] for number in gear.engaged] for gear in case.gears]
+    assert [gear["engaged"] for gear in one["gears"].values()] == engaged
 
 
 def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
     boxes = [RankedBox(EIGHT, 1, 1, pareto=True), RankedBox(EIGHT, 1, 2, pareto=False)]
     counts, best, schemes, families = box_grids(7, boxes, 3)
-    assert counts.texts == [
-        ["searched", "7"],
-        ["given up", "3"],
-        ["found", "2"],
-        ["families", "1"],
-        ["Pareto list", "1"],
-    ]
+    expected = {"searched": "7", "given up": "3", "found": "2", "families": "1", "Pareto list": "1"}
+    assert counts.texts == [[*row] for row in expected.items()]
     assert [row[0] for row in best.texts] == [row[0] for row in schemes.texts] == ["1"]
     assert families.texts[0][:2] == ["1", "2"]
     assert families.texts[0][-9:][0] == "4.696"
@@ -235,10 +216,36 @@ def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
 def test_a_notebook_shows_counts_the_pareto_list_and_families() -> None:
     found = BoxList(7, ranked(SIMPSON_SEARCH, [FAST], BoxFilter()), 3)._repr_html_()
     rows = [re.findall(r">([^<>]+)</t[dh]>", row) for row in found.split("<tr>")]
-    assert [row for row in rows if row[:1] in (["searched"], ["given up"], ["found"])] == [
-        ["searched", "7"],
-        ["given up", "3"],
-        ["found", "1"],
-    ]
+    for row in (["searched", "7"], ["given up", "3"], ["found", "1"]):
+        assert row in rows
     assert "Pareto list" in found
     assert ">2.479<" in found  # its first gear, as printed for the ZF 3HP 22
+
+
+TRUCK = BoxSearch(3, 5, 2, (6.0, 3.6, 2.3, 1.5, 1.0, 0.75, -5.0), tolerance=0.04)
+
+
+@cache
+def boxes_of(search: BoxSearch) -> tuple[FoundBox, ...]:
+    return found_in(search).boxes
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "wanted",
+    [
+        BoxFilter(single=True),
+        BoxFilter(brakes=(2,)),
+        BoxFilter(single=True, clutches=(2, 3)),
+        BoxFilter(limits={"clutches": 2, "brakes": 3}),
+    ],
+)
+def test_filters_within_the_search_give_what_those_behind_it_give(wanted: BoxFilter) -> None:
+    assert wanted.narrowed(TRUCK) != TRUCK
+    behind, within = (
+        ranked(TRUCK, [measured(TRUCK, box, 0.98) for box in boxes_of(search)], wanted)
+        for search in (TRUCK, wanted.narrowed(TRUCK))
+    )
+    assert behind
+    assert [one.found.box for one in behind] == [one.found.box for one in within]
+    assert len(behind) < len(boxes_of(TRUCK)) or wanted.limits

@@ -1,7 +1,5 @@
 """Documents of found boxes as input of commands."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path
@@ -63,10 +61,7 @@ def test_summaries_stand_side_by_side(boxes: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (
-            ("summary", "BOXES", "--gearbox", "5"),
-            "--gearbox: read 5, but the boxes have the numbers 1 to 4",
-        ),
+        (("summary", "BOXES", "--gearbox", "5"), "read 5, but the boxes have the numbers 1 to 4"),
         (("summary", "BOXES", "--gearbox", "x"), "read 'x', expected numbers of boxes"),
         (("summary", CASES / "simpson.yaml", "--gearbox", "1"), "--gearbox: expected one document"),
         (("plot", "BOXES", "--kind", "boxes", "--gear", "1", "-o", "x.svg"), "--gear: found boxes"),
@@ -79,32 +74,18 @@ def test_wrong_use(options: tuple[object, ...], said: str, boxes: Path) -> None:
     assert answer.is_wrong_use(said)
 
 
-@pytest.mark.parametrize(
-    "command", [("run",), ("check",), ("plot", "--kind", "plan", "-o", "x.svg"), ("synth", "fit")]
-)
-def test_other_commands_tell_what_it_is(command: tuple[str, ...], boxes: Path) -> None:
-    more = ("--ratios", "1=2") if command[0] == "synth" else ()
-    answer = vstatics(*command, boxes, *more)
-    assert answer.fails("these are found boxes, expected a case; plot --kind boxes, report and")
-
-
-def test_what_is_no_document_of_boxes_is_told(tmp_path: Path, boxes: Path) -> None:
-    answer = vstatics("plot", CASES / "simpson.yaml", "--kind", "boxes", "-o", tmp_path / "a.svg")
-    assert answer.fails("not valid JSON")
-    boxes.write_text('{"searched": 5, "found": 0, "families": 0, "boxes": []}')
-    for command in (
-        ("plot", "--kind", "boxes", "-o", tmp_path / "a.svg"),
-        ("report", "-o", tmp_path / "a.html"),
-        ("summary",),
-    ):
-        answer = vstatics(*command, boxes)
-        assert answer.fails("no box was found")
-
-
-def test_a_box_that_cannot_be_is_told_with_what_is_wrong(boxes: Path) -> None:
+def test_other_commands_tell_what_it_is(tmp_path: Path, boxes: Path) -> None:
+    for command in ("run", "check", "plot --kind plan -o x.svg", "synth fit --ratios 1=2"):
+        answer = vstatics(*command.split(), boxes)
+        assert answer.fails("these are found boxes, expected a case; plot --kind boxes, report and")
+    plot = ("plot", "--kind", "boxes", "-o", str(tmp_path / "a.svg"))
+    assert vstatics(*plot, CASES / "simpson.yaml").fails("not valid JSON")
     document = json.loads(boxes.read_text())
     case = document["boxes"][0]["case"]
     case["gears"]["1"]["engaged"] = list(case["shift_elements"])
     boxes.write_text(json.dumps(document))
     said = vstatics("summary", boxes, "--gearbox", "1")
     assert said.fails("boxes.json box 1: error: gear 1: tied up: ")
+    boxes.write_text('{"searched": 5, "found": 0, "families": 0, "boxes": []}')
+    for told in (plot, ("report", "-o", str(tmp_path / "a.html")), ("summary",)):
+        assert vstatics(*told, boxes).fails("no box was found")

@@ -1,8 +1,5 @@
 """`vstatics synth teeth`: what it shows, what it writes, what it is asked for wrongly."""
 
-from __future__ import annotations
-
-import json
 from pathlib import Path
 from typing import Any
 
@@ -28,27 +25,23 @@ def document(*options: str, case: Path = BELAZ) -> dict[str, Any]:
 
 
 def test_the_document_has_twenty_solutions() -> None:
-    """33/17/67, 15/15/45 and 50/26/102: facts of the literature, error ln(100/67/1.4925)."""
+    """The best is that of tests/synthesis/teeth/test_teeth.py."""
     solutions = document(*GOLDEN, *RANGES)["solutions"]
-    assert len(solutions) == len({json.dumps(one["teeth"]) for one in solutions}) == 20
+    assert len(solutions) == 20
     best = solutions[0]
     assert list(best) == ["teeth", "planets", "gears", "error"]
     assert best["teeth"]["P3"] == {"sun": 15, "ring": 45, "planet": 15}
     assert best["planets"]["P3"] == 3
-    assert best["error"] == pytest.approx(2.5e-5, rel=1e-4)
     errors = [one["error"] for one in solutions]
     assert errors == sorted(errors)
 
 
 def test_the_case_that_is_written_has_the_ratios(tmp_path: Path) -> None:
-    """Of mechanisms, of a pair with given axes: 40 + 65 teeth, and of a Ravigneaux set."""
+    """Of a set, and of a pair with given axes: 40 + 65 teeth."""
     file, box = tmp_path / "teeth.yaml", tmp_path / "box.yaml"
-    box.write_text(
-        "links: 4\nmechanisms:\n  P: {first: 1, second: 2, third: 3, ratio: -2}\n"
-        "  G: {first: 3, second: 4, ratio: -1.6}\nshift_elements: {B: [2, housing]}\n"
-        "gears: {low: [B]}\n".replace("\\\n", "\n"),
-        encoding="utf-8",
-    )
+    text = "links: 4\nmechanisms:\n  P: {first: 1, second: 2, third: 3, ratio: -2}\n"
+    text += "  G: {first: 3, second: 4, ratio: -1.6}\nshift_elements: {B: [2, housing]}\n"
+    box.write_text(text + "gears: {low: [B]}\n", encoding="utf-8")
     answer = said("--ratios", "low=-5.6875", "--centre", "G=52.5", "--write", str(file), case=box)
     assert answer.status == 0, answer.err
     assert solve(load(file)).ratio.tolist() == pytest.approx([-5.6875], rel=1e-3)
@@ -76,14 +69,11 @@ def test_wrong_use(options: tuple[str, ...], message: str) -> None:
     assert answer.is_wrong_use(message)
 
 
-def test_no_teeth() -> None:
+def test_no_teeth_and_what_excludes_most() -> None:
+    """Six planets need a sun about as large as they are: (1 + p) sin 30° > p + 2.5 at p = 1."""
     answer = said("--ratios", "P1=-2", "--range", "P1.sun=12:13", "-f", "json")
     assert (answer.status, answer.json) == (1, {"solutions": []})
     assert "most are excluded by: undercut" in answer.err
-
-
-def test_what_excludes_most_of_what_is_coaxial() -> None:
-    """Six planets need a sun about as large as they are: (1 + p) sin 30° > p + 2.5 at p = 1."""
     ranges = ["--planets", "6", "--range", "sun=14:19,planet=14:22"]
     assert "excluded by: neighbouring planets" in said("--ratios", "P1=-2", *ranges).err
     ranges = ["--range", "sun=20,planet=20,ring=61:70"]

@@ -1,37 +1,15 @@
 """The program's search for boxes against the brute force: complete lists of small spaces."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import combinations
-from typing import Any
 
 import pytest
 
 from tests.chance import seeded
-from tests.oracle.boxes import (
-    HELD,
-    Box,
-    Frame,
-    Space,
-    all_frames,
-    found_in,
-    names,
-    searched,
-    triples,
-)
-from tests.oracle.test_boxes import (
-    A41TE,
-    AOD,
-    GF4A,
-    GM6,
-    LEPELLETIER,
-    SIMPSON,
-    Built,
-    Pairs,
-    holds,
-    ratio,
-)
+from tests.oracle import test_boxes as built_boxes
+from tests.oracle.boxes import HELD, Box, Frame, Space, all_frames, found_in, names, triples
+from tests.oracle.boxes import searched as all_searched
+from tests.oracle.test_boxes import Built, Pairs, holds, ratio
 from tests.synthesis.boxes.hand_boxes import FORD_10R, FORD_10R_SEARCH
 from vstatics.synthesis.boxes.batches.cut import ranges
 from vstatics.synthesis.boxes.batches.found import found_in as search_piece
@@ -95,11 +73,12 @@ def compare(space: Space, found: list[FoundBox], boxes: list[Box]) -> None:
     )
 
 
+BUILT = [built_boxes.SIMPSON, built_boxes.AOD, built_boxes.GF4A, built_boxes.A41TE]
 SMALL = {
-    "simpson": SIMPSON.space,
-    "aod": AOD.space,
-    "gf4a": GF4A.space,
-    "41te": A41TE.space,
+    "simpson": built_boxes.SIMPSON.space,
+    "aod": built_boxes.AOD.space,
+    "gf4a": built_boxes.GF4A.space,
+    "41te": built_boxes.A41TE.space,
     "one set": Space(1, 2, 1, (3.5, 1), cells=100),
     "two meshed": Space(2, 5, 2, (1, 0.739, -4.857, -0.529), meshed=2, own_input=True),
     "held": Space(2, 4, 1, (1, -2.667, -1.886, -1.059), fixed=1),
@@ -120,45 +99,34 @@ SMALL = {
 def test_complete_lists_of_small_spaces(space: Space) -> None:
     search = asked(space)
     pieces = [search_piece(search, piece, 3) for piece in range(3)]
-    assert sum(piece.searched for piece in pieces) == searched(space)
+    assert sum(piece.searched for piece in pieces) == all_searched(space)
     boxes = [box for frame in all_frames(space) for box in found_in(space, frame)]
     assert boxes
-    built = (one for one in (SIMPSON, AOD, GF4A, A41TE) if one.space == space)
+    built = (one for one in BUILT if one.space == space)
     assert all(holds(boxes, one) for one in built)
     compare(space, [box for piece in pieces for box in piece.boxes], boxes)
 
 
 @pytest.mark.parametrize(
-    "given",
+    "empty",
     [
-        {"sets": 1, "elements": 5, "engaged": 3, "shafts": 2},
-        {
-            "sets": 1,
-            "elements": 5,
-            "engaged": 4,
-            "shafts": 1,
-            "own_input": True,
-            "own_output": True,
-        },
-        {"sets": 2, "elements": 5, "engaged": 2, "shafts": 1, "meshed": 1},
-        {"sets": 2, "elements": 5, "engaged": 3, "shafts": 1, "own_input": True, "fixed": 1},
-        {"sets": 2, "elements": 5, "engaged": 3, "own_input": True, "own_output": True},
+        Space(1, 5, 3, (), shafts=2),
+        Space(1, 5, 4, (), shafts=1, own_input=True, own_output=True),
+        Space(2, 5, 2, (), shafts=1, meshed=1),
+        Space(2, 5, 3, (), shafts=1, own_input=True, fixed=1),
+        Space(2, 5, 3, (), own_input=True, own_output=True),
     ],
 )
-def test_what_shafts_without_a_set_give(given: dict[str, Any]) -> None:
+def test_what_shafts_without_a_set_give(empty: Space) -> None:
     """In frames and for ratios of chance, that some choice of elements has."""
     chance = seeded(32)
-    empty = Space(targets=(), **given)
     frames, found_some = all_frames(empty), 0
     while found_some < 8:
         frame = chance.choice(frames)
         ratios = [(1 if one else -1) * chance.uniform(1.6, 4) for one in frame.meshed]
         elements = chance.sample(frame.possible, empty.elements)
-        gears = {
-            round(value, 6)
-            for some in combinations(elements, empty.engaged)
-            if 0.2 < abs(value := ratio(frame, some, ratios)) < 8
-        }
+        values = (ratio(frame, some, ratios) for some in combinations(elements, empty.engaged))
+        gears = {round(value, 6) for value in values if 0.2 < abs(value) < 8}
         ends = [link for one in elements for link in one]
         near = any(1 < one / other < 1.1 for one in gears for other in gears)  # may be one gear
         if len(gears) < 2 or near or any(ends.count(shaft) < 3 for shaft in frame.further):
@@ -181,7 +149,7 @@ PIECES = 40
 """Each has a hundred choices of ports or more."""
 
 
-@pytest.mark.parametrize("built", [GM6, LEPELLETIER], ids=["6t70", "6hp26"])
+@pytest.mark.parametrize("built", [built_boxes.GM6, built_boxes.LEPELLETIER], ids=["6t70", "6hp26"])
 def test_built_gearboxes_are_found(built: Built) -> None:
     """In the piece with the scheme, of which some other frames are compared, too."""
     search = asked(built.space)

@@ -1,7 +1,5 @@
 """Counts of schemes against closed forms, and against lists made in the simplest way."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from itertools import combinations, permutations, product
@@ -9,6 +7,8 @@ from itertools import combinations, permutations, product
 import pytest
 
 from tests.commands import ROOT
+from tests.oracle.boxes import codes, hangs_together, triples
+from tests.oracle.boxes import is_sound as has_no_locked_group
 from tests.oracle.schemes import KEPT, SUN_AND_RING, bodies, classes, connected, labelled, sound
 
 pytestmark = pytest.mark.slow  # nothing in them is the program's own
@@ -23,55 +23,23 @@ def subsets_of_links(sets: int, links: int) -> Iterator[tuple[frozenset[int], ..
         for chosen in product(range(4), repeat=sets)
         if min(chosen) < 3
     ]
-    assert len(possible) == 4**sets - 1
     for some in combinations(possible, links):
         if sum(map(len, some)) == 3 * sets == len(frozenset().union(*some)):
             yield some
 
 
-def all_codes(sets: int) -> Iterator[Code]:
-    """Restricted growth strings in which no set has two equal numbers."""
-
-    def grown(code: Code) -> Iterator[Code]:
-        if len(code) == 3 * sets:
-            yield code
-            return
-        own = code[len(code) // 3 * 3 :]
-        for link in range(max(code, default=-1) + 2):
-            if link not in own:
-                yield from grown((*code, link))
-
-    return grown(())
-
-
-def renumbered(code: Code) -> Code:
-    numbers: dict[int, int] = {}
-    return tuple(numbers.setdefault(link, len(numbers)) for link in code)
-
-
-def is_connected(code: Code) -> bool:
-    sets = [set(code[at : at + 3]) for at in range(0, len(code), 3)]
-    reached, left = sets[0], sets[1:]
-    while near := [one for one in left if one & reached]:
-        reached = reached.union(*near)
-        left = [one for one in left if one not in near]
-    return not left
-
-
 def is_sound(code: Code) -> bool:
-    sets = [set(code[at : at + 3]) for at in range(0, len(code), 3)]
-    groups = (group for size in range(1, len(sets) + 1) for group in combinations(sets, size))
-    return is_connected(code) and all(len(set().union(*g)) - len(g) >= 2 for g in groups)
+    return hangs_together(code) and has_no_locked_group(code)
 
 
 def least(code: Code, orders: list[tuple[int, ...]], ports: tuple[int, ...]) -> Code:
     """The least name of a scheme with its ports behind it, over all that may be exchanged."""
-    triples = [code[at : at + 3] for at in range(0, len(code), 3)]
     names = []
-    for way in permutations(triples):
-        for turns in product(orders, repeat=len(triples)):
+    for way in permutations(triples(code)):
+        for turns in product(orders, repeat=len(way)):
             new = [one[k] for one, turn in zip(way, turns, strict=True) for k in turn]
-            names.append(renumbered((*new, *ports)))
+            numbers: dict[int, int] = {}
+            names.append(tuple(numbers.setdefault(link, len(numbers)) for link in (*new, *ports)))
     return min(names)
 
 
@@ -89,10 +57,10 @@ def test_two_sets_from_4368_subsets_of_links() -> None:
 
 @pytest.mark.parametrize("sets", [1, 2, 3, 4])
 def test_labelled_schemes_are_those_of_a_list(sets: int) -> None:
-    codes = list(all_codes(sets))
-    assert Counter(max(code) + 1 for code in codes) == labelled(sets)
+    every = list(codes(sets))
+    assert Counter(max(code) + 1 for code in every) == labelled(sets)
     if sets < 4:
-        whole = [code for code in codes if is_connected(code)]
+        whole = [code for code in every if hangs_together(code)]
         assert Counter(max(code) + 1 for code in whole) == connected(sets)
         good = Counter(max(code) + 1 for code in whole if is_sound(code))
         assert good == sound(sets)
@@ -128,9 +96,9 @@ def test_classes_of_three_sets_are_those_of_a_list(group: str, ports: bool) -> N
 
 def listed_classes(sets: int, group: str, ports: bool, all_: bool) -> dict[int, int]:
     """By the names of all schemes, each with all its ports."""
-    good = is_connected if all_ else is_sound
+    good = hangs_together if all_ else is_sound
     seen = set()
-    for code in all_codes(sets):
+    for code in codes(sets):
         links = max(code) + 1
         if sets + 2 <= links <= 2 * sets + 1 and good(code):
             pairs = permutations(range(links), 2) if ports else [()]
@@ -140,20 +108,20 @@ def listed_classes(sets: int, group: str, ports: bool, all_: bool) -> dict[int, 
 
 def test_the_table_of_the_page() -> None:
     """Counts of two to five sets, five only by what lists nothing."""
-    text = PAGE.read_text(encoding="utf-8")
-    lines = [line for line in text.splitlines() if line.startswith("| ")]
+    lines = [line for line in PAGE.read_text("utf-8").splitlines() if line.startswith("| ")]
     rows = {line.split("|")[1].strip(): line.split("|")[2:-1] for line in lines}
-    sizes = range(2, 6)
-
-    def printed(name: str) -> list[int]:
-        return [int(cell.replace(" ", "")) for cell in rows[name]]
-
-    enough = [sum(n for links, n in connected(sets).items() if links >= sets + 2) for sets in sizes]
-    assert printed("connected, N + 2 <= J <= 2 N + 1") == enough
-    assert printed("sound") == [sum(sound(sets).values()) for sets in sizes]
-    counted = [sum(classes(sets, all_=True).values()) for sets in sizes]
-    assert printed("connected, up to renaming of sets") == counted
-    counted = [sum(classes(sets).values()) for sets in sizes]
-    assert printed("sound, up to renaming of sets") == counted
-    counted = [sum(classes(sets, ports=True).values()) for sets in sizes]
-    assert printed("the same with input and output") == counted
+    many: list[dict[str, int]] = [
+        {
+            "connected, N + 2 <= J <= 2 N + 1": sum(
+                number for links, number in connected(sets).items() if links >= sets + 2
+            ),
+            "sound": sum(sound(sets).values()),
+            "connected, up to renaming of gear sets": sum(classes(sets, all_=True).values()),
+            "sound, up to renaming of gear sets": sum(classes(sets).values()),
+            "the same with input and output": sum(classes(sets, ports=True).values()),
+        }
+        for sets in range(2, 6)
+    ]
+    for name in many[0]:
+        printed = [int(cell.replace(",", "")) for cell in rows[name]]
+        assert printed == [counted[name] for counted in many]

@@ -6,8 +6,6 @@ what is found must be so by the null space of the equations (`tests.oracle.test_
 each element in a gear.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations, pairwise, product
@@ -135,7 +133,7 @@ def told_of(search: BoxSearch, box: FoundBox) -> Choice:
     found = measured(search, box, 0.98)
     named = found.elements
     gears = [
-        Told(frozenset((named[one][0], named[one][1]) for one in gear.engaged), gear.target)  # type: ignore[misc]
+        Told(frozenset(map(named.__getitem__, gear.engaged)), gear.target)  # type: ignore[arg-type]
         for gear in found.gears
     ]
     ratios = [gear.ratio for gear in found.gears if gear.target not in search.targets]

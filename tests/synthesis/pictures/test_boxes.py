@@ -1,7 +1,5 @@
 """The picture of found boxes, and the stick diagrams of boxes without teeth."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from typing import Any
@@ -36,19 +34,25 @@ def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -
     return figure
 
 
-def words(figure: Figure) -> list[str]:
-    return texts(figure)
-
-
 def test_one_box_has_its_point_and_its_diagram() -> None:
-    figure = drawn(simpson())
-    said = words(figure)
+    """With the ratios of the document, and the spread over its forward gears."""
+    document = simpson()
+    figure = drawn(document)
+    said = texts(figure)
     assert "Found boxes: 1" in said
     assert "27885 looked at, 1 family with equal ratios" in said
     assert {"1", "family 1 (1)", "Pareto list", "P1", "P2", "A", "B", "C", "D"} <= set(said)
     [(_, point)] = [one for one in titled(figure) if one[0].startswith("1: family 1, loss ")]
     [name] = [text for text in figure.texts if text.get_text() == "P1"]
     assert name.get_window_extent().y1 < point.get_window_extent().y0
+    ratios = {name: gear["ratio"] for name, gear in document["boxes"][0]["gears"].items()}
+    forward = [ratio for ratio in ratios.values() if ratio > 0]
+    whole = " ".join(said).replace("−", "-")
+    for gear, ratio in ratios.items():
+        assert f"{gear}: {ratio:.3f}" in whole
+    assert f"spread {max(forward) / min(forward):.3f}" in whole
+    with pytest.raises(CaseError, match="no box was found, so there is nothing to draw"):
+        drawn({"searched": 10, "boxes": []})
 
 
 def test_the_scales_of_a_narrow_page_can_be_read() -> None:
@@ -117,25 +121,25 @@ def test_numbers_of_many_boxes_cover_no_other_and_no_point() -> None:
     for one in points:
         at = one.get_transform().transform(one.get_xydata())[0]
         assert not any(box.contains(*at) for box in boxes)
-    assert any(text.endswith("others") for text in words(figure))
+    assert any(text.endswith("others") for text in texts(figure))
 
 
 @pytest.mark.slow
 def test_boxes_without_figures_have_no_point_but_are_told() -> None:
     document = many(3)
     document["boxes"][0] |= {"loss": None, "torque": None}
-    said = words(drawn(document, most=1))
+    said = texts(drawn(document, most=1))
     assert any("; without loss or torque: 1" in text for text in said)
     assert not any("nan" in text for text in said)
     document["boxes"] = document["boxes"][:1]
-    assert "Found boxes: 1" in words(drawn(document))
+    assert "Found boxes: 1" in texts(drawn(document))
 
 
 @pytest.mark.slow
 def test_figures_that_differ_widely_have_scales_of_logarithms() -> None:
     document = many(6)
     document["boxes"][5] |= {"torque": 200.0, "loss": 0.0}
-    assert {"2", "5", "10", "20", "50", "100", "200"} <= set(words(drawn(document, most=1)))
+    assert {"2", "5", "10", "20", "50", "100", "200"} <= set(texts(drawn(document, most=1)))
     x, y = box_scale([2.0, 2.3, 200.0]), box_scale([0.0, 1.0, 1.2])
     assert (x.is_log, y.is_log) == (True, False)
     assert x.low < 2.0
@@ -147,47 +151,26 @@ def test_figures_that_differ_by_rounding_are_one_place() -> None:
 
 
 @pytest.mark.slow
-def test_a_box_without_a_name_is_drawn() -> None:
-    document = simpson()
-    del document["boxes"][0]["case"]["name"]
-    [box] = listing_of(document).boxes
-    assert b"<svg" in stick_diagram(box.transmission())
-
-
-def test_no_box_is_told() -> None:
-    with pytest.raises(CaseError, match="no box was found, so there is nothing to draw"):
-        drawn({"searched": 10, "boxes": []})
-
-
-@pytest.mark.slow
 def test_the_same_boxes_give_the_same_picture() -> None:
-    listing = listing_of(zf_6hp())
+    """Also of a box without a name."""
+    document = zf_6hp()
+    del document["boxes"][0]["case"]["name"]
+    listing = listing_of(document)
+    assert b"<svg" in stick_diagram(listing.boxes[0].transmission())
     for form in ("svg", "png", "pdf"):
         first, again = (render_boxes(listing, form, Style("ru", dark=True)) for _ in range(2))
         assert first == again
 
 
-def test_a_diagram_has_the_ratios_of_its_box_and_their_spread() -> None:
-    """Those of the document, the spread over its forward gears."""
-    document = simpson()
-    ratios = {name: gear["ratio"] for name, gear in document["boxes"][0]["gears"].items()}
-    forward = [ratio for ratio in ratios.values() if ratio > 0]
-    said = " ".join(words(drawn(document))).replace("−", "-")
-    for name, ratio in ratios.items():
-        assert f"{name}: {ratio:.3f}" in said
-    assert f"spread {max(forward) / min(forward):.3f}" in said
-
-
 @pytest.mark.slow
 def test_diagrams_go_on_on_further_pages_of_a_width() -> None:
     listing, style = listing_of(many(200)), Style(height=PAGE_HEIGHT)
+    shown = drawn_boxes(listing, 8)
     with settings_of(style):
-        pages = draw_boxes(listing, style, drawn_boxes(listing, 8))
+        pages = draw_boxes(listing, style, shown)
     assert len(pages) > 1
-    headings = [one for page in pages for one in words(page) if "   family " in one]
-    assert [int(one.split()[0]) for one in headings] == [
-        box.number for box in drawn_boxes(listing, 8)
-    ]
+    headings = [one for page in pages for one in texts(page) if "   family " in one]
+    assert [int(one.split()[0]) for one in headings] == [box.number for box in shown]
     for page in pages:
         wide, high = 72 * page.get_size_inches()
         assert wide <= style.width

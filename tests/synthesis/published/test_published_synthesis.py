@@ -7,8 +7,6 @@ in table 15. Not printed: what the pairs are. It follows here from the equations
 sets in exact fractions, for every scheme and every choice of its links J1 to J4.
 """
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator
@@ -27,55 +25,27 @@ from vstatics.synthesis.gears.search import combinations as combinations_of
 
 PAGE = ROOT / "docs" / "synthesis" / "tables.md"
 CASE_OF_THE_PAGE = ROOT / "docs" / "sources" / "cases" / "two-sets.yaml"
-TABLE_10 = [
-    "a1",
-    "h1",
-    "b1",
-    "a2",
-    "h2",
-    "b2",
-    "a1,a2",
-    "a1,h2",
-    "a1,b2",
-    "h1,a2",
-    "h1,h2",
-    "h1,b2",
-    "b1,a2",
-    "b1,h2",
-    "b1,b2",
-]
-PRINTED_SCHEMES = {
-    22: (1, 2, 4, 14),
-    233: (1, 5, 10, 14),
-    686: (3, 4, 9, 11),
-    1145: (5, 10, 14, 15),
-}
+TABLE_10 = "a1 h1 b1 a2 h2 b2 a1,a2 a1,h2 a1,b2 h1,a2 h1,h2 h1,b2 b1,a2 b1,h2 b1,b2"
+ELEMENTS = ["a1", "h1", "b1", "a2", "h2", "b2"]
+PRINTED_SCHEMES = {22: (1, 2, 4, 14), 233: (1, 5, 10, 14), 686: (3, 4, 9, 11)}
+PRINTED_SCHEMES[1145] = (5, 10, 14, 15)
 """Of table 11: first, some inside, of all 1365 choices of four of the fifteen links."""
 ENGINE = 5
 TABLE_13 = {
-    "F1": (1, 2),
-    "F2": (1, 3),
-    "F3": (1, 4),
-    "F4": (2, 3),
-    "F5": (2, 4),
-    "F6": (3, 4),
-    "F7": (ENGINE, 1),
-    "F8": (ENGINE, 2),
-    "F9": (ENGINE, 3),
-    "F10": (ENGINE, 4),
-}
-BRAKES = {"T1": (2, 0), "T2": (3, 0)}
-PLACES_OF_TABLE_14 = {
-    1: "F1 F2", 11: "F1 T2", 12: "F2 F3", 21: "F2 T2", 22: "F3 F4", 30: "F3 T2", 31: "F4 F5",
-    33: "F4 F7", 34: "F4 F8", 38: "F4 T2", 39: "F5 F6", 45: "F5 T2", 51: "F6 T2", 52: "F7 F8",
-    56: "F7 T2", 57: "F8 F9", 60: "F8 T2", 61: "F9 F10", 63: "F9 T2", 64: "F10 T1",
-    65: "F10 T2", 66: "T1 T2",
+    "F1": (1, 2), "F2": (1, 3), "F3": (1, 4), "F4": (2, 3), "F5": (2, 4), "F6": (3, 4),
+    "F7": (ENGINE, 1), "F8": (ENGINE, 2), "F9": (ENGINE, 3), "F10": (ENGINE, 4),
 }  # fmt: skip
+BRAKES = {"T1": (2, 0), "T2": (3, 0)}
+PLACES_OF_TABLE_14 = (
+    "1 F1 F2, 11 F1 T2, 12 F2 F3, 21 F2 T2, 22 F3 F4, 30 F3 T2, 31 F4 F5, 33 F4 F7, 34 F4 F8, "
+    "38 F4 T2, 39 F5 F6, 45 F5 T2, 51 F6 T2, 52 F7 F8, 56 F7 T2, 57 F8 F9, 60 F8 T2, 61 F9 F10, "
+    "63 F9 T2, 64 F10 T1, 65 F10 T2, 66 T1 T2"
+)
 TABLE_15 = [
-    "F7 T1", "F7 T2", "F7 F1", "F7 F2", "F7 F3", "F7 F4", "F7 F5", "F7 F6",
-    "F8 T1", "F8 T2", "F8 F1", "F8 F2", "F8 F3", "F8 F4", "F8 F5", "F8 F6",
-    "F9 T1", "F9 T2", "F9 F1", "F9 F2", "F9 F3", "F9 F4", "F9 F5", "F9 F6",
-]  # fmt: skip
+    f"{clutch} {other}"
+    for clutch in ("F7", "F8", "F9")
+    for other in ("T1", "T2", "F1", "F2", "F3", "F4", "F5", "F6")
+]
 CONTROLS = TABLE_13 | BRAKES
 PAIRS = [" ".join(pair) for pair in combinations(CONTROLS, 2)]
 RATIOS = [Fraction(-2), Fraction(-26, 10)]
@@ -83,9 +53,9 @@ RATIOS = [Fraction(-2), Fraction(-26, 10)]
 
 def schemes() -> Iterator[tuple[int, list[set[str]]]]:
     """Numbers and links of the schemes with four links in which each element is once."""
-    links = [set(one.split(",")) for one in TABLE_10]
+    links = [set(one.split(",")) for one in TABLE_10.split()]
     for number, chosen in enumerate(combinations(links, 4), 1):
-        if sorted(element for link in chosen for element in link) == sorted(TABLE_10[:6]):
+        if sorted(element for link in chosen for element in link) == sorted(ELEMENTS):
             yield number, list(chosen)
 
 
@@ -101,16 +71,14 @@ def kinds(scheme: list[set[str]]) -> dict[str, str]:
     return dict(zip(PAIRS, found, strict=True))
 
 
+SCHEME_686 = next(scheme for number, scheme in schemes() if number == 686)
+
+
 def rows(heading: str) -> list[list[str]]:
     """Cells of the last table under a heading that the page has, its own heading first."""
     text = PAGE.read_text(encoding="utf-8").partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
-    table = re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE)
-    lines = [
-        line.strip().removeprefix("|").removesuffix("|").split("|")
-        for line in table[0].splitlines()
-        if "---" not in line
-    ]
-    return [[cell.strip() for cell in line] for line in lines]
+    table = re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE)[0].splitlines()
+    return [[cell.strip() for cell in line[1:-1].split("|")] for line in table if "---" not in line]
 
 
 def names(text: str) -> list[str]:
@@ -124,8 +92,8 @@ def test_scheme_22_lacks_b2_and_18_of_1365_are_complete() -> None:
     numbered = dict(enumerate(combinations(range(1, 16), 4), 1))
     assert len(numbered) == 1365
     assert {n: numbered[n] for n in PRINTED_SCHEMES} == PRINTED_SCHEMES
-    elements = ",".join(TABLE_10[link - 1] for link in PRINTED_SCHEMES[22]).split(",")
-    assert set(TABLE_10[:6]) - set(elements) == {"b2"}
+    elements = ",".join(TABLE_10.split()[link - 1] for link in PRINTED_SCHEMES[22]).split(",")
+    assert set(ELEMENTS) - set(elements) == {"b2"}
     found = [number for number, _ in schemes()]
     assert len(found) == 18
     text = PAGE.read_text(encoding="utf-8")
@@ -134,7 +102,9 @@ def test_scheme_22_lacks_b2_and_18_of_1365_are_complete() -> None:
 
 def test_printed_pairs_are_all_pairs() -> None:
     assert len(PAIRS) == 66
-    assert {n: PAIRS[n - 1] for n in PLACES_OF_TABLE_14} == PLACES_OF_TABLE_14
+    for printed in PLACES_OF_TABLE_14.split(", "):
+        number, _, pair = printed.partition(" ")
+        assert PAIRS[int(number) - 1] == pair
 
 
 def test_printed_rules_leave_the_24_printed_pairs() -> None:
@@ -164,10 +134,7 @@ def test_kinds_are_those_of_the_page_whatever_the_scheme() -> None:
 
 
 def test_of_the_24_printed_ones_4_are_gears() -> None:
-    with_each = ["T1", "T2", *names("F1 to F6")]
-    assert [f"{clutch} {other}" for clutch in names("F7 to F9") for other in with_each] == TABLE_15
-    found = kinds(next(scheme for number, scheme in schemes() if number == 686))
-    found = {" ".join(sorted(pair.split())): kind for pair, kind in found.items()}
+    found = {" ".join(sorted(pair.split())): kind for pair, kind in kinds(SCHEME_686).items()}
     of = [found[" ".join(sorted(pair.split()))] for pair in TABLE_15]
     assert Counter(of) == {"direct": 18, "gear": 4, "blocked": 2}
     assert [n for n, kind in enumerate(of, 1) if kind == "gear"] == [1, 2, 10, 17]
@@ -191,46 +158,34 @@ def test_the_program_gives_the_gears_of_the_page() -> None:
     case = load(CASE_OF_THE_PAGE)
     k1, k2 = RATIOS
     forms = {
-        "F7 T1": 1 - 1 / (k1 * k2),
-        "F7 T2": (k1 - 1) / k1,
-        "F8 T2": 1 - k2,
-        "F9 T1": (k2 - 1) / k2,
-        "direct": Fraction(1),
+        "F7 T1": float(1 - 1 / (k1 * k2)),
+        "F7 T2": float((k1 - 1) / k1),
+        "F8 T2": float(1 - k2),
+        "F9 T1": float((k2 - 1) / k2),
     }
     found = dict(zip((gear.name for gear in case.gears), solve(case).ratio.tolist(), strict=True))
-    assert found == pytest.approx({name: float(form) for name, form in forms.items()}, rel=1e-14)
-    printed = {row[0]: row[3] for row in rows_of_gears()}
-    assert printed == {
-        name: f"{float(form):.4f}".rstrip("0") for name, form in forms.items() if name != "direct"
-    }
-
-
-def rows_of_gears() -> list[list[str]]:
-    text = PAGE.read_text(encoding="utf-8")
-    lines = re.findall(r"^\| (F\d T\d) \| (.*) \| (.*) \| (\S*) \|$", text, re.MULTILINE)
-    return [list(line) for line in lines]
-
-
-def test_the_program_solves_the_gears_and_no_others() -> None:
-    """All 66 pairs as gears: those with a ratio are direct drives, or gears."""
-    case = load(CASE_OF_THE_PAGE)
-    gears = [Gear(pair) for pair in combinations(range(1, 13), 2)]
-    found = np.isfinite(solve(replace(case, gears=gears)).ratio)
-    scheme = next(scheme for number, scheme in schemes() if number == 686)
-    expected = [kind in {"gear", "direct"} for kind in kinds(scheme).values()]
-    assert found.tolist() == expected
+    assert found == pytest.approx(forms | {"direct": 1.0}, rel=1e-14)
+    line = re.compile(r"^\| (F\d T\d) \| .* \| .* \| (\S*) \|$", re.MULTILINE)
+    rows = line.findall(PAGE.read_text("utf-8"))
+    assert dict(rows) == {name: f"{form:.4f}".rstrip("0") for name, form in forms.items()}
 
 
 def test_the_program_tells_the_kinds_of_table_14_in_its_order() -> None:
-    """All 66, and with a brake on J1 besides the two gears that the source leaves out."""
+    """All 66, and with a brake on J1 besides the two gears that the source leaves out.
+
+    As gears those with a ratio are direct drives, or gears.
+    """
     case = load(CASE_OF_THE_PAGE)
-    found = combinations_of(case)
-    assert [" ".join(one.engaged) for one in found] == PAIRS
-    scheme = next(scheme for number, scheme in schemes() if number == 686)
-    assert [one.kind for one in found] == list(kinds(scheme).values())
+    found = {" ".join(one.engaged): one.kind for one in combinations_of(case)}
+    expected = kinds(SCHEME_686)
+    assert [*found] == PAIRS
+    assert found == expected
+    gears = [Gear(pair) for pair in combinations(range(1, 13), 2)]
+    with_ratio = np.isfinite(solve(replace(case, gears=gears)).ratio)
+    assert with_ratio.tolist() == [kind in {"gear", "direct"} for kind in expected.values()]
     more = replace(case, shift_elements=[*case.shift_elements, ShiftElement(2, name="T3")])
     with_brake = [one for one in combinations_of(more) if "T3" in one.engaged]
-    gears = {one.engaged[0]: one.ratio for one in with_brake if one.kind == "gear"}
+    ratios = {one.engaged[0]: one.ratio for one in with_brake if one.kind == "gear"}
     k1, k2 = map(float, RATIOS)
     # b1 stands: a1 = (1 - K1) h; then F9 gives 1 - K1, F8 a2 = K2 a1 + (1 - K2) h
-    assert gears == pytest.approx({"F8": k2 * (1 - k1) + 1 - k2, "F9": 1 - k1}, rel=1e-14)
+    assert ratios == pytest.approx({"F8": k2 * (1 - k1) + 1 - k2, "F9": 1 - k1}, rel=1e-14)

@@ -1,7 +1,5 @@
 """The page of found boxes."""
 
-from __future__ import annotations
-
 import json
 import math
 import re
@@ -41,33 +39,46 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
     sections = re.findall(r'<section id="([\w-]+)"', html)
     assert sections == ["overview", "boxes", "diagrams"]
     assert "<h1>1 found box</h1>" in html
-    assert (
-        "looked at 27885 choices of shift elements given up 0 families, of equal ratios 1 in the Pareto list 1 least"
-        in words(html)
-    )
+    counts = "given up 0 families, of equal ratios 1 in the Pareto list 1 least"
+    assert f"looked at 27885 choices of shift elements {counts}" in words(html)
     assert html.count('href="#box-1"') == 3  # best in both, and in the table
     assert len(rows(html, "boxes")) == len(rows(html, "boxes", 2)) == 1
     assert len(rows(html, "diagrams")) == 4  # gears
     assert html.count("<svg") == 2
     assert 'id="box-1"' in html
+    found = re.search('<script type="application/json" id="result">(.*?)</script>', html)
+    assert found is not None
+    assert json.loads(found[1]) == simpson()
+    with pytest.raises(CaseError, match="no box was found"):
+        page({"searched": 3, "boxes": []})
+
+
+@pytest.mark.slow
+def test_names_are_text() -> None:
+    html = page(json.loads(json.dumps(simpson()).replace("T-L0", "<b onload=x>")))
+    assert "<b onload" not in html
+    assert "&lt;b onload=x&gt;" in html
+
+
+FALLING = WantedSequence(6, 8, (5, 7), (1.2, 1.8), falling=True)
+ANY_SPREAD = WantedSequence(3, 3, (1, 1e6), (1.2, 1.8))
+RANGES = (0.01, math.log(2), 0.01)
 
 
 @pytest.mark.parametrize(
     ("search", "said"),
     [
         (
-            BoxSearch(2, 4, 2, (1.0, 3.0, -2.0), tolerances=(0.01, math.log(2), 0.01)),
+            BoxSearch(2, 4, 2, (1.0, 3.0, -2.0), tolerances=RANGES),
             "Wanted: 1: 1.5 to 6, 2: 1, R: −2.",
         ),
         (
-            BoxSearch(
-                3, 5, 2, (-3.0,), sequence=WantedSequence(6, 8, (5, 7), (1.2, 1.8), falling=True)
-            ),
+            BoxSearch(3, 5, 2, (-3.0,), sequence=FALLING),
             "Wanted: forward gears: 6 to 8; spread 5 to 7; steps 1.2 to 1.8; "
             "no step larger than the one below it; further ratios: −3.",
         ),
         (
-            BoxSearch(2, 3, 1, (), sequence=WantedSequence(3, 3, (1, 1e6), (1.2, 1.8))),
+            BoxSearch(2, 3, 1, (), sequence=ANY_SPREAD),
             "Wanted: forward gears: 3; steps 1.2 to 1.8.",
         ),
     ],
@@ -75,8 +86,9 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
 def test_the_page_tells_what_was_wanted_and_not_what_the_first_box_has(
     search: BoxSearch, said: str
 ) -> None:
-    listing = listing_of(simpson())._replace(wanted=wanted_of(search))
-    assert said in words(boxes_page(listing))
+    listing = listing_of(simpson())
+    assert said in words(boxes_page(listing._replace(wanted=wanted_of(search))))
+    assert "Wanted" not in words(boxes_page(listing._replace(wanted=None)))
 
 
 def test_a_gear_within_its_range_is_not_off() -> None:
@@ -88,12 +100,6 @@ def test_a_gear_within_its_range_is_not_off() -> None:
     own = [words(row) for row in rows(page(document), "diagrams")]
     assert own[0].endswith(f"{last['ratio']:.3f} {low:g} to {high:g}")
     assert [len(row.split()) - row.count("●") for row in own[1:]] == [4, 4, 4]  # target, off
-
-
-def test_a_page_without_what_was_wanted_does_not_guess() -> None:
-    document = simpson()
-    del document["wanted"]
-    assert "Wanted" not in words(page(document))
 
 
 @pytest.mark.parametrize("document", [many(5), zf_6hp()])
@@ -124,13 +130,6 @@ def test_a_box_unfolds_to_its_figures_by_gear() -> None:
 
 
 @pytest.mark.slow
-def test_the_page_carries_the_document() -> None:
-    found = re.search('<script type="application/json" id="result">(.*?)</script>', page(simpson()))
-    assert found is not None
-    assert json.loads(found[1]) == simpson()
-
-
-@pytest.mark.slow
 def test_of_many_boxes_those_are_drawn_that_tell_most(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(boxes, "MOST_SHOWN_BOXES", 1)
     html = page(many(50))
@@ -140,26 +139,12 @@ def test_of_many_boxes_those_are_drawn_that_tell_most(monkeypatch: pytest.Monkey
     assert html.count("Stick diagram of box") == 2  # as a heading, and for those who do not see
 
 
-@pytest.mark.slow
-def test_names_are_text() -> None:
-    document = simpson()
-    text = json.dumps(document).replace("T-L0", "<b onload=x>")
-    html = page(json.loads(text))
-    assert "<b onload" not in html
-    assert "&lt;b onload=x&gt;" in html
-
-
 def test_without_matplotlib_the_tables_are_there(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(boxes, "missing", lambda *_: "a picture needs the package matplotlib")
     html = page(simpson())
     assert "There are no pictures: a picture needs the package matplotlib" in html
     assert "<svg" not in html
     assert len(rows(html, "diagrams")) == 4
-
-
-def test_no_box_is_told() -> None:
-    with pytest.raises(CaseError, match="no box was found"):
-        page({"searched": 3, "boxes": []})
 
 
 @pytest.mark.slow

@@ -1,25 +1,24 @@
 """Teeth that are found, against the searches in plain loops of `tests/oracle/teeth.py`."""
 
-from __future__ import annotations
-
 import itertools
-import json
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 
 import pytest
 
 from tests.commands import CASES
+from tests.core.elements.test_ratios import of_ratios
 from tests.oracle import teeth as oracle
-from vstatics import load, solve
+from vstatics import load, loads, solve
 from vstatics.core.elements.drawing import Drawing, drawing_of
 from vstatics.core.elements.element import Element
 from vstatics.core.elements.teeth import doubts
 from vstatics.core.explain.bodies import on_own_links
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.synthesis.teeth.finding import FoundTeeth, find_teeth
+from vstatics.core.readers import from_dict
+from vstatics.core.writers.named import mapping
+from vstatics.synthesis.teeth.finding import find_teeth
 from vstatics.synthesis.teeth.layout import teeth_layouts
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.problem import own_ratios
@@ -58,35 +57,25 @@ def test_meshed_planets_stepped_planets_and_ravigneaux_sets() -> None:
     """All rows of small ranges: the very ones that plain loops find."""
     small, rings, counts = range(16, 24), range(50, 75), (2, 3, 4)
     limits = TeethLimits({"all": (16, 23), "ring": (50, 74), "ring2": (50, 74)}, counts)
-    teeth = dict.fromkeys(("sun", "planet", "planet2", "small_sun", "large_sun", "short"), 20)
-    members: tuple[str, ...] = ("sun", "ring", "carrier")
-    of = {name: teeth[name] for name in ("sun",)} | {"ring": 60}
     meshed = {
         (one.sun, one.ring, one.inner, one.outer, one.planets)
         for one in oracle.meshed((small, small, small, rings), counts, RULES)
     }
-    assert rows_of(drawn("double_planet", members, of), limits) == meshed
-    members = ("sun", "ring2", "carrier")
-    of = {"sun": 20, "ring2": 60, "planet": 20, "planet2": 20}
+    of = {"sun": 20, "ring": 60}
+    assert rows_of(drawn("double_planet", ("sun", "ring", "carrier"), of), limits) == meshed
     stepped = {
         (one.sun, one.ring, one.first, one.second, one.planets)
         for one in oracle.stepped((small, small, small, rings), counts, RULES)
     }
-    assert rows_of(drawn("stepped", members, of), limits) == stepped
-    of = {"small_sun": 20, "large_sun": 20, "ring": 60}
+    of = {"sun": 20, "ring2": 60, "planet": 20, "planet2": 20}
+    assert rows_of(drawn("stepped", ("sun", "ring2", "carrier"), of), limits) == stepped
     ravigneaux = {
         (one.small_sun, one.large_sun, one.ring, one.short, one.long, one.planets)
         for one in oracle.ravigneaux((small, small, rings, small, small), counts, RULES)
     }
-    members = ("small_sun", "large_sun", "ring", "carrier")
-    assert rows_of(drawn("ravigneaux", members, of), limits) == ravigneaux
-    assert meshed
-    assert stepped
-    assert ravigneaux
-
-
-def wanted_of(found: FoundTeeth) -> list[float]:
-    return [one.error for one in found.solutions]
+    of = {"small_sun": 20, "large_sun": 20, "ring": 60}
+    assert rows_of(drawn("ravigneaux", (*of, "carrier"), of), limits) == ravigneaux
+    assert all((meshed, stepped, ravigneaux))
 
 
 def test_belaz() -> None:
@@ -95,13 +84,15 @@ def test_belaz() -> None:
     limits = TeethLimits({"sun": (15, 60), "planet": (14, 60), "ring": (1, 121)}, (3, 4, 5, 6))
     found = find_teeth(case, {"2": 4.0, "4": 2.01, "5": 1.4925, "R2": -5.12}, limits)
     assert found.is_proven
-    assert wanted_of(found)[0] == pytest.approx(math.log(100 / 67 / 1.4925), rel=1e-9)
+    assert found.solutions[0].error == pytest.approx(math.log(100 / 67 / 1.4925), rel=1e-9)
     assert found.solutions[0].teeth["P4"] == {"sun": 50, "ring": 102, "planet": 26}
     assert len({str(one.teeth) for one in found.solutions}) == 20
     made = case_with_teeth(case, found.problem, found.solutions[0])
     ratios = dict(zip(found.solutions[0].gears.values(), solve(made).ratio, strict=True))
     assert all(one == pytest.approx(other) for one, other in ratios.items())
-    assert not [one for one in doubts(made.drawing) if one.severity == "warning"]  # type: ignore[arg-type]
+    drawing = drawing_of(made)
+    assert drawing is not None
+    assert [one for one in doubts(drawing) if one.severity == "warning"] == []
 
 
 def test_the_twenty_best_of_sets_that_gears_share() -> None:
@@ -117,33 +108,25 @@ def test_the_twenty_best_of_sets_that_gears_share() -> None:
         oracle.off({"1": (1 - one) * (1 - other), "2": one * (other - 1) / other}, wanted)
         for one, other in itertools.product(sets_of.values(), repeat=2)
     ]
-    assert wanted_of(found) == pytest.approx(sorted(errors)[:20])
+    told = [one.error for one in found.solutions]
+    assert told == pytest.approx(sorted(errors)[:20])
 
 
-TWO_RIMS = {
-    "links": ["sun 4", "sun 1", "carrier", "ring"],
-    "input": "sun 4",
-    "output": "ring",
-    "elements": {
-        "set": {
-            "kind": "planet_group",
-            "carrier": "carrier",
-            "rims": {"A": {"N2": 20, "N3": 20}, "B": {"N5": 20}},
-            "suns": [
-                {"link": "sun 1", "teeth": 30, "rim": "N2"},
-                {"link": "sun 4", "teeth": 30, "rim": "N5"},
-            ],
-            "rings": [{"link": "ring", "teeth": 90, "rim": "N3"}],
-            "meshes": [["N3", "N5"]],
-        }
-    },
-    "shift_elements": {"B1": ["carrier", "housing"], "B2": ["sun 4", "housing"]},
-    "gears": {
-        "1": {"engaged": ["B1"]},
-        "2": {"engaged": ["B2"], "input": "sun 1"},
-        "R": {"engaged": ["B1"], "input": "sun 1"},
-    },
-}
+TWO_RIMS = """
+links: [sun 4, sun 1, carrier, ring]
+input: sun 4
+output: ring
+elements:
+  set:
+    kind: planet_group
+    carrier: carrier
+    rims: {A: {N2: 20, N3: 20}, B: {N5: 20}}
+    suns: [{link: sun 1, teeth: 30, rim: N2}, {link: sun 4, teeth: 30, rim: N5}]
+    rings: [{link: ring, teeth: 90, rim: N3}]
+    meshes: [[N3, N5]]
+shift_elements: {B1: [carrier, housing], B2: [sun 4, housing]}
+gears: {1: [B1], 2: {engaged: [B2], input: sun 1}, R: {engaged: [B1], input: sun 1}}
+"""
 """The benchmark of Simionescu, Beale and Dozier: i1 = N6/N4, iR = -N2 N6/(N1 N3), and
 i2 = N6 (N1 N3 + N2 N4)/(N1 N3 (N6 - N4))."""
 
@@ -153,22 +136,18 @@ i2 = N6 (N1 N3 + N2 N4)/(N1 N3 (N6 - N4))."""
     ("shift", "wheels", "count"),
     [(0, (44, 37, 39, 33, 120), 3), (1, (25, 15, 16, 19, 69), 5), (2, (25, 15, 16, 19, 69), 5)],
 )
-def test_the_benchmark_of_two_rims(
-    shift: int, wheels: tuple[int, ...], count: int, tmp_path: Path
-) -> None:
+def test_the_benchmark_of_two_rims(shift: int, wheels: tuple[int, ...], count: int) -> None:
     """The optimum 0.52325, with shifted profiles; the wheels by plain loops over all teeth.
 
     The loops ask for identical planets (N1 N3 + N6 N2 by n gcd(N2, N3)), and axes as
     |m1 (N1 + N2) - m3 (N6 - N3)| <= shift (m1 + m3)/2.
     """
-    file = tmp_path / "two-rims.json"
-    file.write_text(json.dumps(TWO_RIMS), encoding="utf-8")
     wide = {"sun 4": (17, 104), "sun 1": (17, 96), "N2": (14, 58), "ring": (1, 200)}
     ranges = {**wide, "N3": (14, 46), "N5": (14, 46)}
     modules = tuple(1.75 + 0.25 * number for number in range(6))
     limits = TeethLimits(ranges, (3, 4, 5), 0.5, {}, modules, 220.0, shift)
     wanted = {"1": 3.11, "2": 1.84, "R": -3.11}
-    found = find_teeth(load(file), wanted, limits, error="absolute")
+    found = find_teeth(loads(TWO_RIMS, format="yaml"), wanted, limits, error="absolute")
     best = found.solutions[0]
     sun1, rim2, rim3, sun4, ring = wheels
     gear2 = ring * (sun1 * rim3 + rim2 * sun4) / (sun1 * rim3 * (ring - sun4))
@@ -206,9 +185,15 @@ def test_ranges_that_keep_all_wishes_from_being_met_together_are_told() -> None:
     case, wish = Transmission(5, elements, sets, gears), {"1": 2.5 * 3.6, "2": 3.6}
     [told] = find_teeth(case, wish).doubts
     shared = math.log((1 + 93 / 59) / 2.5) / 2
-    assert (
-        f"error is at least {shared:.3g}; at the end of its range is P (-7.118 to -1.576)" in told
-    )
-    wider = TeethLimits({"P.sun": (60, 100), "P.ring": (90, 150)})
-    found = find_teeth(case, wish, wider)
+    assert f"error is at least {shared:.3g}; at the end of its range is P (-7.118 to -1.5" in told
+    found = find_teeth(case, wish, TeethLimits({"P.sun": (60, 100), "P.ring": (90, 150)}))
     assert (found.doubts, found.solutions[0].error < shared / 50) == ([], True)
+
+
+def test_a_set_that_is_given_by_its_ratios_gets_teeth() -> None:
+    """It is written as well."""
+    case = of_ratios(85 / 31, -85 / 38)
+    assert from_dict(mapping(case)) == case
+    best = find_teeth(case, {case.gears[0].name: 85 / 31}).solutions[0]
+    small, ring = (best.teeth["R"][wheel] for wheel in ("small_sun", "ring"))
+    assert ring / small == pytest.approx(85 / 31, rel=1e-2)

@@ -1,13 +1,10 @@
 """Doubts about the vehicle of a case."""
 
-from __future__ import annotations
-
 import pytest
 
-from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, loads
 from vstatics.core.model.checks import doubts, hints
 from vstatics.core.model.springs import Spring
-from vstatics.core.readers import from_dict
 from vstatics.vehicle.case.vehicle import Vehicle
 
 
@@ -32,84 +29,58 @@ def test_the_mass_of_a_vehicle_may_stand_behind_its_tyre(
     output: int, link: int, part: float
 ) -> None:
     """1200 kg on wheels of .3 m are 108 kg*m^2: those of `inertias` move in runs and vibration."""
-    case = Transmission(
-        3,
-        [],
-        [Mechanism(1, 2, 0, 4.0)],
-        [Gear()],
-        output=output,
-        springs=[Spring({2: 1, 3: -1}, stiffness=1e4)],
-        inertias={1: 0.2, link: part * 108},
-        vehicle=Vehicle(1200, 0.3),
-    )
+    car, tyre = Vehicle(1200, 0.3), Spring({2: 1, 3: -1}, stiffness=1e4)
+    case = Transmission(3, [], [Mechanism(1, 2, 0, 4.0)], [Gear()], output=output, springs=[tyre])
+    case = case.replace(inertias={1: 0.2, link: part * 108}, vehicle=car)
     is_engine_side = output == 3 and link == 2  # where a flywheel may have as much
     has_mass = part > 0.5 and not is_engine_side
     assert [one.id for one in doubts(case)] == ["W202"] * has_mass
     assert ["N607"] * (not has_mass) == [one.id for one in hints(case)]
 
 
-@pytest.mark.parametrize("gears", [["open"], ["locked"], ["open", "locked"], ["locked", "both"]])
-def test_a_converter_that_every_gear_bypasses_has_no_speed_ratio_to_stay_at(
-    gears: list[str],
-) -> None:
+@pytest.mark.parametrize("names", ["open", "locked", "open locked", "locked both"])
+def test_a_converter_that_every_gear_bypasses_has_no_speed_ratio_to_stay_at(names: str) -> None:
     engaged: dict[str, list[int]] = {"open": [], "locked": [1], "both": [1, 2]}
     converter = Mechanism(1, 2, 0, 0.8, kind="converter", points=((0, 2), (1, 1)))
-    case = Transmission(
-        3,
-        [ShiftElement(1, 2), ShiftElement(2, 3)],
-        [converter, Mechanism(2, 3, 0, 1.0)],
-        [Gear(engaged[name]) for name in gears],
-        vehicle=Vehicle(1200, 0.3),
-    )
-    assert [one.id for one in doubts(case)] == ["W891"] * ("open" in gears)
+    sets = [converter, Mechanism(2, 3, 0, 1.0)]
+    gears = [Gear(engaged[name]) for name in names.split()]
+    elements = [ShiftElement(1, 2), ShiftElement(2, 3)]
+    case = Transmission(3, elements, sets, gears, vehicle=Vehicle(1200, 0.3))
+    assert [one.id for one in doubts(case)] == ["W891"] * ("open" in names)
 
 
-@pytest.mark.parametrize("link", [4, 5, 1])
-def test_nor_among_those_of_what_is_geared_to_the_output(link: int) -> None:
+@pytest.mark.parametrize(("link", "speed"), [(4, 1 / 4), (5, 1 / 16), (1, 3.0)])
+@pytest.mark.parametrize("part", [0.45, 0.55])
+def test_nor_among_those_of_what_is_geared_to_the_output(
+    link: int, speed: float, part: float
+) -> None:
     """Behind the output: a pair of 4, then a hub of a held ring whose carrier is 1/(1 + 3).
 
     Before it a flywheel may have as much by that speed: nobody knows better.
     """
-    speeds = {4: 1 / 4, 5: 1 / 16, 1: 3.0}
-    car = Vehicle(1200, 0.3, final_drive=16)
     behind = [Mechanism(2, 4, 0, 4.0), Mechanism(4, 0, 5, -3.0)]
-    mass = 1200 * (0.3 / 16) ** 2
-    for part in (0.45, 0.55):
-        case = Transmission(
-            5,
-            [],
-            [Mechanism(1, 2, 0, 3.0), Mechanism(3, 2, 0, -2.0), *behind],
-            [Gear()],
-            output=2,
-            inertias={link: part * mass / speeds[link] ** 2},
-            vehicle=car,
-        )
-        told = [one.message for one in doubts(case)]
-        assert len(told) == (part > 0.5 and link != 1)
-        for text in told:
-            assert text.startswith(
-                f"{link} has {part * mass:.4g} kg*m^2 by the speed of the output"
-            )
+    sets = [Mechanism(1, 2, 0, 3.0), Mechanism(3, 2, 0, -2.0), *behind]
+    own = part * 1200 * (0.3 / 16) ** 2
+    car = Vehicle(1200, 0.3, final_drive=16)
+    case = Transmission(5, [], sets, [Gear()], output=2, vehicle=car)
+    told = [one.message for one in doubts(case.replace(inertias={link: own / speed**2}))]
+    assert len(told) == (part > 0.5 and link != 1)
+    for text in told:
+        assert text.startswith(f"{link} has {own:.4g} kg*m^2 by the speed of the output")
 
 
-@pytest.mark.parametrize(
-    ("given", "told"),
-    [
-        ({"radius": 300}, ["read 300 m, more than a wheel can have"]),
-        ({"radius": "300 mm"}, []),
-        ({"radius": 1.8}, []),
-        ({"engine": [[1000, 100], [6000, 120]]}, ["read 6000 rad/s, more than an engine can have"]),
-        ({"engine": [["1000 rpm", 100], ["20000 rpm", 120]]}, []),
-    ],
-)
-def test_a_number_without_its_unit_is_told_where_no_part_is_as_large(
-    given: dict[str, object], told: list[str]
-) -> None:
+def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
     """Tyres of the largest dumpers have a radius of 2 m; motors of cars turn at 20,000 rpm."""
-    vehicle = {"mass": 1200, "radius": 0.3, **given}
-    pair = {"first": 1, "second": 2, "ratio": 3}
-    case = from_dict(
-        {"links": 2, "mechanisms": {"pair": pair}, "gears": {"1": []}, "vehicle": vehicle}
-    )
-    said = [one.message for one in doubts(case) if one.id == "N205"]
-    assert [one.split(":")[0] for one in said] == told
+    text = "links: 2\nmechanisms: {pair: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}\n"
+    for vehicle, told in {
+        "radius: 300": ["read 300 m, more than a wheel can have"],
+        "radius: 300 mm": [],
+        "radius: 1.8": [],
+        "radius: 0.3, engine: [[1000, 100], [6000, 120]]": [
+            "read 6000 rad/s, more than an engine can have"
+        ],
+        "radius: 0.3, engine: [[1000 rpm, 100], [20000 rpm, 120]]": [],
+    }.items():
+        case = loads(f"{text}vehicle: {{mass: 1200, {vehicle}}}\n", format="yaml")
+        said = [one.message for one in doubts(case) if one.id == "N205"]
+        assert [one.split(":")[0] for one in said] == told

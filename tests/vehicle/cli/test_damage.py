@@ -1,7 +1,5 @@
 """`vstatics damage`: records, closed forms, and what they refuse."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -31,6 +29,7 @@ def _files(folder: Path) -> None:
 
 
 def test_a_record() -> None:
+    """The damage is that of tests/vehicle/damage/test_devices.py."""
     found = json_answer("damage", "case.yaml", "record.csv")
     assert found["format"] == "vstatics-damage"
     shaft = found["damage"]["shaft"]
@@ -42,86 +41,69 @@ def test_a_record() -> None:
     assert "5342" in vstatics("damage", "case.yaml", "record.csv").out
 
 
-def test_units_in_headings_and_names_in_quotes() -> None:
+@pytest.mark.parametrize("name", ['"torques[""half-shaft""]"', "torques[half-shaft]"])
+def test_units_in_headings_and_names_with_or_without_quotes(name: str) -> None:
+    """A test rig knows no quotes."""
     rows = [f"x,{one / 1000},{one}" for one in EXAMPLE]
-    heads = 'note,torques[shaft] [kN*m],"torques[""half-shaft""]"'
-    Path("record.csv").write_text("\n".join([heads, *rows, "", ""]), encoding="utf-8")
-    found = json_answer("damage", "both.yaml", "record.csv")["damage"]
-    assert found["shaft"]["damage"] == pytest.approx(5.341796875e-7, rel=1e-12)
-    assert found["half-shaft"]["cycles"][-1] == {"range": 900.0, "mean": 50.0, "count": 0.5}
-    assert found["half-shaft"]["repeats"] is None
-
-
-def test_a_name_may_stand_as_it_is() -> None:
-    """As a test rig writes it, who knows no quotes."""
-    rows = [f"{one / 1000},{one}" for one in EXAMPLE]
-    heads = "torques[half-shaft] [kN*m],torques[shaft]"
-    Path("record.csv").write_text("\n".join([heads, *rows]), encoding="utf-8")
+    text = "\n".join([f"note,torques[shaft] [kN*m],{name}", *rows, "", ""])
+    Path("record.csv").write_text(text, encoding="utf-8")
     found = json_answer("damage", "both.yaml", "record.csv")["damage"]
     assert [*found] == ["shaft", "half-shaft"]
+    assert found["shaft"]["damage"] == pytest.approx(5.341796875e-7, rel=1e-12)
     assert found["half-shaft"]["cycles"] == found["shaft"]["cycles"]
+    assert found["half-shaft"]["cycles"][-1] == {"range": 900.0, "mean": 50.0, "count": 0.5}
+    assert found["half-shaft"]["repeats"] is None
 
 
 def test_a_device_that_was_not_recorded_is_left_out() -> None:
     found = vstatics("damage", "both.yaml", "record.csv", "-f", "json")
     assert [*found.json["damage"]] == ["shaft"]
     assert 'record.csv:1:1: warning: there is no column `torques["half-shaft"]`' in found.err
-    quiet = vstatics("damage", "both.yaml", "record.csv", "--allow", "W880")
-    assert quiet.err == ""
+    assert vstatics("damage", "both.yaml", "record.csv", "--allow", "W880").err == ""
+
+
+NONE_OF_IT = "1:1: error: no torque of a component with `fatigue`"
+TWICE = "1:1: error: torques[shaft]: read two columns of this name"
 
 
 @pytest.mark.parametrize(
     ("record", "message"),
     [
-        ("time,torques[shafd]\n0,1\n1,2\n", "record.csv:1:1: error: there is no column `torques["),
-        (
-            "torques[shaft]\n5\n5\n",
-            "record.csv:1:1: error: no torque of a component with `fatigue`",
-        ),
-        ("torques[shaft]\n", "record.csv:1:1: error: no torque of a component with `fatigue`"),
-        ("torques[shaft]\n5\nnan\n", "record.csv:3:1: error: torques[shaft]: read 'nan'"),
-        (
-            "torques[shaft],torques[shaft] [kN*m]\n1,2\n",
-            "record.csv:1:1: error: torques[shaft]: read two columns of this name",
-        ),
-        ("t,torques[shaft]\n1,5\n2,\n", "record.csv:3:1: error: torques[shaft]: read ''"),
-        ("t,torques[shaft]\n1,5\n2\n", "record.csv:3:1: error: torques[shaft]: read ''"),
-        (
-            "torques[shaft] [kW]\n5\n6\n",
-            "record.csv:1:1: error: torques[shaft]: read the unit 'kW'",
-        ),
-        (
-            "torques[shaft]\n1e300\n-1e300\n",
-            "record.csv:1:1: error: torques of `shaft` are too lar",
-        ),
-        ("", "record.csv:1:1: error: the file is empty, expected a record"),
+        ("time,torques[shafd]\n0,1\n1,2\n", "1:1: error: there is no column `torques["),
+        ("torques[shaft]\n5\n5\n", NONE_OF_IT),
+        ("torques[shaft]\n", NONE_OF_IT),
+        ("torques[shaft]\n5\nnan\n", "3:1: error: torques[shaft]: read 'nan'"),
+        ("torques[shaft],torques[shaft] [kN*m]\n1,2\n", TWICE),
+        ("t,torques[shaft]\n1,5\n2,\n", "3:1: error: torques[shaft]: read ''"),
+        ("t,torques[shaft]\n1,5\n2\n", "3:1: error: torques[shaft]: read ''"),
+        ("torques[shaft] [kW]\n5\n6\n", "1:1: error: torques[shaft]: read the unit 'kW'"),
+        ("torques[shaft]\n1e300\n-1e300\n", "1:1: error: torques of `shaft` are too lar"),
+        ("", "1:1: error: the file is empty, expected a record"),
     ],
 )
 def test_records_that_are_none(record: str, message: str) -> None:
     Path("record.csv").write_text(record, encoding="utf-8")
     found = vstatics("damage", "case.yaml", "record.csv")
     assert found.status == 1
-    assert found.err.startswith(message)
-
-
-def test_a_case_that_tells_no_strength() -> None:
+    assert found.err.startswith(f"record.csv:{message}")
     Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
-    found = vstatics("damage", "case.yaml", "record.csv")
-    assert found.fails("the case has no `fatigue`")
+    assert vstatics("damage", "case.yaml", "record.csv").fails("the case has no `fatigue`")
 
 
 def test_rayleigh() -> None:
-    """The example of Tsitovich and Algin, chapter 4.6."""
-    words = ["damage", "rayleigh", "--endurance", "100MPa", "--deviation", "60e3 kPa"]
-    words += ["--exponent", "3", "--cycles", "4e6"]
-    by_km, alone = json_answer(*words, "--per-km", "100"), json_answer(*words)
+    """The numbers are those of tests/vehicle/damage/test_rayleigh.py."""
+    stresses = ["--endurance", "100MPa", "--deviation", "60e3 kPa"]
+    words = ["damage", "rayleigh", "--exponent", "3", "--cycles", "4e6"]
+    by_km = json_answer(*words, *stresses, "--per-km", "100")
+    alone = json_answer(*words, *stresses)
     assert by_km["integral"] == pytest.approx(3.6191919, rel=1e-7)
     assert by_km["life"] == pytest.approx(51167.55, rel=1e-7)
     assert alone["life"] == pytest.approx(5116755, rel=1e-6)
-    assert json_answer(*words, "--sum", "2")["life"] == pytest.approx(2 * alone["life"])
-    assert "life [km]" in vstatics(*words, "--per-km", "100").out
-    bare = [*words[:3], "100", "--deviation", "60", *words[6:]]
-    assert json_answer(*bare) == pytest.approx(alone), "only the quotient of stresses counts"
+    twice = json_answer(*words, *stresses, "--sum", "2")
+    assert twice["life"] == pytest.approx(2 * alone["life"])
+    assert "life [km]" in vstatics(*words, *stresses, "--per-km", "100").out
+    bare = json_answer(*words, "--endurance", "100", "--deviation", "60")
+    assert bare == pytest.approx(alone), "only the quotient of stresses counts"
 
 
 def test_resize() -> None:
@@ -153,21 +135,27 @@ def test_resize() -> None:
     ],
 )
 def test_wrong_use(words: str, message: str) -> None:
-    found = vstatics("damage", *words.split())
-    assert found.is_wrong_use(message)
+    assert vstatics("damage", *words.split()).is_wrong_use(message)
 
 
-def test_a_rigid_device_has_no_life_under_random_torques(tmp_path: Path) -> None:
+STRENGTH = "{section_modulus: 4e-6, endurance: 100e6, exponent: 3, cycles: 4e6}"
+BOX = f"""\
+links: [a, b, c]
+input: a
+output: c
+gears: {{on: []}}
+elements: {{pair: {{kind: gear_pair, first: a, second: b, teeth: {{first: 20, second: 61}}}}}}
+inertias: {{a: 1, c: 2}}
+springs: {{s: {{links: [b, c], stiffness: 100, damping: 1}}}}
+fatigue: {{pair: {STRENGTH}, s: {STRENGTH}}}
+"""
+
+
+@pytest.mark.parametrize(("stiffness", "is_warned"), [("", True), (", stiffness: 1e6", False)])
+def test_a_rigid_device_has_no_life_under_random_torques(stiffness: str, is_warned: bool) -> None:
     """`torsion random` tells which device with a strength is left out, and what would mend it."""
-    strength = "{section_modulus: 4e-6, endurance: 100e6, exponent: 3, cycles: 4e6}"
-    box, noise = tmp_path / "box.yaml", tmp_path / "noise.yaml"
-    noise.write_text("white: 1")
-    text = "links: [a, b, c]\ninput: a\noutput: c\ngears: {on: []}\n"
-    text += "elements: {pair: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 61}%s}}\n"
-    text += "inertias: {a: 1, c: 2}\nsprings: {s: {links: [b, c], stiffness: 100, damping: 1}}\n"
-    text += f"fatigue: {{pair: {strength}, s: {strength}}}\n"
-    for stiffness, warned in ("", True), (", stiffness: 1e6", False):
-        box.write_text(text % stiffness)
-        made = vstatics("torsion", "random", str(box), "--at", "a", "--input", str(noise))
-        assert ("`pair` is rigid or disengaged, so it has no life" in made.err) == warned
-        assert "`s`" not in made.err
+    Path("noise.yaml").write_text("white: 1")
+    Path("box.yaml").write_text(BOX.replace("second: 61}", f"second: 61}}{stiffness}"))
+    made = vstatics("torsion", "random", "box.yaml", "--at", "a", "--input", "noise.yaml")
+    assert ("`pair` is rigid or disengaged, so it has no life" in made.err) == is_warned
+    assert "`s`" not in made.err

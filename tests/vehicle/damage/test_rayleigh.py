@@ -1,6 +1,4 @@
-"""Life under random stresses against the book, quadrature, and limits."""
-
-from __future__ import annotations
+"""Life under random stresses and shafts of equal life: the book, quadrature, limits."""
 
 import math
 
@@ -9,6 +7,7 @@ import pytest
 
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.rayleigh import rayleigh_life
+from vstatics.vehicle.damage.resize import resized, resized_by_ratio
 
 STEEL = Fatigue(100e6, 3, 4e6)
 
@@ -58,8 +57,39 @@ def test_a_life_is_told_up_to_a_logarithm_of_700(logarithm: float, is_told: bool
 
 
 def test_numbers_too_large() -> None:
-    with pytest.raises(ValueError, match="too large"):
-        rayleigh_life(STEEL._replace(exponent=1e4, threshold=0), 60e6)
-    with pytest.raises(ValueError, match="too large"):
-        rayleigh_life(STEEL._replace(endurance=1e300, threshold=0), 1e-300)
+    strong = STEEL._replace(endurance=1e300, threshold=0)
+    for strength, deviation in (
+        (STEEL._replace(exponent=1e4, threshold=0), 60e6),
+        (strong, 1e-300),
+    ):
+        with pytest.raises(ValueError, match="too large"):
+            rayleigh_life(strength, deviation)
     assert math.isfinite(rayleigh_life(STEEL._replace(exponent=100), 60e6).life or math.nan)
+
+
+def test_the_half_shaft_of_the_book_resized() -> None:
+    """(2.3) to (2.7): d i^(5/18), compliance on the faster shaft i^(8/9); printed 56.5 mm, 2.6.
+
+    (2.8) by its own formula, i^(8/9) of 2.71, is 2.4258; the printed 3.79 is i^(4/3).
+    """
+    made = resized_by_ratio(42.0, 2.9)
+    assert made.diameter == pytest.approx(42 * 2.9 ** (5 / 18), rel=1e-14)
+    assert made.diameter == pytest.approx(56.454, abs=5e-4)
+    assert made.reduced_compliance == pytest.approx(2.9 ** (8 / 9), rel=1e-14)
+    assert made.reduced_compliance == pytest.approx(2.5764, abs=5e-5)
+    assert resized_by_ratio(1.0, 2.71).reduced_compliance == pytest.approx(2.4258, abs=5e-5)
+    assert resized(42.0, 2.9, 1 / 2.9)[:2] == pytest.approx(made[:2])
+
+
+def test_shafts_of_equal_life() -> None:
+    """sigma^m N = const with sigma ~ M/d^3; the cube root of the torque is exp(150) at most."""
+    made = resized(30.0, 1.7, 12.0, 3.0)
+    assert (1.7 / (made.diameter / 30) ** 3) ** 3 * 12 == pytest.approx(1.0)
+    assert made.compliance == pytest.approx((30 / made.diameter) ** 4)
+    for sign in (1, -1):
+        largest = resized(1.0, math.exp(sign * 449.9), 1.0).diameter
+        assert largest == pytest.approx(math.exp(sign * 449.9 / 3))
+        with pytest.raises(ValueError, match="to give a diameter"):
+            resized(1.0, math.exp(sign * 450.1), 1.0)
+    with pytest.raises(ValueError, match="to give a diameter"):
+        resized(1.0, 1e300, 1e300, 1e-3)

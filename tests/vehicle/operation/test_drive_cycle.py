@@ -1,10 +1,7 @@
 """Driving cycles: energies in closed form, and what the engine gives against statics."""
 
-from __future__ import annotations
-
-import json
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +19,7 @@ from vstatics.core.readers import sweep_tables
 from vstatics.core.summary.design_table import design
 from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.cycle_steps import GearChoice
-from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
+from vstatics.vehicle.operation.drive_cycle import drive
 from vstatics.vehicle.operation.fuel_map import FuelMap, read_fuel_map
 from vstatics.vehicle.operation.shifting import EngineSpeeds, by_shift_speeds, read_shifts
 from vstatics.vehicle.operation.trace import Trace, read_trace
@@ -39,6 +36,27 @@ CASE = Transmission(
 )
 
 
+CAR_FILE = """
+links: [engine, a, b, out]
+shift_elements: {A: [engine, a], B: [engine, b]}
+mechanisms:
+  first: {first: a, second: out, ratio: 4, efficiency: .8}
+  second: {first: b, second: out, ratio: 2, efficiency: .9}
+gears: {low: [A], high: [B]}
+vehicle: {mass: 1000 kg, radius: 0.5, fuel: {file: fuel.csv}}
+"""
+TRACE_FILE = "time [s],speed [m/s],gear\n2,0,low\n4,10,low\n5,12,high\n9,12,low\n10,0,low\n"
+
+
+def parallel(ratios: Mapping[str, float]) -> Transmission:
+    """A clutch and a pair for each gear."""
+    links = range(2, len(ratios) + 2)
+    output = len(ratios) + 2
+    pairs = [Mechanism(n, output, 0, u) for n, u in zip(links, ratios.values(), strict=True)]
+    gears = [Gear([n], name=name) for n, name in enumerate(ratios, 1)]
+    return Transmission(output, [ShiftElement(1, n) for n in links], pairs, gears, vehicle=CAR)
+
+
 def trace(*rows: tuple[float, float, str]) -> Trace:
     """Of time [s], speed [m/s] and gear."""
     lines = [f"{time!r},{speed!r},{gear}" for time, speed, gear in rows]
@@ -52,37 +70,30 @@ def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -
     """From 10 to 12 m/s in 2 s; the engine's torque by hand, with what turns on each side."""
     made = drive(CASE, trace((0, 10, gear), (2, 12, gear)), GearChoice())
     force = 1200 * 1 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 11**2
-    k = 4.1 / 0.3
-    at_output = force / k + 0.3 * k
+    k, own, open_pair = 4.1 / 0.3, 0.17, 0.0
     if gear == "1":  # the second pair turns, too, and speeds its first link up
-        at_output += 0.02 * 1.5**2 * k / 0.9
-    own = 0.15 + (0.02 if gear == "2" else 0.0)
+        own, open_pair = 0.15, 0.02 * 1.5**2
+    at_output = force / k + (0.3 + open_pair / 0.9) * k
     engine = at_output / ratio / eta + own * k * ratio
-    energy = engine * ratio * k * 22
-    assert made.energy.engine == pytest.approx(energy, rel=1e-12)
-    assert made.energy.wheels == pytest.approx(force * 22, rel=1e-12)
-    assert made.energy.lost[name] == pytest.approx(at_output * k * 22 * (1 / eta - 1), rel=1e-12)
-    spinning = 0.3 * k**2 + own * (ratio * k) ** 2
-    if gear == "1":
-        spinning += 0.02 * (1.5 * k) ** 2
-    assert made.energy.inertias == pytest.approx(spinning / 2 * (12**2 - 10**2), rel=1e-12)
+    energy = made.energy
+    assert energy.engine == pytest.approx(engine * ratio * k * 22, rel=1e-12)
+    assert energy.wheels == pytest.approx(force * 22, rel=1e-12)
+    assert energy.lost[name] == pytest.approx(at_output * k * 22 * (1 / eta - 1), rel=1e-12)
+    spinning = (0.3 + open_pair) * k**2 + own * (ratio * k) ** 2
+    assert energy.inertias == pytest.approx(spinning / 2 * (12**2 - 10**2), rel=1e-12)
     expected = [1.0, 3.6 * 11, float(gear), ratio * k * 11 * 30 / math.pi, engine, force]
     assert [float(column[0]) for column in made.steps.values()] == pytest.approx(expected)
 
 
 def test_brakes_take_what_the_engine_does_not() -> None:
     """Coasting through .9 the overrun of -30 N*m holds 30 1.5/.9 on the output."""
-    car = CAR._replace(overrun=[(0.0, -30.0)])
-    case = CASE.replace(vehicle=car, inertias={})
-    made = drive(case, trace((0, 20, "2"), (2, 10, "2")), GearChoice())
+    case = CASE.replace(vehicle=CAR._replace(overrun=[(0.0, -30.0)]), inertias={})
+    made = drive(case, trace((0, 20, "2"), (2, 10, "2")), GearChoice()).energy
     force = -1200 * 5 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 15**2
-    k, way = 4.1 / 0.3, 30.0
-    held = -30 * 1.5 / 0.9 * k
-    assert made.energy.brakes == pytest.approx((held - force) * way, rel=1e-12)
-    assert made.energy.engine == pytest.approx(-30 * 1.5 * k * way, rel=1e-12)
-    assert made.energy.lost["second"] == pytest.approx(
-        30 * 1.5 * k * way * (1 / 0.9 - 1), rel=1e-12
-    )
+    way, engine = 30.0, -30 * 1.5 * 4.1 / 0.3
+    assert made.brakes == pytest.approx((engine / 0.9 - force) * way, rel=1e-12)
+    assert made.engine == pytest.approx(engine * way, rel=1e-12)
+    assert made.lost["second"] == pytest.approx(-engine * way * (1 / 0.9 - 1), rel=1e-12)
 
 
 @pytest.mark.parametrize("number", range(20))
@@ -106,9 +117,8 @@ def test_random_cycles_are_in_balance(number: int) -> None:
 
 
 def test_standing_takes_fuel_at_the_edge_and_no_torque() -> None:
-    grid = FuelMap(
-        np.array([80.0, 600.0]), np.array([0.0, 200.0]), np.array([[0.1, 1.0], [2.0, 9.0]])
-    )
+    rates = np.array([[0.1, 1.0], [2.0, 9.0]])
+    grid = FuelMap(np.array([80.0, 600.0]), np.array([0.0, 200.0]), rates)
     made = drive(CASE, trace((0, 0, "1"), (60, 0, "1")), GearChoice(), grid)
     assert made.fuel == pytest.approx(6.0)
     assert made.energy.engine == made.energy.wheels == made.distance == 0
@@ -184,70 +194,60 @@ def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why
     assert told.gears["low"] == alone.gears["low"]
     assert (told.top_speed, told.time_to_100) == (alone.top_speed, alone.time_to_100)
     assert all(map(math.isnan, told.gears["split"]))
-    rows = [(0, 3, "low"), (4, 9, "split"), (8, 30, "")]
-    with pytest.raises(
-        CaseError, match=f"gear split has {why}, expected a gear in which"
-    ) as caught:
-        drive(case, trace(*rows), GearChoice())
+    rows = trace((0, 3, "low"), (4, 9, "split"), (8, 30, ""))
+    with pytest.raises(CaseError, match=f"gear split has {why}, expected a gear in w") as caught:
+        drive(case, rows, GearChoice())
     assert caught.value.problems[0].path == (1,)
-    unnamed = trace(*rows)._replace(gears=[])
+    unnamed = rows._replace(gears=[])
     assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
 
 
 @pytest.mark.parametrize("turned", [1, -1])
-def test_as_many_gears_both_ways_are_told_apart_by_their_names(turned: int) -> None:
+@pytest.mark.parametrize(
+    ("names", "forward", "ids"),
+    [(["R1", "F2", "2R", "F1"], "F2", []), (["a", "b", "c", "d"], "c", ["N417"])],
+)
+def test_as_many_gears_both_ways_are_told_apart_by_their_names(
+    names: list[str], forward: str, ids: list[str], turned: int
+) -> None:
     """Whichever way the wheels turn and whatever stands first, as in the design table."""
-    ratios = {"R1": -4.0, "F2": 2.0, "2R": -2.0, "F1": 4.0}
-
-    def driven(names: Sequence[str]) -> DriveCycle:
-        pairs = [Mechanism(n, 6, 0, turned * u) for n, u in enumerate(ratios.values(), 2)]
-        clutches = [ShiftElement(1, link) for link in range(2, 6)]
-        gears = [Gear([n], name=name) for n, name in enumerate(names, 1)]
-        case = Transmission(6, clutches, pairs, gears, vehicle=CAR)
-        steady = trace((0, 5, ""), (1, 5, ""))._replace(gears=[])
-        made = drive(case, steady, GearChoice(least_speed=1.0))
-        assert made.gears[0] in design(solve(case)).forward
-        return made
-
-    made = driven([*ratios])
-    assert (made.gears, made.messages) == (["F2"], [])
-    made = driven(["a", "b", "c", "d"])
-    assert (made.gears, [one.id for one in made.messages]) == (["c"], ["N417"])
+    ratios = [turned * ratio for ratio in (-4.0, 2.0, -2.0, 4.0)]
+    case = parallel(dict(zip(names, ratios, strict=True)))
+    steady = trace((0, 5, ""), (1, 5, ""))._replace(gears=[])
+    made = drive(case, steady, GearChoice(least_speed=1.0))
+    assert made.gears[0] in design(solve(case)).forward
+    assert (made.gears, [one.id for one in made.messages]) == ([forward], ids)
 
 
 def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0))]
     text = trace(*rows)._replace(gears=[])
     shifts = read_shifts("1-2: 6 m/s/3.6 m/s")
-    ahead = CASE.mechanisms[1]._replace(ratio=1.5)
-    case = CASE.replace(mechanisms=[CASE.mechanisms[0], ahead])
-    assert drive(case, text, GearChoice(shifts=shifts)).gears == ["1", "2", "2", "2", "1", "1"]
+    first, ahead = CASE.mechanisms[0], CASE.mechanisms[1]._replace(ratio=1.5)
+    case = CASE.replace(mechanisms=[first, ahead])
     least = 5 * 1.5 * 4.1 / 0.3  # of the engine in the second gear at 5 m/s
-    assert drive(case, text, GearChoice(least)).gears == ["1", "2", "2", "2", "1", "1"]
+    for choice in (GearChoice(shifts=shifts), GearChoice(least)):
+        assert drive(case, text, choice).gears == ["1", "2", "2", "2", "1", "1"]
     with pytest.raises(CaseError, match="no column `gear`"):
         drive(CASE, text, GearChoice())
-    for both in GearChoice(least, shifts), GearChoice(least), GearChoice(shifts=shifts):
-        given = text if both == GearChoice(least, shifts) else trace((0, 4, "1"), (2, 8, "1"))
+    named = trace((0, 4, "1"), (2, 8, "1"))
+    both = (GearChoice(least, shifts), text), (GearChoice(least), named)
+    for choice, given in (*both, (GearChoice(shifts=shifts), named)):
         with pytest.raises(CaseError, match=r"and --\S+ both give the gears, expected one of them"):
-            drive(case, given, both)
+            drive(case, given, choice)
     turned = read_shifts("2-1: 6 m/s/3.6 m/s")
     with pytest.raises(CaseError, match=r"larger ratio \(`2` 1.5 and `1` 3.5\), .* first: 1-2"):
         drive(case, text, GearChoice(shifts=turned))
-    same = case.replace(mechanisms=[one._replace(ratio=0.1 + 0.2) for one in case.mechanisms])
-    same = same.replace(mechanisms=[same.mechanisms[0], ahead._replace(ratio=0.3)])
-    assert drive(same, text, GearChoice(shifts=turned)).gears[0] == "2"
+    pairs = [first._replace(ratio=0.1 + 0.2), ahead._replace(ratio=0.3)]  # the same ratio
+    assert drive(case.replace(mechanisms=pairs), text, GearChoice(shifts=turned)).gears[0] == "2"
 
 
 def test_three_gears_by_shift_speeds() -> None:
     """Up at 6 and 12 m/s, down below 4 and 9 m/s: the mean speeds of the steps decide."""
-    pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
-    clutches = [ShiftElement(1, link) for link in (2, 3, 4)]
-    gears = [Gear([n], name=str(n)) for n in (1, 2, 3)]
-    case = Transmission(5, clutches, pairs, gears, vehicle=CAR)
-    speeds = [5, 7, 11, 13, 10, 8.5, 11, 5, 3.5, 13, 3]
-    steady = [speed for speed in speeds for _ in range(2)]
-    text = trace(*((2.0 * n, speed, "") for n, speed in enumerate(steady)))._replace(gears=[])
-    made = drive(case, text, GearChoice(shifts=read_shifts("1-2: 6 m/s/4 m/s, 2-3: 12 m/s/9 m/s")))
+    speeds = [5, 7, 11, 13, 9, 8.5, 11, 5, 3.5, 13, 3]
+    rows = [(2.0 * n, speeds[n // 2], "") for n in range(22)]
+    choice = GearChoice(shifts=read_shifts("1-2: 6 m/s/4 m/s, 2-3: 12 m/s/9 m/s"))
+    made = drive(parallel({"1": 4.0, "2": 2.0, "3": 1.0}), trace(*rows)._replace(gears=[]), choice)
     assert made.gears[::2] == [*"12233222131"]
     assert made.steps["time [s]"].tolist() == [2.0 * n + 1 for n in range(len(made.gears))]
 
@@ -258,12 +258,10 @@ def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward(sign: 
 
     So it is with a final drive that turns them all.
     """
-    pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
-    gears = [Gear(name=str(n)) for n in (1, 2, 3)]
     speeds, ratios = np.array([13.0, 8.5, 5.5, 3.0]), np.array([4.0, 2.0, 1.0])
     engine = EngineSpeeds(speeds, ratios, lambda w: w <= 20)
     shifts = read_shifts("1-2: 7 m/s/6 m/s, 2-3: 12 m/s/9 m/s")
-    case = Transmission(5, [], pairs, gears)
+    case = parallel({"1": 4.0, "2": 2.0, "3": 1.0})
     places = by_shift_speeds(case, shifts, speeds, engine, sign * ratios)
     assert places.tolist() == [2, 1, 1, 0]
 
@@ -271,12 +269,10 @@ def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward(sign: 
 @pytest.mark.parametrize("shift", ["R-1", "1-R", "N-1", "1-N", "1-1", "1-split", "2-R"])
 def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
     """Into reverse, neutral, where a machine drives too, or to itself there is no shift up."""
-    ratios = {"2": 1.5, "R": -3.0, "1": 3.5, "split": 2.5, "3": 1.0}
-    elements = [ShiftElement(1, link) for link in range(2, 7)]
-    sets = [Mechanism(link, 7, 0, ratio) for link, ratio in enumerate(ratios.values(), 2)]
-    gears = [Gear([number], name=name) for number, name in enumerate(ratios, 1)]
+    case = parallel({"2": 1.5, "R": -3.0, "1": 3.5, "split": 2.5, "3": 1.0})
+    gears = [*case.gears, Gear(name="N")]
     gears[3] = gears[3]._replace(torques={2: 0.2})
-    case = Transmission(7, elements, sets, [*gears, Gear(name="N")], vehicle=CAR)
+    case = case.replace(gears=gears)
     text = trace((0, 5, ""), (2, 6, ""))._replace(gears=[])
     with pytest.raises(CaseError, match=f"the shift {shift} .* neighbours: 1-2, 2-3"):
         drive(case, text, GearChoice(shifts=read_shifts(f"{shift}: 5 m/s/4 m/s")))
@@ -289,20 +285,17 @@ def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(number: int)
     """By both rules, over a random engine and steady speeds; counted by hand where none holds."""
     rng = seeded(3410 + number)
     first, last = rng.uniform(50, 150), rng.uniform(300, 600)
-    ahead = CASE.mechanisms[1]._replace(ratio=rng.uniform(0.5, 3.0))
-    sets = [CASE.mechanisms[0], ahead]
-    case = CASE.replace(
-        mechanisms=sets, vehicle=CAR._replace(engine=[(first, 1e5), (last, 1e5)]), inertias={}
-    )
-    speeds = [rng.uniform(1, 70) for _ in range(40)]
-    rows = [(0.0, speeds[0], ""), *((n, 2 * one, "") for n, one in enumerate(speeds, 1))]
-    given = trace(*rows)
-    given = given._replace(gears=[], speed=np.array(speeds), acceleration=np.zeros(40))
+    sets = [CASE.mechanisms[0], CASE.mechanisms[1]._replace(ratio=rng.uniform(0.5, 3.0))]
+    car = CAR._replace(engine=[(first, 1e5), (last, 1e5)])
+    case = CASE.replace(mechanisms=sets, vehicle=car, inertias={})
+    speeds = np.array([rng.uniform(1, 70) for _ in range(40)])
+    given = trace(*((float(n), 1.0, "") for n in range(41)))
+    given = given._replace(gears=[], speed=speeds, acceleration=np.zeros(40))
     least = rng.uniform(first, last)
     shift = read_shifts(f"1-2: {rng.uniform(5, 60)} m/s/{rng.uniform(1, 5)} m/s")
     for choice in (GearChoice(least), GearChoice(shifts=shift)):
         made = drive(case, given, choice)
-        turned = np.array([[v * 4.1 / 0.3 * m.ratio for m in sets] for v in speeds])
+        turned = speeds[:, None] * 4.1 / 0.3 * [m.ratio for m in sets]
         own = turned[np.arange(40), [int(name) - 1 for name in made.gears]]
         holds = (turned <= last).any(axis=1)
         assert (own[holds] <= last).all()
@@ -314,37 +307,38 @@ def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(number: int)
         assert said.get("W428", f"in {fast} of 40").startswith(f"in {fast} of 40")
 
 
-def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Path) -> None:
-    case, given = tmp_path / "car.yaml", tmp_path / "t.csv"
-    case.write_text(CAR_FILE.replace("fuel: {file: fuel.csv}", "engine: [[0, 90], [300, 90]]"))
-    given.write_text("time [s],speed [m/s]\n0,60\n1,60\n2,80\n3,80\n")
-    asked = ["cycle", str(case), str(given), "-f", "json", "--least-speed"]
-    ran = vstatics(*asked, "1000 rpm")
+@pytest.fixture
+def files(folder: Path) -> Path:
+    """A case with a fuel map, and a trace."""
+    (folder / "car.yaml").write_text(CAR_FILE)
+    (folder / "t.csv").write_text(TRACE_FILE)
+    rows = "0,0,500\n0,900,500\n400,0,500\n400,900,500\n"
+    (folder / "fuel.csv").write_text(f"speed [rad/s],torque [N*m],fuel [g/h]\n{rows}")
+    return folder
+
+
+def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(files: Path) -> None:
+    car = CAR_FILE.replace("fuel: {file: fuel.csv}", "engine: [[0, 90], [300, 90]]")
+    (files / "car.yaml").write_text(car)
+    (files / "t.csv").write_text("time [s],speed [m/s]\n0,60\n1,60\n2,80\n3,80\n")
+    asked = ["cycle", "car.yaml", "t.csv", "-f", "json", "--least-speed", "1000 rpm"]
+    ran = vstatics(*asked)
     messages = ran.json["cycle"]["messages"]
     assert ran.status == 0
     assert [one[-6:] for one in messages] == ["[W428]", "[W429]"]
     # the second gear turns 4 v: 240, 280, 320 rad/s, and 1000 kg 20 m/s^2 are beyond any engine
-    assert "in 1 of 3 steps" in messages[0]
+    assert all("in 1 of 3 steps" in one for one in messages)
     assert f"{320 * 30 / math.pi:.6g} rpm" in messages[0]
-    assert "in 1 of 3 steps" in messages[1]
-    assert f"{case}: {messages[0][:-7]}" in ran.err  # `tests.commands` drops ids
-    assert vstatics(*asked, "1000 rpm", "--strict").status == 1
-    ran = vstatics(*asked, "1000 rpm", "--strict", "--allow", "W428", "--allow", "W429")
+    assert f"car.yaml: {messages[0][:-7]}" in ran.err  # `tests.commands` drops ids
+    assert vstatics(*asked, "--strict").status == 1
+    ran = vstatics(*asked, "--strict", "--allow", "W428", "--allow", "W429")
     assert (ran.status, ran.json["cycle"]["messages"]) == (0, [])
-    ran = vstatics(*asked, "1000")
+    ran = vstatics(*asked[:-1], "1000")
     assert ran.is_wrong_use("read '1000', expected a speed with its unit")
 
 
-def test_a_specific_consumption_is_told_how_it_becomes_a_rate() -> None:
-    """What 250 g/kWh take at 3000 rpm and 100 N*m, idle has no power to be multiplied by."""
-    with pytest.raises(ReadError, match=r"`g/s`; g/kWh times speed \[rpm\] \* torque .*/9549.3"):
-        read_fuel_map(b"speed [rpm],torque [N*m],fuel [g/kWh]\n3000,100,250\n", "f.csv")
-    rate = 250 * 3000 * 100 / 9549.3
-    assert rate == pytest.approx(250 * 100 * 3000 * math.pi / 30 / 1000, rel=1e-6)
-
-
 def test_fuel_is_bilinear() -> None:
-    """A + b w + c T + d w T is met exactly inside a cell."""
+    """A + b w + c T + d w T is met exactly inside a cell; 9549.3 is 3e4/pi."""
     speeds, torques = np.array([100.0, 300.0, 500.0]), np.array([0.0, 100.0])
 
     def fuel(w: Any, t: Any) -> Any:
@@ -358,112 +352,55 @@ def test_fuel_is_bilinear() -> None:
     np.testing.assert_allclose(read.at(np.array([50.0]), np.array([-9.0])), fuel(100.0, 0.0))
     with pytest.raises(ReadError, match="expected one row for each pair"):
         read_fuel_map(text.encode().rsplit(b"\n", 1)[0], "fuel.csv")
+    with pytest.raises(ReadError, match=r"`g/s`; g/kWh times speed \[rpm\] \* torque .*/9549.3"):
+        read_fuel_map(b"speed [rpm],torque [N*m],fuel [g/kWh]\n3000,100,250\n", "f.csv")
 
 
+TORQUE = "speed [rpm],torque [N*m],fuel"
+
+
+@pytest.mark.usefixtures("files")
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("file", "text", "said"),
     [
-        ("time [s],speed [km/h]\n", "no row below the headings"),
-        ("time [s],speed [km/h]\n0,1\n", "expected at least two"),
-        ("time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a later time"),
-        ("time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
-        ("time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "none, as it is the sine of the angle"),
-        ("time [s],speed [km/h],gear\n0,1,1\n1,2,9\n2,2,9\n", ":3:1: error: there is no gear `9`"),
+        ("t.csv", "time [s],speed [km/h]\n", "no row below the headings"),
+        ("t.csv", "time [s],speed [km/h]\n0,1\n", "expected at least two"),
+        ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a l"),
+        ("t.csv", "time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
+        ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "none, as it is the sine of"),
+        ("t.csv", "time [s],speed [m/s],gear\n0,1,low\n1,2,9\n2,2,9\n", ":3:1: error: there is n"),
+        ("t.csv", "A title\ntime [s],speed [mph]\n0,0\n5,10\n", "t.csv:2:1: error: the trace has"),
+        ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:1: error: fuel: read the unit 'kg'"),
+        ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", "fuel.csv:2:1: error: fuel: expected 0 or more"),
+        ("car.yaml", CAR_FILE.partition("vehicle")[0], "the case has no `vehicle`"),
     ],
 )
-def test_faults_of_a_trace_are_told_with_their_place(tmp_path: Path, text: str, said: str) -> None:
-    case, file = tmp_path / "car.json", tmp_path / "t.csv"
-    pair = {"first": 1, "second": 2, "ratio": 4}
-    made = {"links": 2, "mechanisms": {"p": pair}, "gears": {"1": []}}
-    case.write_text(json.dumps(made | {"vehicle": {"mass": 1000, "radius": 0.5}}))
-    file.write_text(text)
-    ran = vstatics("cycle", str(case), str(file))
-    assert ran.gives_nothing(said)
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("speed [rpm],torque [N*m],fuel [kg]\n0,0,1\n", ":1:1: error: fuel: read the unit 'kg'"),
-        ("speed [rpm],torque [N*m],fuel [g/h]\n0,0,-1\n", ":2:1: error: fuel: expected 0 or more"),
-    ],
-)
-def test_faults_of_a_fuel_map_are_told_with_their_place(
-    tmp_path: Path, text: str, said: str
-) -> None:
-    (tmp_path / "t.csv").write_text("time [s],speed [km/h],gear\n0,1,1\n1,2,1\n")
-    (tmp_path / "fuel.csv").write_text(text)
-    case = tmp_path / "car.yaml"
-    case.write_text("""
-links: 2
-mechanisms: {p: {first: 1, second: 2, ratio: 4}}
-gears: {"1": []}
-vehicle: {mass: 1000, radius: 0.5, engine: [[0, 100]], fuel: {file: fuel.csv}}
-""")
-    ran = vstatics("cycle", str(case), str(tmp_path / "t.csv"))
-    assert ran.gives_nothing(f"fuel.csv{said}")
-
-
-def test_a_case_without_a_vehicle_is_told(tmp_path: Path) -> None:
-    (tmp_path / "t.csv").write_text("time [s],speed [km/h]\n0,1\n1,2\n")
-    ran = vstatics("cycle", "cases/zf-8hp70.yaml", str(tmp_path / "t.csv"))
-    assert ran.fails("the case has no `vehicle`")
-
-
-def test_the_case_stands_first() -> None:
-    for command in (["cycle"], ["damage"]):
-        ran = vstatics(*command, "t.csv", "car.yaml")
+def test_faults_of_files_are_told_with_their_place(file: str, text: str, said: str) -> None:
+    Path(file).write_text(text)
+    assert vstatics("cycle", "car.yaml", "t.csv").gives_nothing(said)
+    for command in ("cycle", "damage"):
+        ran = vstatics(command, "t.csv", "car.yaml")
         assert ran.is_wrong_use("the case stands first, then the CSV file: car.yaml t.csv")
 
 
-def test_the_engine_gives_what_statics_asks_for() -> None:
-    """The torque of the engine that comes out gives the force at the wheels, solved forward."""
-    case = CASE.replace(inertias={})
-    made = drive(case, trace((0, 15, "1"), (1, 15, "1")), GearChoice())
-    speed = 15 / 0.3 * 4.1 * 3.5
-    torque = made.energy.engine / speed
-    results = solve(case.replace(load=Load(speed * 30 / math.pi, torque)))
-    assert results.lossy_output_torque_Nm[0] * 4.1 / 0.3 == pytest.approx(made.energy.wheels / 15)
-
-
-CAR_FILE = """
-links: [engine, a, b, out]
-shift_elements: {A: [engine, a], B: [engine, b]}
-mechanisms:
-  first: {first: a, second: out, ratio: 4, efficiency: .8}
-  second: {first: b, second: out, ratio: 2, efficiency: .9}
-gears: {low: [A], high: [B]}
-vehicle: {mass: 1000 kg, radius: 0.5, fuel: {file: fuel.csv}}
-"""
-TRACE_FILE = "time [s],speed [m/s],gear\n2,0,low\n4,10,low\n5,12,high\n9,12,low\n10,0,low\n"
-
-
-def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(tmp_path: Path) -> None:
+def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(files: Path) -> None:
     """F = m a at the wheels, M = F r/(i n) at the engine, w = v i/r, no fuel below 0 N*m."""
-    case, given, steps = (str(tmp_path / name) for name in ("car.yaml", "trace.csv", "steps.csv"))
-    Path(case).write_text(CAR_FILE)
-    Path(given).write_text(TRACE_FILE)
-    fuel = "speed [rad/s],torque [N*m],fuel [g/h]\n0,0,500\n0,900,500\n400,0,500\n400,900,500\n"
-    (tmp_path / "fuel.csv").write_text(fuel)
-    assert vstatics("cycle", case, given, "--time-steps", steps).status == 0
-    table = sweep_tables.read(Path(steps).read_bytes(), steps)
+    command = ("cycle", "car.yaml", "t.csv", "--time-steps")
+    assert vstatics(*command, "steps.csv").status == 0
+    table = sweep_tables.read((files / "steps.csv").read_bytes(), "steps.csv")
     assert table.varied == ("time [s]",)
-    forces, speeds, ratios = [5000, 2000, 0, -12000], [5, 11, 12, 6], [4, 4, 2, 4]
+    turning = zip([5, 11, 12, 6], [4, 4, 2, 4], strict=True)
     expected = {
         "time [s]": [3, 4.5, 7, 9.5],
-        "speed [km/h]": [3.6 * v for v in speeds],
+        "speed [km/h]": [3.6 * v for v in (5, 11, 12, 6)],
         "gear number": [1, 1, 2, 1],
-        "engine speed [rpm]": [
-            v / 0.5 * i * 30 / math.pi for v, i in zip(speeds, ratios, strict=True)
-        ],
+        "engine speed [rpm]": [v / 0.5 * i * 30 / math.pi for v, i in turning],
         "engine torque [N*m]": [5000 * 0.5 / 4 / 0.8, 2000 * 0.5 / 4 / 0.8, 0, 0],
-        "wheel force [N]": forces,
+        "wheel force [N]": [5000, 2000, 0, -12000],
         "fuel [g/h]": [500] * 4,
     }
     assert table.columns == {name: pytest.approx(column) for name, column in expected.items()}
-    picture = str(tmp_path / "cycle.svg")
-    assert vstatics("plot", steps, "-k", "curves", "-o", picture).status == 0
-    assert "engine torque" in Path(picture).read_text()
-    before = Path(given).read_bytes()
-    assert vstatics("cycle", case, given, "--time-steps", given).status == 2
-    assert Path(given).read_bytes() == before
+    assert vstatics("plot", "steps.csv", "-k", "curves", "-o", "cycle.svg").status == 0
+    assert "engine torque" in (files / "cycle.svg").read_text()
+    assert vstatics(*command, "t.csv").status == 2
+    assert (files / "t.csv").read_text() == TRACE_FILE

@@ -1,8 +1,5 @@
 """Duty cycles by points: energies against closed forms and against the results of each point."""
 
-from __future__ import annotations
-
-import json
 import math
 from pathlib import Path
 
@@ -21,12 +18,12 @@ from vstatics import (
     ShiftElement,
     Spring,
     Transmission,
+    loads,
     solve,
 )
-from vstatics.core.readers import from_dict
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.duty_file import read_duty_table
-from vstatics.vehicle.operation.load_spectrum import points_of, spectrum
+from vstatics.vehicle.operation.load_spectrum import spectrum
 from vstatics.vehicle.operation.point_loads import DutyPoints
 
 PAIRS = Transmission(
@@ -57,12 +54,8 @@ def test_energies_of_two_pairs_in_closed_form() -> None:
 
 def test_a_point_without_torques_says_why() -> None:
     """A set on a freewheel that holds when it drives and overruns when it coasts."""
-    case = Transmission(
-        3,
-        [ShiftElement(2, 0, "F", kind="freewheel")],
-        [Mechanism(1, 2, 3, -2.5, 0.96)],
-        [Gear(name="1")],
-    )
+    freewheel = ShiftElement(2, 0, "F", kind="freewheel")
+    case = Transmission(3, [freewheel], [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear(name="1")])
     assert spectrum(case, points((100.0, 20.0, 10.0))).energy.in_ == pytest.approx(20_000)
     with pytest.raises(CaseError, match=r"has no torques .*: .*freewheel F overruns") as caught:
         spectrum(case, points((100.0, 20.0, 10.0), (100.0, -20.0, 10.0)))
@@ -84,17 +77,13 @@ def test_equivalent_torque_and_turns() -> None:
 
 def test_planets_turn_on_their_pins() -> None:
     """A held ring: the carrier turns by 30/104 of the sun, the planet by 30/22 of the rest."""
-    wheels = {"kind": "planetary", "sun": "s", "ring": "r", "carrier": "c"}
-    case = from_dict(
-        {
-            "links": ["s", "r", "c"],
-            "shift_elements": {"B": ["r", "housing"], "C": ["s", "c"]},
-            "elements": {"P": {**wheels, "teeth": {"sun": 30, "ring": 74, "planet": 22}}},
-            "gears": {"low": ["B"], "direct": ["C"]},
-        }
+    case = loads(
+        "links: [s, r, c]\nshift_elements: {B: [r, housing], C: [s, c]}\n"
+        "elements: {P: {kind: planetary, sun: s, ring: r, carrier: c, "
+        "teeth: {sun: 30, ring: 74, planet: 22}}}\ngears: {low: [B], direct: [C]}\n",
+        format="yaml",
     )
-    low, direct = (100.0, 20.0, 10.0), (100.0, 20.0, 50.0)
-    both = points(low, direct)._replace(gears=np.array([0, 1]))
+    both = points((100.0, 20.0, 10.0), (100.0, 20.0, 50.0))._replace(gears=np.array([0, 1]))
     one = spectrum(case, both).members["P.planet"]
     speed = 100 * (1 - 30 / 104) * 30 / 22
     assert abs(one.speed.largest) == pytest.approx(speed * 30 / math.pi)
@@ -110,10 +99,8 @@ def test_shares_give_mean_powers() -> None:
 
 def test_drag_of_a_link_is_what_its_torques_leave() -> None:
     """2 N*m on the middle link, which turns at half the speed: 2 50 J/s."""
-    case = PAIRS.replace(
-        gears=[Gear(drag={2: 0.1}, name="1")],
-        mechanisms=[m._replace(efficiency=1.0) for m in PAIRS.mechanisms],
-    )
+    sets = [one._replace(efficiency=1.0) for one in PAIRS.mechanisms]
+    case = PAIRS.replace(gears=[Gear(drag={2: 0.1}, name="1")], mechanisms=sets)
     made = spectrum(case, points((100.0, 20.0, 1.0)))
     assert made.energy.lost["drag.mid"] == pytest.approx(0.1 * 20 * 50)
     assert made.members["mid"].torque.largest == pytest.approx(40)
@@ -125,16 +112,15 @@ def test_random_trains_lose_what_enters_and_does_not_leave(number: int) -> None:
     rng = seeded(2750 + number)
     case = random_train(rng).replace(coast=None)
     results = solve(case.replace(load=Load(1000.0, 50.0)))
-    whole = [
-        n for n, ok in enumerate(results.consistent & np.isfinite(results.losses).all(axis=1)) if ok
-    ]
-    whole = [n for n in whole if np.isfinite(results.lossy_output_torque_Nm[n])]
+    ok = results.consistent & np.isfinite(results.losses).all(axis=1)
+    whole = np.flatnonzero(ok & np.isfinite(results.lossy_output_torque_Nm)).tolist()
     if not whole or case.freewheels:
         return
     gears = np.array([rng.choice(whole) for _ in range(4)])
-    speeds = np.array([rng.uniform(50, 300) for _ in gears])
-    torques = np.array([rng.uniform(5, 90) for _ in gears])
-    times = np.array([rng.uniform(1, 9) for _ in gears])
+    speeds, torques, times = (
+        np.array([rng.uniform(low, high) for _ in gears])
+        for low, high in ((50, 300), (5, 90), (1, 9))
+    )
     try:
         made = spectrum(case, DutyPoints(gears, speeds, torques, times))
     except CaseError:
@@ -156,37 +142,21 @@ def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(l
 
     Its capacity is in N*m, told by any load.
     """
-    elements = [
-        ShiftElement(1, 2, "C", capacity=9999 / load),
-        ShiftElement(2, 0, "B", capacity=600 / load),
-    ]
-    gears = [Gear([2], name="low"), Gear([1], name="high")]
-    case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5, 0.96)], gears, load=Load(None, load))
-    rows = points((200.0, 239.0, 1.0), (200.0, -241.0, 1.0), (200.0, 300.0, 1.0), (200.0, 900.0, 1))
+    clutch = ShiftElement(1, 2, "C", capacity=9999 / load)
+    brake = ShiftElement(2, 0, "B", capacity=600 / load)
+    gears, sets = [Gear([2], name="low"), Gear([1], name="high")], [Mechanism(1, 2, 3, -2.5, 0.96)]
+    case = Transmission(3, [clutch, brake], sets, gears, load=Load(None, load))
+    rows = points(*((200.0, torque, 1.0) for torque in (239.0, -241.0, 300.0, 900.0)))
     rows = rows._replace(gears=np.array([0, 0, 0, 1]))
     [one] = spectrum(case, rows).messages
-    assert (one.id, one.text) == (
-        "W430",
-        f"in 2 of 4 rows B carries up to {2.5 * 300:.5g} N*m, more than its torque "
-        "capacity of 600 N*m, most in row 3, gear low",
-    )
+    told = "more than its torque capacity of 600 N*m"
+    text = f"in 2 of 4 rows B carries up to {2.5 * 300:.5g} N*m, {told}, most in row 3, gear low"
+    assert (one.id, one.text) == ("W430", text)
     own = [gears[0]._replace(load=Load(1910.0, 300.0)), gears[1]]
     [alone] = solve(case.replace(gears=own)).messages
-    assert (alone.id, alone.text) == (
-        "W430",
-        "B carries 750 N*m, more than its torque capacity of 600 N*m",
-    )
+    assert (alone.id, alone.text) == ("W430", f"B carries 750 N*m, {told}")
     assert not spectrum(case.replace(allow=("W430",)), rows).messages
     assert not spectrum(case.replace(load=None), rows).messages  # relative to any input torque
-
-
-def test_what_is_no_duty_cycle_is_told() -> None:
-    with pytest.raises(CaseError, match="no gear '2'"):
-        points_of(PAIRS, ["2"], {"speed": [1.0], "torque": [1.0], "time": [1.0]})
-    with pytest.raises(CaseError, match="expected a speed other than 0"):
-        points_of(PAIRS, ["1"], {"speed": [0.0], "torque": [1.0], "time": [1.0]})
-    with pytest.raises(CaseError, match="time: read -1"):
-        points_of(PAIRS, ["1"], {"speed": [1.0], "torque": [1.0], "time": [-1.0]})
 
 
 @pytest.mark.parametrize(
@@ -201,21 +171,15 @@ def test_what_is_no_duty_cycle_is_told() -> None:
         ("time,gear,sped [rpm],torque [N*m]\n1,1,2,3\n", "did you mean `speed`?"),
         ("time,gear,speed [rpm],torque [N*m]\n1,9,2,3\n", ":2:1: error: there is no gear '9'"),
         ("time,gear,speed [rpm],torque [N*m]\n1,1,2\n", ":2:1: error: read 3 cells"),
+        ("time,gear,speed [rpm],torque [N*m]\n1,1,0,2\n", "expected a speed other than 0"),
+        ("time,gear,speed [rpm],torque [N*m]\n-1,1,1,2\n", "time: read -1"),
     ],
 )
-def test_faults_of_a_table_are_told_with_their_place(tmp_path: Path, text: str, said: str) -> None:
-    (tmp_path / "case.json").write_text(
-        json.dumps(
-            {
-                "links": 2,
-                "mechanisms": {"a": {"first": 1, "second": 2, "ratio": 2}},
-                "gears": {"1": []},
-            }
-        )
-    )
-    (tmp_path / "duty.csv").write_text(text)
-    ran = vstatics("summary", str(tmp_path / "case.json"), "--duty", str(tmp_path / "duty.csv"))
-    assert ran.gives_nothing(said)
+def test_faults_of_a_table_are_told_with_their_place(folder: Path, text: str, said: str) -> None:
+    case = 'links: 2\nmechanisms: {a: {first: 1, second: 2, ratio: 2}}\ngears: {"1": []}\n'
+    (folder / "case.yaml").write_text(case)
+    (folder / "duty.csv").write_text(text)
+    assert vstatics("summary", "case.yaml", "--duty", "duty.csv").gives_nothing(said)
 
 
 BEYOND = """
@@ -230,71 +194,67 @@ vehicle: {mass: 1000, radius: 0.5}
 """The speed of `a` is that of the engine, or a quarter of it."""
 
 
-@pytest.mark.parametrize("command", ["duty", "cycle"])
 @pytest.mark.parametrize(("gear", "speed", "is_outside"), [("fast", 120, 1), ("slow", 120, 0)])
 def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
-    tmp_path: Path, command: str, gear: str, speed: float, is_outside: int
+    folder: Path, gear: str, speed: float, is_outside: int
 ) -> None:
-    case, file = tmp_path / "case.yaml", tmp_path / "points.csv"
-    case.write_text(BEYOND)
-    if command == "duty":
-        file.write_text(f"time [s],gear,speed [rad/s],torque [N*m]\n1,{gear},{speed},90\n")
-        given = ["summary", str(case), "--duty", str(file)]
-    else:  # v = w r / 4
-        file.write_text(f"time [s],speed [m/s],gear\n0,{speed / 8},{gear}\n1,{speed / 8},{gear}\n")
-        given = ["cycle", str(case), str(file)]
+    """Of a duty cycle, and of a driving cycle with v = w r/4."""
+    (folder / "case.yaml").write_text(BEYOND)
+    row = f"1,{gear},{speed},90\n"
+    (folder / "duty.csv").write_text(f"time [s],gear,speed [rad/s],torque [N*m]\n{row}")
+    rows = "".join(f"{time},{speed / 8},{gear}\n" for time in (0, 1))
+    (folder / "trace.csv").write_text(f"time [s],speed [m/s],gear\n{rows}")
     said = "note: outside the points of a, the value of the nearest end point applies"
-    assert vstatics(*given).err.count(said) == is_outside
-    assert said not in vstatics(*given, "--allow", "N414").err
+    for given in (
+        ("summary", "case.yaml", "--duty", "duty.csv"),
+        ("cycle", "case.yaml", "trace.csv"),
+    ):
+        assert vstatics(*given).err.count(said) == is_outside
+        assert said not in vstatics(*given, "--allow", "N414").err
 
 
-@pytest.mark.parametrize("form", ["text", "markdown", "csv"])
-def test_an_equivalent_torque_says_of_which_exponent(tmp_path: Path, form: str) -> None:
-    case, file = tmp_path / "case.yaml", tmp_path / "duty.csv"
-    case.write_text(BEYOND)
-    file.write_text("time [s],gear,speed [rad/s],torque [N*m]\n1,fast,100,40\n")
-    asked = ["summary", str(case), "--duty", str(file), "-f", form]
-    for given, told in ([], "3"), (["--exponent", "6.5"], "6.5"):
-        found = vstatics(*asked, *given).out.replace("\\", "")
-        assert f"equivalent, p = {told}, N*m" in found
+def test_an_equivalent_torque_says_of_which_exponent(folder: Path) -> None:
+    (folder / "case.yaml").write_text(BEYOND)
+    (folder / "duty.csv").write_text("time [s],gear,speed [rad/s],torque [N*m]\n1,fast,100,40\n")
+    asked = ["summary", "case.yaml", "--duty", "duty.csv", "-f"]
+    for form in ("text", "markdown", "csv"):
+        for given, told in ([], "3"), (["--exponent", "6.5"], "6.5"):
+            found = vstatics(*asked, form, *given).out.replace("\\", "")
+            assert f"equivalent, p = {told}, N*m" in found
 
 
 def test_points_are_a_record_of_the_torques_of_devices() -> None:
     """The example of ASTM E1049-85, 5.4.4, in 100 N*m, on a spring behind a pair of ratio 2."""
     shaft = Spring({2: 1, 3: -1}, stiffness=9e3, name="shaft")
-    strength = Fatigue(100e6, 3, 4e6, section_modulus=4e-6, threshold=0)
-    pair = Mechanism(1, 2, 0, 2.0, name="pair")
-    case = Transmission(
-        3, [], [pair], [Gear(name="1")], springs=[shaft], fatigue={"shaft": strength}
-    )
+    strengths = {"shaft": Fatigue(100e6, 3, 4e6, section_modulus=4e-6, threshold=0)}
+    pair, gear = Mechanism(1, 2, 0, 2.0, name="pair"), Gear(name="1")
+    case = Transmission(3, [], [pair], [gear], springs=[shaft], fatigue=strengths)
     example = (-2.0, 1.0, -3.0, 5.0, -1.0, 3.0, -4.0, 4.0, -2.0)
-    rows = [(100.0, 50 * torque, 1.0) for torque in example]
-    made = spectrum(case, points(*rows)).damage["shaft"]
-    assert made.damage == pytest.approx(5.341796875e-7, rel=1e-12)
-    assert made.cycles[-1].range == pytest.approx(900)
+    made = spectrum(case, points(*((100.0, 50 * torque, 1.0) for torque in example)))
+    assert made.damage["shaft"].damage == pytest.approx(5.341796875e-7, rel=1e-12)
+    assert made.damage["shaft"].cycles[-1].range == pytest.approx(900)
+
+
+GEARED = """
+links: [in, small_sun, large_sun, carrier, ring]
+output: ring
+elements:
+  pair: {kind: gear_pair, first: in, second: small_sun, teeth: {first: 20, second: 60}}
+  train: {kind: ravigneaux, small_sun: small_sun, large_sun: large_sun, ring: ring,
+    carrier: carrier, teeth: {small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}
+shift_elements: {B: [carrier, housing], C: [large_sun, carrier]}
+gears: {low: [B], direct: [C]}
+fatigue:
+"""
 
 
 def test_elements_bear_what_their_first_member_carries() -> None:
     """As mechanisms do; of an element of several meshes each mesh has a life of its own."""
-    strength = {"section_modulus": 4e-6, "endurance": 100e6, "exponent": 3, "cycles": 4e6}
-    teeth = {"small_sun": 30, "large_sun": 36, "ring": 84, "short": 22, "long": 24}
-    wheels = {one: one for one in ("small_sun", "large_sun", "ring", "carrier")}
-    train = {"kind": "ravigneaux", **wheels, "teeth": teeth}
-    pair = {"kind": "gear_pair", "first": "in", "second": "small_sun"}
+    strength = "{section_modulus: 4e-6, endurance: 1e8, exponent: 3, cycles: 4e6, threshold: 0}"
     first = ["pair", "train.small_sun-short", "train.large_sun-long", "train.short-long"]
-    case = from_dict(
-        {
-            "links": ["in", "small_sun", "large_sun", "carrier", "ring"],
-            "output": "ring",
-            "elements": {"pair": pair | {"teeth": {"first": 20, "second": 60}}, "train": train},
-            "shift_elements": {"B": ["carrier", "housing"], "C": ["large_sun", "carrier"]},
-            "gears": {"low": ["B"], "direct": ["C"]},
-            "fatigue": {name: {**strength, "threshold": 0} for name in first},
-        }
-    )
-    torques = np.array([40.0, 90.0])
-    asked = DutyPoints(np.array([0, 0]), np.full(2, 100.0), torques, np.ones(2))
-    made = spectrum(case, asked)
+    text = GEARED + "".join(f"  {name}: {strength}\n" for name in first)
+    rows = points((100.0, 40.0, 1.0), (100.0, 90.0, 1.0))
+    made = spectrum(loads(text, format="yaml"), rows)
     ranges = {name: one.cycles[-1].range for name, one in made.damage.items() if one.cycles}
     assert [*made.damage] == first
     sun = made.members["train.small_sun"].torque.largest
@@ -303,35 +263,35 @@ def test_elements_bear_what_their_first_member_carries() -> None:
     assert ranges["train.short-long"] == pytest.approx(abs(sun) * 50 / 90 * 22 / 30 * 0.98)
 
 
-def test_torques_of_variators_and_converters_follow_from_the_speeds() -> None:
-    """M_second = -M_first eta/i of a variator, -K M_first of a converter; drag of 1 N*m behind."""
-    points_ = [[0.0, 2.2], [0.85, 1.0], [1.0, 1.0]]
-    for mechanism, factor, lost in (
-        ({"kind": "variator", "speed_ratio": 0.4, "efficiency": 0.9}, 0.9 / 0.4, 0.1),
-        ({"kind": "variator", "speed_ratio": -0.5, "efficiency": 0.8}, 0.8 / -0.5, 0.2),
+@pytest.mark.parametrize(
+    ("kind", "speed_ratio", "factor", "lost"),
+    [
+        ("variator, efficiency: 0.9", 0.4, 0.9 / 0.4, 0.1),
+        ("variator, efficiency: 0.8", -0.5, 0.8 / -0.5, 0.2),
         (
-            {"kind": "converter", "speed_ratio": 0.34, "points": points_},
+            "converter, points: [[0, 2.2], [0.85, 1], [1, 1]]",
+            0.34,
             2.2 - 0.4 * 1.2,
             1 - 0.34 * (2.2 - 0.4 * 1.2),
         ),
-    ):
-        case = from_dict(
-            {
-                "links": ["eng", "out"],
-                "mechanisms": {"h": {"first": "eng", "second": "out", **mechanism}},
-                "gears": {"1": []},
-                "drag": {"out": "1 N*m"},
-                "load": {"speed": "2000 rpm", "torque": "100 N*m"},
-            }
-        )
-        made = spectrum(case, points((200.0, 100.0, 10.0)))
-        second = made.members["h.second"].torque.largest
-        assert second == pytest.approx(-100 * factor, rel=1e-9)
-        speed = 200.0 * float(mechanism["speed_ratio"])  # type: ignore[arg-type]
-        assert made.energy.lost["h"] == pytest.approx(200e3 * lost)
-        assert made.energy.lost["drag.out"] == pytest.approx(10 * abs(speed))
-        closed = made.energy.in_ - made.energy.out - sum(made.energy.lost.values())
-        assert closed == pytest.approx(0, abs=1e-6)
+    ],
+)
+def test_torques_of_variators_and_converters_follow_from_the_speeds(
+    kind: str, speed_ratio: float, factor: float, lost: float
+) -> None:
+    """M_second = -M_first eta/i of a variator, -K M_first of a converter; drag of 1 N*m behind."""
+    own = f"{{first: eng, second: out, speed_ratio: {speed_ratio}, kind: {kind}}}"
+    case = loads(
+        f"links: [eng, out]\nmechanisms: {{h: {own}}}\ngears: {{1: []}}\n"
+        "drag: {out: 1 N*m}\nload: {speed: 2000 rpm, torque: 100 N*m}\n",
+        format="yaml",
+    )
+    made = spectrum(case, points((200.0, 100.0, 10.0)))
+    assert made.members["h.second"].torque.largest == pytest.approx(-100 * factor, rel=1e-9)
+    assert made.energy.lost["h"] == pytest.approx(200e3 * lost)
+    assert made.energy.lost["drag.out"] == pytest.approx(10 * abs(200 * speed_ratio))
+    closed = made.energy.in_ - made.energy.out - sum(made.energy.lost.values())
+    assert closed == pytest.approx(0, abs=1e-6)
 
 
 @pytest.mark.parametrize("seed", range(count(10, 200)))

@@ -1,12 +1,10 @@
 """Driving cycles as they are published: the same cycle in hundreds of layouts, by exact sums."""
 
-from __future__ import annotations
-
 import math
 import resource
-import subprocess
-import sys
+from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 from random import Random
 
@@ -14,7 +12,8 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded, with_marked
-from tests.commands import vstatics
+from tests.commands import process
+from tests.core.readers.named.test_signs_of_print import spoilt
 from vstatics import Gear, Mechanism, ReadError, Transmission
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
@@ -35,85 +34,48 @@ SPEEDS = {
     "mi/h": Fraction(1609344, 3600000),
 }
 GRADES = {"grade": 1, "Grade [-]": 1, "grade [%]": 100, "Gradient (%)": 100, "cycGrade": 1}
-IN_SECONDS = ("Seconds", "sec", "Sec", "s", "SECS", "second")
-IMPLIED = {"cycSecs": "s", "<t>": "s", "cycMps": "m/s", "mps": "m/s", "<v>": "km/h"} | {
-    **dict.fromkeys(IN_SECONDS, "s"),
+IMPLIED = {
+    **dict.fromkeys(("Seconds", "sec", "Sec", "s", "SECS", "second", "cycSecs", "<t>"), "s"),
+    **dict.fromkeys(("cycMps", "mps", "m/s"), "m/s"),
+    **dict.fromkeys(("<v>", "km/h"), "km/h"),
     "MPH": "mph",
-    "km/h": "km/h",
-    "m/s": "m/s",
 }
+"""Headings with a unit of their own."""
+TIME = [name for name, unit in IMPLIED.items() if unit == "s"]
+TIME += ["time", "Time", "TIME", "t", "Test Time", "Elapsed_Time"]
+SPEED = ["speed", "Speed", "SPEED", "v", "Target Speed", "Vehicle speed"]
+SPEED += ["cycMps", "<v>", "MPH", "km/h", "m/s"]
 OTHERS = ("Phase", "cycRoadType", "Distance, m", "Remark", "Acceleration (m/s^2)")
 
 
 class Layout:
-    """A cycle of whole thousandths, and a file of it.
-
-    Attributes
-    ----------
-    data : bytes
-    times, speeds, grades : list of Fraction
-        [s], [m/s], [-]
-    """
+    """A cycle of whole thousandths, and a file of it: times [s], speeds [m/s], grades [-]."""
 
     def __init__(self, rng: Random) -> None:
         self.rng = rng
         self.separator = rng.choice(",;\t")
         self.comma = self.separator != "," and rng.random() < 0.4
-        time, time_unit = self.heading(
-            [
-                "time",
-                "Time",
-                "TIME",
-                "t",
-                "Test Time",
-                "Elapsed_Time",
-                "cycSecs",
-                "<t>",
-                *IN_SECONDS,
-            ],
-            TIMES,
-        )
-        speed, speed_unit = self.heading(
-            [
-                "speed",
-                "Speed",
-                "SPEED",
-                "v",
-                "Target Speed",
-                "cycMps",
-                "<v>",
-                "Vehicle speed",
-                "MPH",
-                "km/h",
-                "m/s",
-            ],
-            SPEEDS,
-        )
+        time, time_unit = self.heading(TIME, TIMES)
+        speed, speed_unit = self.heading(SPEED, SPEEDS)
         steep = rng.choice([None, "slope", *GRADES])
         fine = 1 if self.separator == "," else 10  # 1.200 may be 1200 where commas are decimal
         rows = [(0, 0, 0)]
         for _ in range(rng.randint(2, 8)):
             later = rows[-1][0] + fine * rng.randint(1001, 9999)
             rows.append((later, fine * rng.randint(1, 3999), rng.randint(-99, 99)))
-        thousandth = Fraction(1, 1000)
-        self.times = [row[0] * thousandth * time_unit for row in rows]
-        self.speeds = [row[1] * thousandth * speed_unit for row in rows]
-        self.grades = [row[2] * thousandth / GRADES.get(steep or "", 1) for row in rows]
+        self.times = [Fraction(row[0], 1000) * time_unit for row in rows]
+        self.speeds = [Fraction(row[1], 1000) * speed_unit for row in rows]
+        size = GRADES.get(steep or "", 1)
+        self.grades = [Fraction(row[2] if steep else 0, 1000 * size) for row in rows]
         self.is_sine = steep == "slope"
-        columns = [
-            (time, [self.number(row[0]) for row in rows]),
-            (speed, [self.number(row[1]) for row in rows]),
-        ]
-        if steep:
-            columns.append((steep, [self.number(row[2]) for row in rows]))
-        else:
-            self.grades = [Fraction(0)] * len(rows)
+        names = [time, speed, *([steep] if steep else [])]
+        columns = [(name, [self.number(row[k]) for row in rows]) for k, name in enumerate(names)]
         self.others = rng.sample(OTHERS, rng.randint(0, 2))
         columns += [(name, [rng.choice(["1", "city"]) for _ in rows]) for name in self.others]
         rng.shuffle(columns)
         self.data = self.written(columns)
 
-    def heading(self, names: list[str], units: dict[str, Fraction]) -> tuple[str, Fraction]:
+    def heading(self, names: Sequence[str], units: dict[str, Fraction]) -> tuple[str, Fraction]:
         """A heading with its unit, and the size of that."""
         name = self.rng.choice(names)
         if name in IMPLIED:
@@ -153,31 +115,27 @@ class Layout:
         return text.encode(rng.choice(["utf-8", "utf-8-sig", "utf-16"]))
 
 
-@pytest.mark.parametrize(
-    "seed",
-    with_marked(range(1), range(1, count(8, 100)), pytest.mark.slow),
-)
+@pytest.mark.parametrize("seed", with_marked(range(1), range(1, count(8, 100)), pytest.mark.slow))
 def test_layouts_of_published_cycles(seed: int) -> None:
     """Distance by exact fractions; work at the wheels by the equation of motion, row by row."""
     for number in range(30):
         layout = Layout(seeded(4601 + 100 * seed + number))
         trace = read_trace(layout.data, "cycle.txt")
-        times, speeds = layout.times, layout.speeds
-        steps = range(len(times) - 1)
-        lengths = [times[k + 1] - times[k] for k in steps]
-        means = [(speeds[k + 1] + speeds[k]) / 2 for k in steps]
-        sines = [float(g) / (1 if layout.is_sine else math.hypot(1, g)) for g in layout.grades]
+        lengths = [later - time for time, later in pairwise(layout.times)]
+        pairs = [*pairwise(layout.speeds)]
+        means = [(v + later) / 2 for v, later in pairs]
+        sines = [float(g) / (1 if layout.is_sine else math.hypot(1, g)) for g in layout.grades][:-1]
         np.testing.assert_allclose(trace.duration, [float(dt) for dt in lengths], rtol=1e-12)
         np.testing.assert_allclose(trace.speed, [float(v) for v in means], rtol=1e-13)
-        np.testing.assert_allclose(trace.slope, sines[:-1], rtol=1e-13)
+        np.testing.assert_allclose(trace.slope, sines, rtol=1e-13)
         assert sorted(trace.table.head.skipped) == sorted(layout.others), layout.data
         driven = drive(CASE, trace, GearChoice())
-        way = [float(v * dt) for v, dt in zip(means, lengths, strict=True)]
-        assert driven.distance == pytest.approx(float(sum(map(Fraction, way))), rel=1e-12)
+        way = [v * dt for v, dt in zip(means, lengths, strict=True)]
+        assert driven.distance == pytest.approx(float(sum(way)), rel=1e-12)
         work = [
-            1200 * float((speeds[k + 1] - speeds[k]) * means[k])
-            + (1200 * GRAVITY * (0.012 + sines[k]) + AIR * 0.65 / 2 * float(means[k]) ** 2) * way[k]
-            for k in steps
+            1200 * float((later - v) * mean)
+            + (1200 * GRAVITY * (0.012 + sine) + AIR * 0.65 / 2 * float(mean) ** 2) * float(step)
+            for (v, later), mean, sine, step in zip(pairs, means, sines, way, strict=True)
         ]
         size = math.fsum(map(abs, work))
         assert driven.energy.wheels == pytest.approx(math.fsum(work), abs=1e-11 * size)
@@ -234,49 +192,38 @@ def test_faults_of_published_cycles_quote_the_file(text: str, said: str) -> None
 def test_wild_numbers_of_a_trace_end_in_numbers_or_at_their_line(seed: int) -> None:
     """Numbers of any size: no warning of NumPy, no infinite energy."""
     rng = seeded(4700 + seed)
+
+    def wild() -> str:
+        return repr(rng.choice([0.0, rng.random(), 10.0 ** rng.randint(-320, 308)]))
+
     for _ in range(20):
-        cells = [
-            ",".join(
-                repr(rng.choice([0.0, rng.random(), 10.0 ** rng.randint(-320, 308)])) for _ in "ab"
-            )
-            for _ in range(3)
-        ]
+        rows = [f"{wild()},{wild()}" for _ in range(3)]
         try:
-            trace = read_trace("\n".join(["time [s],speed [m/s]", *cells]).encode(), "t.csv")
+            trace = read_trace("\n".join(["time [s],speed [m/s]", *rows]).encode(), "t.csv")
         except ReadError as error:
             problems = error.problems
         else:
-            driven = drive(CASE, trace, GearChoice())
-            problems = []
+            problems, driven = [], drive(CASE, trace, GearChoice())
             assert math.isfinite(driven.energy.engine)
             assert math.isfinite(driven.distance)
         assert all(problem.place and problem.place.line > 1 for problem in problems)
 
 
-def test_a_trace_that_has_no_gears_is_named(tmp_path: Path) -> None:
-    case, file = tmp_path / "car.yaml", tmp_path / "t.csv"
-    case.write_text(
-        "links: [a, b]\nmechanisms: {p: {first: a, second: b, ratio: 4}}\n"
-        'gears: {"1": [], "2": []}\nvehicle: {mass: 1000, radius: 0.5}\n'
-    )
-    file.write_text("A title\ntime [s],speed [mph]\n0,0\n5,10\n")
-    ran = vstatics("cycle", str(case), str(file))
-    assert ran.err.startswith(f"{file}:2:1: error: the trace has no column `gear`: expected this")
+@pytest.mark.parametrize("seed", range(count(10, 200)))
+def test_blanks_of_print_are_blanks_in_tables(seed: int) -> None:
+    cycle = "Time (s), Speed [km/h], Remark\n0, 0 , a b\n 2 ,36, c d\n"
+    trace = read_trace(spoilt(cycle, seeded(5100 + seed)).encode(), "t.csv")
+    assert (trace.duration[0], trace.speed[0]) == (2.0, pytest.approx(5.0))
+    assert trace.table.head.skipped == ["Remark"]
 
 
 @pytest.mark.slow
-def test_a_million_rows_take_500_mb(tmp_path: Path) -> None:
-    rng = np.random.default_rng(4800)
-    case, file = tmp_path / "car.yaml", tmp_path / "t.csv"
-    case.write_text(
-        "links: [a, b]\nmechanisms: {p: {first: a, second: b, ratio: 4, efficiency: .97}}\n"
-        'gears: {"1": []}\nvehicle: {mass: 1000, radius: 0.5}\n'
-    )
-    speeds = np.abs(np.cumsum(rng.normal(size=1_000_000)))
+def test_a_million_rows_take_500_mb(folder: Path) -> None:
+    text = "links: [a, b]\nmechanisms: {p: {first: a, second: b, ratio: 4, efficiency: .97}}\n"
+    vehicle = 'gears: {"1": []}\nvehicle: {mass: 1000, radius: 0.5}\n'
+    (folder / "car.yaml").write_text(text + vehicle)
+    speeds = np.abs(np.cumsum(np.random.default_rng(4800).normal(size=1_000_000)))
     rows = "".join(f"{k / 10},{v:.3f}\n" for k, v in enumerate(speeds.tolist()))
-    file.write_text("time [s],speed [km/h]\n" + rows)
-    code = "import sys, vstatics.core.cli as c; sys.exit(c.main())"
-    subprocess.run(
-        [sys.executable, "-c", code, "cycle", case, file], check=True, capture_output=True
-    )
+    (folder / "t.csv").write_text("time [s],speed [km/h]\n" + rows)
+    assert process("cycle", "car.yaml", "t.csv", cwd=folder)[0] == 0
     assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss < 500e3

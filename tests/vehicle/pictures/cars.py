@@ -1,7 +1,5 @@
 """Boxes in vehicles, and what SVG of their pictures tells."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from xml.etree import ElementTree as ET
 
@@ -36,7 +34,8 @@ def box(
 
 def marks(results: Results, kind: str, name: str, **style: bool) -> list[dict[str, str]]:
     """The data of the groups of a class in SVG, in their order."""
-    root = ET.fromstring(render(results, kind, "svg", Style(**style)))  # type: ignore[arg-type]  # noqa: S314 - our own
+    svg = render(results, kind, "svg", Style(**style))  # type: ignore[arg-type]
+    root = ET.fromstring(svg)  # noqa: S314 - our own
     return [
         {key.removeprefix("data-"): one for key, one in group.attrib.items() if key != "class"}
         for group in root.iter()

@@ -1,15 +1,17 @@
-"""Steps between gears: quotients of ratios, and laws that they are compared with."""
+"""Steps between gears, laws that they are compared with, and engine speed over road speed."""
 
-from __future__ import annotations
-
+import math
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 
 from tests.commands import CASES, SHIPPED, json_answer
+from tests.pictures.drawn import texts
 from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
 from tests.vehicle.pictures.cars import box, marks
@@ -34,25 +36,21 @@ def test_a_final_drive_that_turns_the_sign_keeps_it_in_ratios_and_not_in_steps()
     assert [float(one["step"]) for one in cells[:2]] == [1.5, 2]
 
 
-def test_steps_are_those_of_a_sweep_and_of_the_summary() -> None:
+def test_steps_are_those_of_the_summary() -> None:
     case = CASES / "ford-10r80.yaml"
+    steps = {one["gear"]: one["step"] for one in json_answer("summary", case)["gears"]}
     cells = marks(solve(load(case)), "steps", "step")
-    answer = json_answer("summary", case)
-    steps = {one["gear"]: one["step"] for one in answer["gears"] if one["step"] is not None}
-    assert {one["gear"]: float(one["step"]) for one in cells if "step" in one} == pytest.approx(
-        steps
-    )
+    drawn = {one["gear"]: float(one["step"]) for one in cells if "step" in one}
+    assert drawn == pytest.approx({gear: step for gear, step in steps.items() if step is not None})
 
 
 def test_cells_are_as_long_as_logarithms_of_steps() -> None:
     figure = picture(box([4.0, 2.0, 1.0, 0.25]), "steps", Style())
-    boxes = [
-        one.get_path().get_extents()
-        for one in figure.artists
-        if isinstance(one, Polygon) and "step" in str(one.get_gid())
-    ]
-    lengths = [one.width for one in boxes]
-    assert np.array(lengths) / lengths[0] == pytest.approx([1, 1, 2])
+    drawn = [one for one in figure.artists if isinstance(one, Polygon)]
+    lengths = np.array(
+        [one.get_path().get_extents().width for one in drawn if "step" in str(one.get_gid())]
+    )
+    assert lengths / lengths[0] == pytest.approx([1, 1, 2])
 
 
 def test_laws_keep_the_ends_and_fit_between() -> None:
@@ -87,3 +85,36 @@ def test_numbers_of_steps_stand_in_their_cells_in_a_column() -> None:
     """Of 85 mm: names of rows give way; upright no number is wider than its cell."""
     results = shipped_results("zf-9hp48.yaml")
     assert overlaps(results, "steps", Style("ru", width=85 / 25.4 * 72)) == []
+
+
+def lines(figure: Figure) -> list[tuple[str, np.ndarray]]:
+    """What lines say, and their places [pt]."""
+    drawn = (one for one in figure.artists if isinstance(one, Line2D))
+    return [(str(one.get_gid()), np.asarray(one.get_xydata())) for one in drawn]
+
+
+def test_revolutions_by_speed_are_those_of_the_wheel_by_the_ratio() -> None:
+    """A wheel turns 1/i/i0 as fast: i i0/(2 pi r) per metre, 1000/60 metres a minute at 1 km/h."""
+    ratios = [3.5, 2.1, 1.0, -3.0]
+    drawn = marks(box(ratios), "sawtooth", "line")
+    assert [one["gear"] for one in drawn] == ["1", "2", "3", "4"]
+    for ratio, line in zip(ratios, drawn, strict=True):
+        told = abs(ratio) * 4.1 / (2 * math.pi * 0.3) * 1000 / 60
+        assert float(line["rpm-per-kmh"]) == pytest.approx(told, rel=1e-8)
+
+
+def test_a_shift_at_the_last_speed_leads_to_the_speed_of_the_next_gear() -> None:
+    """600 rad/s times 1.5/3 and times 1/1.5, in rpm; the reverse gear is no shift."""
+    figure = picture(box([3.0, 1.5, 1.0, -3.2]), "sawtooth", Style())
+    drops = {f"{600 * 30 / math.pi * part:.0f}" for part in (1 / 2, 2 / 3)}
+    assert drops <= {*texts(figure)}
+    [saw] = [line for said, line in lines(figure) if '"saw"' in said]
+    assert len(saw) == 2 * 3
+
+
+def test_rays_start_at_rest_and_end_with_the_engine() -> None:
+    figure = picture(box([3.0, 1.5]), "sawtooth", Style())
+    rays = [line for said, line in lines(figure) if "rpm per km/h" in said]
+    (start, end), (other, beyond) = rays
+    np.testing.assert_allclose(start, other)
+    np.testing.assert_allclose((beyond - start) / (end - start), [2, 1])

@@ -3,8 +3,6 @@
 Source of the choices: those of tests/oracle/boxes.py, found among all schemes in the simplest way.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 
 import pytest
@@ -16,7 +14,7 @@ from vstatics.synthesis.boxes.batches.cut import ranges
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.modified import kept_search
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme
-from vstatics.synthesis.boxes.schemes.stems import UNIT, stems
+from vstatics.synthesis.boxes.schemes.stems import UNIT, box_schemes, stems
 
 SMALL = {
     "one set": Space(1, 2, 1, (3, 1)),
@@ -24,6 +22,9 @@ SMALL = {
     "meshed, own input": Space(2, 4, 2, (3, 1), meshed=1, own_input=True),
     "held, in parts": Space(2, 5, 2, (3, 1), fixed=1, meshed=1),
     "shaft, own output": Space(2, 5, 3, (3, 1), shafts=1, own_output=True),
+    "two held": Space(2, 4, 1, (3, 1), fixed=2),
+    "meshed, own output": Space(2, 4, 2, (3, 1), own_output=True, meshed=1),
+    "held, own ports": Space(2, 5, 3, (3, 1), own_input=True, own_output=True, fixed=1),
 }
 LARGER = {
     "three": Space(3, 5, 2, (3, 1)),
@@ -49,10 +50,26 @@ def in_pieces(search: BoxSearch, count: int) -> Counter[Frame]:
 
 
 def check_all_are_there_once(space: Space, count: int) -> None:
-    asked = {key: value for key, value in space._asdict().items() if key != "cells"}
+    search = BoxSearch(**{key: value for key, value in space._asdict().items() if key != "cells"})
     every = Counter(min(names(frame, ()))[0] for frame in all_frames(space))
-    assert in_pieces(BoxSearch(**asked), count) == every
-    assert set(every.values()) == {1}
+    assert in_pieces(search, count) == every
+    assert {*every.values()} == {1}
+    assert sum(len(one.ports) for one in box_schemes(search)) == len(every)
+
+
+@pytest.mark.parametrize(
+    ("sets", "engaged", "schemes", "ports"),
+    [(2, 1, 12, 111), (2, 2, 6, 90), (3, 1, 190, 3656), (3, 2, 155, 4428), (3, 3, 37, 1350)],
+)
+def test_all_schemes_have_all_choices_of_ports(
+    sets: int, engaged: int, schemes: int, ports: int
+) -> None:
+    """Classes of sound schemes with ordered input and output, by Burnside's lemma.
+
+    tests/oracle/schemes.py counts those of `vstatics synth structures --ports` apart.
+    """
+    found = list(box_schemes(BoxSearch(sets, 4, engaged, (2.0,))))
+    assert (len(found), sum(len(one.ports) for one in found)) == (schemes, ports)
 
 
 @pytest.mark.parametrize("space", SMALL.values(), ids=SMALL)

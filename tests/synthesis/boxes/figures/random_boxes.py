@@ -1,6 +1,4 @@
-"""Boxes by chance: any scheme, ports, held link, meshed sets and elements; gears that these give."""
-
-from __future__ import annotations
+"""Boxes by chance: any scheme, ports, held link, meshed sets, elements, and gears of these."""
 
 from collections.abc import Iterator
 from functools import cache

@@ -1,7 +1,5 @@
 """Figures of gears and boxes against the case that a box is written as, solved by itself."""
 
-from __future__ import annotations
-
 import math
 from itertools import combinations as pairs_of
 
@@ -27,28 +25,24 @@ def near(expected: float) -> object:
 @pytest.mark.parametrize("one", BOXES, ids=numbered_box)
 def test_figures_of_gears_are_those_of_the_solved_case(one: RandomBox) -> None:
     found = one.measured()
-    case = found.case
-    results = solve(case)
+    case, results = found.case, solve(found.case)
     names = [element.name for element in case.shift_elements]
-    devices = case.own_devices
-    turning = [planet.name for device in devices for planet in device.planets]
-    names_of_planets = [name.removesuffix(".planet") for name in turning]
-    for row, (gear, own, flow) in enumerate(
-        zip(found.gears, case.gears, flows(results), strict=True)
-    ):
+    turning = [
+        planet.name.removesuffix(".planet") for one in case.own_devices for planet in one.planets
+    ]
+    rows = zip(found.gears, case.gears, flows(results), strict=True)
+    for row, (gear, own, flow) in enumerate(rows):
         figures = gear.figures
         engaged = {names[number - 1] for number in own.engaged}
         assert {*figures.torques} == {*gear.engaged} == engaged
         assert {*figures.slips} == {*names} - engaged
-        for place, name in enumerate(names):
-            solved, table = (
-                (results.torques, figures.torques)
-                if name in engaged
-                else (results.slip_speeds, figures.slips)
-            )
-            assert table[name] == near(solved[row][place])
-        lost = dict(zip([one.name for one in devices], results.losses[row], strict=True))
-        planets = dict(zip(names_of_planets, results.planet_speeds[row], strict=True))
+        for name, torque, slip in zip(
+            names, results.torques[row], results.slip_speeds[row], strict=False
+        ):
+            told, solved = (figures.torques, torque) if name in engaged else (figures.slips, slip)
+            assert told[name] == near(solved)
+        lost = dict(zip([one.name for one in case.own_devices], results.losses[row], strict=True))
+        planets = dict(zip(turning, results.planet_speeds[row], strict=True))
         speeds = dict(zip(case.link_names, results.speeds[row], strict=True))
         for name, (_, carrier, _) in zip(found.ratios, found.box.scheme.sets, strict=True):
             whole = next((pair for pair in found.ravigneaux if name in found.ravigneaux[pair]), "")
@@ -67,19 +61,16 @@ def test_figures_of_gears_are_those_of_the_solved_case(one: RandomBox) -> None:
 
 @pytest.mark.parametrize("one", BOXES, ids=numbered_box)
 def test_drag_is_the_slip_power_of_capacities(one: RandomBox) -> None:
-    forward = [gear for gear in one.measured().gears if gear.target > 0]
-    gears = one.measured().gears
-    drags = {}
+    gears, drags = one.measured().gears, {}
     for gear in gears:
         drags[gear.name] = sum(
             abs(slip) * max(abs(other.figures.torques.get(name, 0.0)) for other in gears)
             for name, slip in gear.figures.slips.items()
         )
         assert gear.figures.drag == near(drags[gear.name])
-    of_mean = [gear.name for gear in forward or gears]
-    first = of_mean[0]
-    weighted = measured(one.search, one.box, 0.97, {first: 3.0}).figures.drag
-    total = sum(drags[name] for name in of_mean) + 2 * drags[first]
+    of_mean = [gear.name for gear in gears if gear.target > 0] or [*drags]
+    weighted = measured(one.search, one.box, 0.97, {of_mean[0]: 3.0}).figures.drag
+    total = sum(drags[name] for name in of_mean) + 2 * drags[of_mean[0]]
     assert weighted == near(total / (len(of_mean) + 2))
 
 
@@ -139,11 +130,11 @@ def _with_freewheels(found: MeasuredBox, name: str) -> list[Transmission]:
     """The case of a box with a freewheel for a brake, for each way in which it may hold."""
     case = found.case
     place = [element.name for element in case.shift_elements].index(name)
+    link = case.shift_elements[place].first
     gears = [
         gear._replace(engaged=tuple(number for number in gear.engaged if number != place + 1))
         for gear in case.gears
     ]
-    link = case.shift_elements[place].first
     made = []
     for links in ((link, 0), (0, link)):
         elements = [*case.shift_elements]
@@ -166,18 +157,16 @@ def test_weights_are_of_gears_of_the_mean() -> None:
 @pytest.mark.parametrize("one", BOXES[:20], ids=numbered_box)
 def test_one_core_has_one_form_without_its_clutches(one: RandomBox) -> None:
     """Each element is put between other links, and may change how the rest is named then."""
+
+    def core(box: FoundBox) -> object:
+        """The identity of a box with its brakes alone."""
+        return identity(least_box(box._replace(elements=tuple(box.brakes), gears=())))
+
     box = one.box
-    others = [
-        box._replace(elements=(*box.elements[:place], other, *box.elements[place + 1 :]))
-        for place, own in enumerate(box.elements)
-        for other in ((box.output, box.input), (box.scheme.sets[0][0], -1))
-        if own[1] != other[1] and other not in box.elements
-    ]
-    for other in others:
-        is_one = _without_clutches(box) == _without_clutches(other)
-        assert (core_of(least_box(box)) == core_of(least_box(other))) == is_one
-
-
-def _without_clutches(box: FoundBox) -> object:
-    """The identity of a box with its brakes alone."""
-    return identity(least_box(box._replace(elements=tuple(box.brakes), gears=())))
+    for place, own in enumerate(box.elements):
+        for other in ((box.output, box.input), (box.scheme.sets[0][0], -1)):
+            if own[1] != other[1] and other not in box.elements:
+                changed = (*box.elements[:place], other, *box.elements[place + 1 :])
+                less = box._replace(elements=changed)
+                same = core_of(least_box(box)) == core_of(least_box(less))
+                assert same == (core(box) == core(less))

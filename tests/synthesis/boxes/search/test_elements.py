@@ -1,7 +1,5 @@
 """The search for sets of shift elements, against all sets there are and SciPy's matching."""
 
-from __future__ import annotations
-
 from itertools import combinations
 
 import numpy as np
@@ -21,7 +19,7 @@ BRAKES = 4
 def is_wanted(
     chosen: tuple[int, ...], numbers: dict[tuple[int, ...], int], port: PortGears, targets: int
 ) -> bool:
-    """Whether its brakes are as many as wanted, each target has a ratio of its own, and each element is engaged with some ratio."""
+    """Whether brakes are as wanted, each target has a ratio, and each element is engaged."""
     engaged = len(next(iter(numbers)))
     usable = [one for one in combinations(chosen, engaged) if port.ratio_of[numbers[one]] >= 0]
     ratios = sorted({int(port.ratio_of[numbers[one]]) for one in usable})
@@ -37,47 +35,33 @@ def is_wanted(
 
 
 @pytest.mark.parametrize(
-    ("engaged", "size", "targets"),
-    [(1, 4, 3), (2, 4, 4), (2, 5, 3), (3, 5, 6)],
+    ("engaged", "size", "targets"), [(1, 4, 3), (2, 4, 4), (2, 5, 3), (3, 5, 6)]
 )
 def test_all_sets_are_found_and_each_once(engaged: int, size: int, targets: int) -> None:
     table = combinations_table(BRAKES, engaged, size)
     numbers = {tuple(one): number for number, one in enumerate(table.members.tolist())}
     random = np.random.default_rng(32)
-    found_some = 0
+    count, links, found_some = len(numbers), len(table.ends), 0
     for _ in range(20):
-        count = len(numbers)
         ratios = random.integers(2, min(count, 40))
         reach: Integers = np.zeros(count, np.int64)
         reach[:ratios] = (random.random((ratios, targets)) < 0.3) @ (1 << np.arange(targets))
         kinds = random.integers(0, ratios, count)
         usable = (reach[kinds] > 0) & (random.random(count) < random.uniform(0.2, 1))
-        missing = int(random.integers(len(table.ends)))
+        missing = int(random.integers(links))
         usable &= (table.members != missing).all(axis=1)
         useful = np.full(count, -1)
         useful[: usable.sum()] = np.flatnonzero(usable)
         brakes = int(random.choice([0b11111, 0b110, 0b10]))
-        kept, least_kept = int(random.integers(1 << len(table.ends))), int(random.integers(3))
-        there = ((1 << len(table.ends)) - 1) & ~(1 << missing)
-        port = PortGears(
-            0,
-            1,
-            there,
-            np.where(usable, kinds, -1),
-            reach,
-            useful,
-            brakes,
-            np.zeros((0, 2), np.int64),
-            table.masks,
-            np.zeros(0, np.int64),
-            kept,
-            least_kept,
-        )
+        kept, least_kept = int(random.integers(1 << links)), int(random.integers(3))
+        there, none = ((1 << links) - 1) & ~(1 << missing), np.zeros(0, np.int64)
+        ratio_of = np.where(usable, kinds, -1)
+        shown = (there, ratio_of, reach, useful, brakes, none.reshape(0, 2), table.masks, none)
+        port = PortGears(0, 1, *shown, kept, least_kept)
         room = set_room(table, targets, 2000)
         rows = room.listed[: element_sets(table, port, room)].tolist()
-        every = combinations(range(len(table.ends)), size)
-        assert sorted(map(tuple, rows)) == [
-            one for one in every if is_wanted(one, numbers, port, targets)
-        ]
+        every = combinations(range(links), size)
+        expected = [one for one in every if is_wanted(one, numbers, port, targets)]
+        assert sorted(map(tuple, rows)) == expected
         found_some += len(rows) > 0
     assert found_some

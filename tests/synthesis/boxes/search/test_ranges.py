@@ -1,4 +1,6 @@
-"""What quotients reach within bounds, against many points within; matching against SciPy."""
+"""Cells of ratios: what quotients reach, what is cut off, which targets can be assigned."""
+
+from itertools import permutations
 
 import numpy as np
 import pytest
@@ -7,7 +9,8 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.synthesis.boxes.search.matching import match_room, matched
+from vstatics.synthesis.boxes.search.matching import is_assigned, match_room, matched
+from vstatics.synthesis.boxes.search.planes import plane_room, planes_leave
 from vstatics.synthesis.boxes.search.ranges import divide, lines, reached
 from vstatics.synthesis.boxes.search.set_ratios import Asked, fit_room, fitted
 
@@ -56,13 +59,43 @@ def test_targets_are_matched_where_that_can_be() -> None:
     random = np.random.default_rng(17)
     for _ in range(300):
         can = random.random((7, 5)) < 0.35
-        reach = can @ (1 << np.arange(5))
         best = maximum_bipartite_matching(csr_array(can.T.astype(np.int8)), perm_type="column")
-        assert (
-            matched(reach, 7, match_room(5))
-            == (np.sort(best)[-5:] >= 0).all()
-            == ((best >= 0).sum() == 5)
-        )
+        assert matched(can @ (1 << np.arange(5)), 7, match_room(5)) == ((best >= 0).sum() == 5)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_ratio_keeps_just_the_targets_of_some_assignment(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    targets, ratios = int(rng.integers(1, 5)), int(rng.integers(1, 7))
+    reach = rng.integers(0, 1 << targets, ratios)
+    expected = np.zeros_like(reach)
+    for order in permutations(range(ratios), min(targets, ratios)):
+        if len(order) == targets and all(reach[r] >> t & 1 for t, r in enumerate(order)):
+            expected[[*order]] |= 1 << np.arange(targets)
+            others = [*{*range(ratios)} - {*order}]  # they may have one that another has here
+            expected[others] |= reach[others] & ((1 << targets) - 1)
+    assert is_assigned(reach, ratios, match_room(targets)) == bool(expected.any())
+    if expected.any():
+        assert reach.tolist() == expected.tolist()
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_planes_leave_every_place_where_all_gears_are_within_their_ranges(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    sets, targets = int(rng.integers(1, 5)), int(rng.integers(1, 8))
+    width = 10 ** rng.uniform(-2, 0.3)
+    parts = rng.normal(size=(targets, 2, 1)) + width * rng.normal(size=(targets, 2, 2**sets))
+    place = rng.uniform(size=sets)
+    corners = np.arange(2**sets)[:, None] >> np.arange(sets) & 1
+    own = np.where(corners, place, 1 - place).prod(axis=1)
+    ratios = parts[:, 0] @ own / (parts[:, 1] @ own)
+    factors = np.exp(rng.uniform(0, 0.05, (2, targets)))
+    ends = np.sort([ratios / factors[0], ratios * factors[1]], axis=0)
+    room, left = plane_room(targets, sets), np.tile([0.0, 1.0], (sets, 1))
+    room.only_ratios[:] = np.where(rng.uniform(size=targets) < 0.9, np.arange(targets), -1)
+    assert planes_leave(parts, ends[0], ends[1], room, left)
+    assert (left[:, 0] <= place).all()
+    assert (place <= left[:, 1]).all()
 
 
 @pytest.mark.parametrize("number", range(5))

@@ -1,7 +1,5 @@
 """Whether gears can be within their ranges, each by a ratio of its own, against a fine grid."""
 
-from __future__ import annotations
-
 from itertools import combinations, pairwise, permutations
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`vstatics synth box` as processes: several of them, killed ones, a Dask cluster."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal
