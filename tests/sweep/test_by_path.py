@@ -11,6 +11,7 @@ import pytest
 import vstatics
 from tests.chance import seeded
 from tests.commands import vstatics as run
+from tests.core.model.test_bare_drags import BARE
 from vstatics import Load, load, solve
 
 CASE = """
@@ -215,3 +216,8 @@ def test_one_note_tells_that_variants_are_outside_a_law(file: Path) -> None:
             vary = "--vary", f"load.speed=50 rad/s,{most} rad/s"
             ran = run("sweep", file, *vary, "--out", "efficiency[one]", *options)
             assert (ran.status, ran.err.count(f"{OUTSIDE} in, {NEAREST}")) == (0, is_outside)
+
+
+def test_a_sweep_warns_once_of_a_drag_without_a_unit() -> None:
+    vary = ("--vary", "load.torque=50 N*m:200 N*m:7")
+    assert run("sweep", "-", *vary, stdin=BARE.encode()).err.count("has no unit") == 1

@@ -38,7 +38,7 @@ def test_numbers_are_those_of_the_case_solved_alone() -> None:
         assert made.values[row].tolist() == [table[name][row] for name in table]
 
 
-def statuses(case: Transmission, vary: dict[str, list[float]], **asked: Any) -> list[str]:
+def statuses(case: Transmission, vary: dict[str, Any], **asked: Any) -> list[str]:
     """The status of each variant of a sweep of ratios."""
     (made,) = sweep(case, variants=vary, **asked)
     return [STATUS[code] for code in made.status]
@@ -53,6 +53,10 @@ def test_a_number_that_can_be_none_makes_an_invalid_row() -> None:
     assert dict(made.counts) == {"ok": 1, "invalid": 6}
     assert np.isnan(made.columns[:6]).all()
     np.testing.assert_array_equal(made.values[:, 0], ratios)
+    frame = made.to_dataframe()
+    assert list(frame.columns[:3]) == ["D.ratio", "D.efficiency", "status"]
+    assert frame["status"].tolist() == ["invalid"] * 6 + ["ok"]
+    assert frame.loc[6, "ratio[low]"] == 3.5
     (kept,) = sweep(DIFFERENTIAL, variants=table, where="not (ratio[low] > 99)")
     assert kept.variants.tolist() == [6]
     assert dict(kept.counts) == dict(made.counts)
@@ -140,7 +144,7 @@ def test_a_fingerprint_tells_plans_apart() -> None:
     same: dict[str, Any] = {"piece": 8, "out": "ratio", "where": "ratio[low] > 3"}
     plans = [plan(one, **same) for one in (vary, "D.ratio=-4:-2:10", "D.ratio=-4:-2.1:9")]
     plans += [plan("D.efficiency=.9:1:9", **same)]
-    plans += [plan("D.ratio=-4:-2", sample=9, **more, **same) for more in ({}, {"seed": 1})]
+    plans += [plan("D.ratio=-4:-2", sample=9, **{**same, "seed": seed}) for seed in (None, 1)]
     others: list[dict[str, Any]] = [
         *({"piece": 9}, {"out": "efficiency"}, {"where": "ratio[low] > 4"}, {"coast": True}),
         *({"min": ["ratio[low]"]}, {"max": ["ratio[low]"]}, {"max": ["ratio[low]"], "best": 3}),
