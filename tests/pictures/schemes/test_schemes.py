@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from itertools import combinations
 from pathlib import Path
+from typing import Any
 
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 import vstatics
 from tests.commands import CASES
@@ -50,24 +53,23 @@ gears:
 
 def overlaps(figure: Figure) -> list[tuple[str, str]]:
     """Pairs of texts whose bounding boxes have a common area, and texts that leave the paper."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
-    texts = [text for text in figure.texts if text.get_text()]
-    boxes = [(text.get_text(), text.get_window_extent(renderer)) for text in texts]
-    whole = figure.bbox
+    canvas: Any = FigureCanvasAgg(figure)
+    figure.draw_without_rendering()
+    found: list[Any] = figure.findobj(Text)
+    texts = [text for text in found if text.get_visible() and text.get_text().strip()]
+    ink, whole = canvas.get_renderer(), figure.bbox
+    boxes = [(text.get_text(), text.get_window_extent(ink)) for text in texts]
+    assert boxes
     outside = [
         (name, "paper")
         for name, box in boxes
-        if not (whole.x0 <= box.x0 and box.x1 <= whole.x1 and whole.y0 <= box.y0)
-        or box.y1 > whole.y1
+        if min(box.x0 - whole.x0, box.y0 - whole.y0, whole.x1 - box.x1, whole.y1 - box.y1) < 0
     ]
-    pairs = [
+    return outside + [
         (one, other)
         for (one, a), (other, b) in combinations(boxes, 2)
         if min(a.x1, b.x1) - max(a.x0, b.x0) > 0.5 and min(a.y1, b.y1) - max(a.y0, b.y0) > 0.5
     ]
-    return outside + pairs
 
 
 @pytest.mark.slow
