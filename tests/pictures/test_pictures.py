@@ -23,7 +23,7 @@ from tests.pictures.schemes.test_schemes import ring
 from tests.shipped import shipped_results
 from vstatics import CaseError, Results, Transmission, load, solve
 from vstatics.pictures import drawn_kinds, drawn_pages, module_of, picture, render
-from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.files import Format, settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 
 if TYPE_CHECKING:
