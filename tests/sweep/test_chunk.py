@@ -86,6 +86,10 @@ def test_a_gear_that_is_tied_up_or_open_by_its_ratios_tells_so() -> None:
         sets = [Mechanism(1, 2, 0, -2, name="A"), Mechanism(1, 2, 0, ratio, name="B")]
         case = Transmission(2, [], sets, [Gear()], output=2)
         assert statuses(case, {f"{name}.ratio": varied}, out="ratio") == ["ok", "tied up"]
+    # of three links the two sets fix all speeds, but not if they say the same
+    sets = [Mechanism(1, 2, 3, -2, name="A"), Mechanism(1, 2, 3, -3, name="B")]
+    case = Transmission(3, [], sets, [Gear()])
+    assert statuses(case, {"B.ratio": [-3, -2]}, out="ratio") == ["ok", "open"]
 
 
 def test_a_neutral_gear_of_the_case_is_no_reason() -> None:

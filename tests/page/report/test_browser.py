@@ -212,7 +212,7 @@ def test_a_table_is_copied_with_all_digits(page: Opened) -> None:
     assert head == ["torque of", LOW, DIRECT]
     shown = {name: [float(cell) if cell else None for cell in row] for name, *row in rows}
     result = json.loads(page.window.locator("#result").text_content() or "")
-    said = dict(zip(result["rows"]["torques"], result["torques"], strict=True))
+    said = dict(zip(shown, result["torques"], strict=True))
     said["<C>"][0] = said["B"][1] = None  # what is open is blank
     assert shown == said
     assert "\u2212" not in copied
