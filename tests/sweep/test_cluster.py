@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import time
@@ -27,8 +26,6 @@ pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
 SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:500")
 """Half a million variants in 8 pieces."""
-MORE = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:1500")
-"""Three times as many, so that a signal comes before their end."""
 LONG = ("box.yaml", "--vary", "D.ratio=-4:-2:10000", "--vary", "D.efficiency=.9:1:10000")
 """A hundred million variants, more than there is time for."""
 
@@ -104,19 +101,6 @@ def test_a_table_and_the_best_come_from_a_cluster(cluster: Cluster) -> None:
     assert (folder / "two.csv").read_bytes() == (folder / "three.csv").read_bytes()
     assert end(cluster.begin(*SWEEP, "--out", "ratio[low]", "-o", "four.csv"))[0] == 0
     assert (folder / "four.csv").read_bytes() == (folder / "one.csv").read_bytes()
-
-
-def test_an_interrupted_sweep_goes_on_without_the_cluster(cluster: Cluster) -> None:
-    folder = cluster.folder
-    running = cluster.begin(*MORE, "-o", "out.npz")
-    wait_for(lambda: len(finished(folder / "out.npz.parts")) >= 2)
-    running.send_signal(signal.SIGINT)
-    status, said = end(running)
-    assert (status, said.startswith("stopped; ")) == (130, True)
-    assert "Traceback" not in said
-    assert end(begin(*MORE, "-o", "out.npz", "--resume", "-j", 2, cwd=folder))[0] == 0
-    assert end(begin(*MORE, "-o", "one.npz", cwd=folder))[0] == 0
-    assert (folder / "out.npz").read_bytes() == (folder / "one.npz").read_bytes()
 
 
 @pytest.mark.parametrize(

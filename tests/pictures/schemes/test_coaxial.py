@@ -281,10 +281,11 @@ def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:
     assert max(levels) == round(max(y for lines in own.values() for *_, y in lines))
 
 
-@pytest.mark.parametrize("width", ["page", "half", "narrow"])
+@pytest.mark.parametrize("width", ["half", "narrow"])
 @pytest.mark.parametrize("names", [FAST, pytest.param(SLOW, marks=pytest.mark.slow)])
 def test_letters_can_be_read_beside_one_another(names: list[str], width: str, browser: Any) -> None:
-    style = {"page": Style(), "half": HALF, "narrow": Style(width=320.0, wheels=True)}[width]
+    """On the width of a page all are looked at by tests/pictures/test_pages.py."""
+    style = {"half": HALF, "narrow": Style(width=320.0, wheels=True)}[width]
     cases = [shipped_results(f"{name}.yaml") for name in names]
     pages = measured(browser, [render(one, "stick", "svg", style, [1]) for one in cases])
     for name, page in zip(names, pages, strict=True):

@@ -33,18 +33,6 @@ def test_the_numbers_are_those_of_torsion_modes() -> None:
     assert row["omega[2,1]/omega[1,1]"] == pytest.approx(high / low, rel=1e-11)
 
 
-@pytest.mark.parametrize("form", ["csv", "npz", "parquet", "xlsx", "md"])
-def test_every_format_with_any_number_of_jobs(form: str) -> None:
-    pytest.importorskip("pyarrow")
-    asked = ("--vary", "damper.stiffness=0:2000:5", "--vary", "disc.inertia=0,0.01", "--out", OMEGA)
-    for jobs in (1, 2):
-        said = vstatics("sweep", "box.yaml", *asked, "--jobs", jobs, "-o", f"{jobs}.{form}")
-        assert said.status == 0
-        assert "10 rows of 10 variants (2 invalid)" in said.err
-    if form != "xlsx":  # which has the time in it
-        assert Path(f"1.{form}").read_bytes() == Path(f"2.{form}").read_bytes()
-
-
 def test_a_table_of_variants_and_a_sweep_file() -> None:
     Path("own.csv").write_text("wheel.inertia,shaft.stiffness\n1.5,9e3\n2,1e4\n", encoding="utf-8")
     table = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
@@ -59,16 +47,6 @@ def test_a_table_of_variants_and_a_sweep_file() -> None:
     Path("own.csv").write_text("wheel.inertai\n1.5\n", encoding="utf-8")
     wrong = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
     assert wrong.fails("own.csv:1:7: error: read `inertai`, expected `inertia`")
-
-
-def test_the_best_and_a_condition() -> None:
-    """The ratio of the frequencies falls as the damper gets stiffer."""
-    said = vstatics(
-        "sweep", "box.yaml", "--vary", "damper.stiffness=200:2000:10", "--out", OMEGA,
-        "--where", "omega[1,1] > 60", "--max", "omega[2,1]/omega[1,1]", "--best", 1,
-    )  # fmt: skip
-    [row] = said.out.splitlines()[1:]
-    assert row.startswith("2,600,ok,64.")
 
 
 HELD = """\

@@ -13,7 +13,7 @@ import pytest
 
 from tests.commands import CASES, MZKT, process, shell, vstatics
 from tests.processes import names
-from tests.sweep.sweeps import CASE_TEXT, small_pieces
+from tests.sweep.sweeps import CASE_TEXT
 from vstatics import load
 
 VARY = ("--vary", "D.ratio=-4:-2:5")
@@ -150,15 +150,6 @@ def test_rounding_makes_no_variant_the_best() -> None:
         "--out", "ratio[4]",
     )  # fmt: skip
     assert [row.split(",")[0] for row in said.out.splitlines()] == ["variant", "0", "1", "2"]
-
-
-def test_more_jobs_give_the_same_text(monkeypatch: pytest.MonkeyPatch) -> None:
-    small_pieces(monkeypatch)
-    options = ("sweep", "box.yaml", "--vary", "D.ratio=-4:-2:20", "--out", "ratio[low]")
-    texts = [vstatics(*options, "--jobs", jobs).out for jobs in (1, 3)]
-    assert vstatics(*options, "--jobs", 2, "-o", "out.csv").status == 0
-    assert texts[0] == texts[1] == Path("out.csv").read_text(encoding="utf-8")
-    assert texts[0].count("\n") == 21
 
 
 def test_an_output_is_replaced_also_by_resume_as_it_may_be_of_another_sweep() -> None:

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES
-from tests.core.elements.element_texts import AOD, loaded
+from tests.core.elements.element_texts import loaded
 from tests.core.tables.test_names import DECLARED, EVERYTHING
-from tests.core.tables.test_names_of_rows import GEARS, ROWS
 from vstatics import ReadError, Transmission, load, solve, sweep
 from vstatics.core.tables.dataframe import to_dataframe
 from vstatics.core.tables.names import quantity_named, row_named
@@ -141,15 +140,3 @@ def test_an_element_with_several_mechanisms_lists_them(everything: Transmission)
         sweep(everything, {"set.ratio": [0.98]})
     with pytest.raises(ReadError, match="did you mean `ETAI`"):
         sweep(everything, {"P1.etai": [0.98]})
-
-
-@pytest.mark.parametrize("name", ROWS)
-def test_a_sweep_has_a_column_for_each_row_and_gear(name: str) -> None:
-    aod = solve(loaded(AOD))
-    efficiency = aod.case.mechanisms[0].efficiency
-    (made,) = sweep(aod.case, {"set.small_sun-short.efficiency": [efficiency]}, out=name)
-    assert len(made.headings) == len(GEARS) * len(ROWS[name])
-    expected = pytest.approx(sorted(getattr(aod, name).ravel()))
-    assert sorted(made.columns[0].reshape(-1)) == expected
-    for row in ROWS[name]:
-        assert sum(f"[{row}," in heading or f'"{row}"' in heading for heading in made.headings) == 5

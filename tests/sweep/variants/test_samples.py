@@ -34,11 +34,9 @@ def test_a_sample_is_the_same_in_any_blocks(
 def test_the_seed_decides(method: Method) -> None:
     sample = Sample(UNIT, 100, method, 1)
     whole = sample.block(0, 100)
-    assert np.array_equal(Sample(UNIT, 100, method, 1).block(0, 100), whole)
     assert not np.isin(Sample(UNIT, 100, method, 2).block(0, 100), whole).any()
-    assert np.array_equal(
-        Sample(UNIT, 9, method).block(0, 9), Sample(UNIT, 9, method, 0).block(0, 9)
-    )
+    unseeded, first = Sample(UNIT, 9, method), Sample(UNIT, 9, method, 0)
+    assert np.array_equal(unseeded.block(0, 9), first.block(0, 9))
     copy = pickle.loads(pickle.dumps(sample))  # noqa: S301
     assert np.array_equal(copy.block(50, 60), whole[50:60])
     assert whole.flags.f_contiguous
@@ -73,12 +71,6 @@ def test_a_latin_hypercube_is_scipys_and_has_each_variant_in_a_stratum_of_its_ow
 def test_random_numbers_are_numpys_row_by_row() -> None:
     generator = np.random.Generator(np.random.PCG64(3))
     assert np.array_equal(Sample(UNIT, 50, "random", 3).block(0, 50), generator.random((50, 3)))
-
-
-@pytest.mark.parametrize("method", ["sobol", "random"])
-def test_a_larger_sample_begins_with_the_smaller(method: Method) -> None:
-    small, large = Sample(UNIT, 100, method, 1), Sample(UNIT, 10**6, method, 1)
-    assert np.array_equal(small.block(0, 100), large.block(0, 100))
 
 
 @given(methods, st.floats(-1e308, 1e308), st.floats(-1e308, 1e308), st.integers(0, 99))

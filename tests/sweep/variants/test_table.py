@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import io
-import multiprocessing
 import os
 import pickle
 import subprocess
@@ -235,18 +234,6 @@ def test_copies_read_the_same_file_and_leave_it(spooled: Path) -> None:
         assert len(list(spooled.iterdir())) == 1
         part = pickle.loads(pickle.dumps(VariantPart(table, 100, 110)))  # noqa: S301
     assert np.array_equal(part.block(102, 104), EXPECTED[102:104])
-
-
-@pytest.mark.parametrize("method", ["spawn", "forkserver"])
-def test_other_processes_read_it(spooled: Path, method: str) -> None:
-    if method not in multiprocessing.get_all_start_methods():
-        pytest.skip(f"there is no {method} here")
-    with contextlib.closing(read(BIG, spooled)) as table:
-        with multiprocessing.get_context(method).Pool(1) as pool:
-            assert np.array_equal(pool.apply(table.block, (3, 6)), EXPECTED[3:6])
-            pool.close()
-            pool.join()
-        assert np.array_equal(table.block(3, 6), EXPECTED[3:6])
 
 
 def test_the_file_goes_with_the_process(tmp_path: Path) -> None:
