@@ -126,6 +126,7 @@ def test_pictures_drawn_in_threads_are_those_drawn_alone(umdm: Results) -> None:
     import matplotlib as mpl
 
     asked = [("stick", Style()), ("efficiency", Style(dark=True)), ("lever", Style("ru"))]
+    asked += [("structure", Style()), ("plan", Style())]
     before = dict(mpl.rcParams)
 
     def drawn(of: tuple[str, Style]) -> bytes:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal
 
@@ -61,18 +60,6 @@ def changed(*ways: tuple[tuple[str, ...], float | str]) -> vstatics.Transmission
             inner = inner.setdefault(key, {})
         inner[keys[-1]] = number
     return from_dict(document)
-
-
-def test_teeth_give_ratio_and_efficiency_of_willis(case: vstatics.Transmission) -> None:
-    """Ring held, power into the sun: i = 1 + R/S, eta = (1 + eta_0 R/S)/(1 + R/S)."""
-    suns = np.arange(21, 40)
-    without = case.replace(gears=[case.gears[0]._replace(torques={})])
-    out = "ratio[one]/2, efficiency[one]/.98"
-    [chunk] = vstatics.sweep(without, {"P1.teeth.sun": suns}, out=out)
-    for sun, (ratio, efficiency) in zip(suns.tolist(), chunk.columns.tolist(), strict=True):
-        u = Fraction(75, sun)
-        assert -ratio == pytest.approx(float(1 + u), rel=1e-14)
-        assert efficiency == pytest.approx(float((1 + u * Fraction(9702, 10000)) / (1 + u)))
 
 
 def test_what_cannot_be_put_together_is_said_and_its_numbers_stand(
@@ -167,14 +154,6 @@ def test_numbers_that_make_no_case_are_told_or_invalid(
     assert np.isnan(chunk.columns[1:]).all()
     for sun, said in (("75", "expected more teeth than the 75 of sun"), ("30.5", "a whole number")):
         assert run("sweep", file, "--vary", f"P1.teeth.sun={sun}").fails(said)
-
-
-def test_friction_of_all_meshes(case: vstatics.Transmission) -> None:
-    """Standard wheels of 20 and 40 teeth: 1 - pi mu (1/20 + 1/40) H, .99004 at .06."""
-    [chunk] = vstatics.sweep(
-        case, {"mesh_efficiency.friction": [0.03, 0.06]}, out="efficiency[two]"
-    )
-    assert 1 - chunk.columns[:, 0] == pytest.approx([0.00498, 0.00996], abs=5e-6)
 
 
 def test_a_capacity_is_a_number_of_conditions(file: Path) -> None:

@@ -304,7 +304,7 @@ def test_long_titles_and_names_of_levers_stay_inside_the_figure() -> None:
         figure = picture(results, "lever", style, [3])
         assert overlaps_of(figure) == []
     names = [one.get_text().replace("\n", " ") for one in figure.findobj(Text)]
-    assert "P1 + P2, как одно целое" in names
+    assert "P1 + P2, блокировано" in names
 
 
 def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:

@@ -86,13 +86,6 @@ def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
         assert device.kind == "held" or device.name in " ".join(shown.split())
 
 
-def test_the_same_case_looks_the_same() -> None:
-    results = shipped_results("wheel-hub.yaml")
-    for kind in ("stick", "structure"):
-        once, again = (render(results, kind, "svg", Style()) for _ in range(2))
-        assert once == again
-
-
 def test_stick_diagram_needs_elements() -> None:
     results = shipped_results("moskvich-start.yaml")  # springs alone
     with pytest.raises(CaseError, match="needs gear sets"):

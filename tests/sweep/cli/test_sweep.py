@@ -13,8 +13,9 @@ import pytest
 
 from tests.commands import CASES, MZKT, process, shell, vstatics
 from tests.processes import names
-from tests.sweep.sweeps import CASE_TEXT
+from tests.sweep.sweeps import CASE_TEXT, small_pieces
 from vstatics import load
+from vstatics.sweep.output import Output
 
 VARY = ("--vary", "D.ratio=-4:-2:5")
 COLUMNS = "variant,D.ratio,status,ratio[direct],ratio[low]"
@@ -162,6 +163,20 @@ def test_an_output_is_replaced_also_by_resume_as_it_may_be_of_another_sweep() ->
         assert (said.status, Path("out.csv").read_text(encoding="utf-8")) == (0, whole)
     first, _ = said.err.splitlines()
     assert first == "out.csv may be of another sweep: every variant is calculated again"
+
+
+def test_a_sweep_that_failed_goes_on_with_its_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    small_pieces(monkeypatch)
+    asked = ("sweep", "box.yaml", "--vary", "D.ratio=-4:-2:20", "-o", "out.csv")
+    with monkeypatch.context() as patch:
+        patch.setattr(Output, "assemble", full)
+        assert vstatics(*asked).fails("out.csv: error: cannot be written: No space left")
+    said = vstatics(*asked, "--resume")
+    assert said.status == 0
+    assert said.err.startswith("out.csv: 20 rows of 20 variants, 20 of them before;")
 
 
 def test_a_dry_run_says_how_much_and_writes_nothing(folder: Path) -> None:
