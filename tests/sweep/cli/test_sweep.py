@@ -296,7 +296,7 @@ def test_headings_stay_as_they_are_where_that_is_asked_for(tmp_path: Path) -> No
 
 def test_a_file_that_a_sweep_file_names_is_told_at_its_place() -> None:
     for text, said in {
-        "vary: [D.ratio=-3:-2:3]\n\ncase: nowhere.yaml\n": "3:7: error: nowhere.yaml cannot be read",
+        "vary: [D.ratio=-3]\n\ncase: nowhere.yaml\n": "3:7: error: nowhere.yaml cannot be read",
         'case: "a\\0b"\n': r"1:7: error: read 'a\x00b', expected the name of a file",
         'variants: "a\\0b"\n': r"1:11: error: read 'a\x00b', expected the name of a file",
         'output: "a\\0b"\n': r"1:9: error: read 'a\x00b', expected the name of a file",

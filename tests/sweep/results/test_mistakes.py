@@ -104,8 +104,8 @@ def test_a_row_whose_name_two_devices_have_is_told_by_its_number() -> None:
         read_expression("sum(losses)", case, [], "--min")
 
 
-WORDS = """ratio speeds torques[ in вал ] ( ) , : #1 # ' " 1 2.5 . e 1e3 _ D1 .ratio + - * ** / < = !
-and or not min( max( abs( sum( lambda if [ ² ratio[2] speeds[in] D1.ratio losses[D1,2] \\ ﬁ { @ ≤"""
+WORDS = """ratio speeds torques[ in вал ] ( ) , : #1 # ' " 1 2.5 . e 1e3 _ D1 .ratio + - * ** / < =
+! and or not min( max( abs( sum( lambda if [ ² ratio[2] speeds[in] D1.ratio losses[D1,2] \\ ﬁ { @ ≤"""
 PIECES = st.sampled_from([*WORDS.split(), " ", "\n", "\x00"])
 
 
