@@ -53,14 +53,14 @@ def test_each_page_is_a_file_and_stale_ones_go(folder: Path, count: list[int], f
 
 
 def test_a_pdf_has_all_pages_and_stdout_has_one(folder: Path, count: list[int]) -> None:
-    assert vstatics("plot", UMDM, "-k", "efficiency", "-o", "box.pdf").status == 0
-    assert (folder / "box.pdf").read_bytes().count(b"/Type /Page ") == count[0]
+    asked = ("plot", UMDM, "-k", "efficiency", "-o")
+    assert vstatics(*asked, "box.pdf").status == 0
     first = (folder / "box.pdf").read_bytes()
-    vstatics("plot", UMDM, "-k", "efficiency", "-o", "box.pdf")
+    assert first.count(b"/Type /Page ") == count[0]
+    vstatics(*asked, "box.pdf")
     assert (folder / "box.pdf").read_bytes() == first
     assert names(folder) == ["box.pdf"]
-    said = vstatics("plot", UMDM, "-k", "efficiency", "-o", "-")
-    assert said.out.count("<svg ") == 1
+    assert vstatics(*asked, "-").out.count("<svg ") == 1
 
 
 def test_cases_of_a_directory_have_their_pages(folder: Path, count: list[int]) -> None:
@@ -95,27 +95,19 @@ def test_python_saves_pages_of_a_width(folder: Path) -> None:
 
 
 @pytest.mark.usefixtures("count")
-@pytest.mark.parametrize(
-    ("width", "points"),
-    [("85mm", 85 / 25.4 * 72), ("8.5 cm", 85 / 25.4 * 72), ("6.5in", 468.0), ("500pt", 500.0)],
-)
-def test_a_width_has_its_unit(width: str, points: float) -> None:
-    said = vstatics("plot", UMDM, "-k", "efficiency", "-o", "-", "--width", width)
-    assert wide(said.out) == pytest.approx(points, abs=0.01)
-
-
-@pytest.mark.parametrize(
-    ("width", "why"),
-    [
-        ("170", "expected a length in mm, cm, in, pt, such as 170mm"),
-        ("-170mm", "expected a length in mm"),
-        ("1e3mm", "expected a length in mm"),
-        ("17м", "expected a length in mm"),
-        ("79mm", "expected a width of 80mm to 1200mm"),
-        ("48in", "expected a width of 80mm to 1200mm"),
-        ("999999999in", "expected a width of 80mm to 1200mm"),
-    ],
-)
-def test_a_width_that_is_none_is_told_with_what_is_expected(width: str, why: str) -> None:
-    said = vstatics("plot", UMDM, "-k", "efficiency", "-o", "-", "--width", width)
-    assert said.is_wrong_use(f"Invalid value for '--width': read `{width}`, {why}")
+def test_a_width_has_its_unit() -> None:
+    asked = ("plot", UMDM, "-k", "efficiency", "-o", "-", "--width")
+    one = 85 / 25.4 * 72
+    for width, points in {"85mm": one, "8.5 cm": one, "6.5in": 468.0, "500pt": 500.0}.items():
+        assert wide(vstatics(*asked, width).out) == pytest.approx(points, abs=0.01)
+    for width, why in {
+        "170": "expected a length in mm, cm, in, pt, such as 170mm",
+        "-170mm": "expected a length in mm",
+        "1e3mm": "expected a length in mm",
+        "17м": "expected a length in mm",
+        "79mm": "expected a width of 80mm to 1200mm",
+        "48in": "expected a width of 80mm to 1200mm",
+        "999999999in": "expected a width of 80mm to 1200mm",
+    }.items():
+        told = f"Invalid value for '--width': read `{width}`, {why}"
+        assert vstatics(*asked, width).is_wrong_use(told)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -39,29 +40,27 @@ def panels(root: ET.Element) -> dict[str, ET.Element]:
 KINDS = "stick", "structure", "lever", "plan", "flow", pytest.param("steps", marks=needs("vehicle"))
 
 
+def pair(kind: str, cases: Sequence[PairedCase] = (), style: Style | None = None) -> list[bytes]:
+    """The pages of two cases, by themselves the two shipped ones."""
+    both = cases or [PairedCase(path.name, solve(load(path))) for path in (ONE, OTHER)]
+    return [*pair_pages(both, kind, "svg", style or Style())]
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_each_panel_has_what_the_picture_of_its_case_has(kind: str) -> None:
     """On one page of any height; a file goes on on further pages."""
-    cases = [PairedCase(path.name, solve(load(path))) for path in (ONE, OTHER)]
-    [svg] = pair_pages(cases, kind, "svg", Style())
+    [svg] = pair(kind)
     both = panels(parsed(svg))
     assert [*both] == ["A", "B"]
     for letter, path in zip("AB", (ONE, OTHER), strict=True):
         alone = words(parsed(render(solve(load(path)), kind, "svg", Style())))
-        head = f"{letter}  {path.name}"
-        assert sorted([*alone, head]) == words(both[letter])
-
-
-def heights(panel: ET.Element) -> list[float]:
-    """Where texts stand that have a place of their own, from the top [pt]."""
-    return [float(one.attrib["y"]) for one in panel.iter(TEXT) if "y" in one.attrib]
-
-
-def test_sticks_stand_over_one_another() -> None:
-    both = [PairedCase(path.name, solve(load(path))) for path in (ONE, OTHER)]
-    [svg] = pair_pages(both, "stick", "svg", Style())
-    upper, lower = panels(parsed(svg)).values()
-    assert max(heights(upper)) < min(heights(lower))
+        assert sorted([*alone, f"{letter}  {path.name}"]) == words(both[letter])
+    if kind == "stick":  # one over the other
+        upper, lower = (
+            [float(one.attrib["y"]) for one in panel.iter(TEXT) if "y" in one.attrib]
+            for panel in both.values()
+        )
+        assert max(upper) < min(lower)
 
 
 @needs("vehicle")
@@ -69,20 +68,16 @@ def test_efficiencies_stand_beside_each_other_on_one_scale() -> None:
     """Three gears of .99 and of .9: the bars are ten times as long, and start at one height."""
     from tests.vehicle.pictures.cars import box
 
-    both = [PairedCase(name, box([3, 2, 1], eta)) for name, eta in (("a", 0.99), ("b", 0.9))]
-    [svg] = pair_pages(both, "efficiency", "svg", Style())
+    cases = (PairedCase(name, box([3, 2, 1], eta)) for name, eta in (("a", 0.99), ("b", 0.9)))
+    [svg] = pair("efficiency", [*cases])
     root = parsed(svg)
     assert float(root.attrib["viewBox"].split()[2]) <= PAGE_WIDTH + 0.01
-    first, second = panels(root).values()
-    found = [
-        {text: one for one in own.iter(TEXT) if (text := "".join(one.itertext()))}
-        for own in (first, second)
-    ]
-    top, low, lower = (
-        float(own[text].attrib["y"])
-        for own, text in ((found[0], "1.000"), (found[0], "0.990"), (found[1], "0.900"))
+    first, second = (
+        {"".join(one.itertext()): one.get("y") for one in own.iter(TEXT)}
+        for own in panels(root).values()
     )
-    assert top == pytest.approx(float(found[1]["1.000"].attrib["y"]))
+    top, low, lower = (float(str(y)) for y in (first["1.000"], first["0.990"], second["0.900"]))
+    assert top == pytest.approx(float(str(second["1.000"])))
     assert top < low < lower
 
 
@@ -92,7 +87,7 @@ def test_long_names_over_panels_side_by_side_stay_apart() -> None:
 
     names = ("A gearbox of a long name, its-file.yaml", "A gearbox of a long name, other.yaml")
     both = [PairedCase(name, box([3, 2, 1])) for name in names]
-    [svg] = pair_pages(both, "efficiency", "svg", Style())
+    [svg] = pair("efficiency", both)
     placed = {}
     for one in parsed(svg).iter(TEXT):
         left = one.get("x") or one.get("transform", "").removeprefix("translate(").split()[0]
@@ -111,13 +106,13 @@ def test_charts_of_two_cases_share_their_scales() -> None:
 
     both = [PairedCase(name, box(ratios)) for name, ratios in (("a", [3, 1]), ("b", [6, 1]))]
     for kind in ("traction", "sawtooth"):
-        [svg] = pair_pages(both, kind, "svg", Style())
+        [svg] = pair(kind, both)
         numbers = [
             {text for text in words(own) if text.isdigit() and int(text) % 20 == 0}
             for own in panels(parsed(svg)).values()
         ]
         assert numbers[0] == numbers[1] != set()
-    [svg] = pair_pages(both, "steps", "svg", Style())
+    [svg] = pair("steps", both)
     shared = [
         {"".join(one.itertext()): one.get("x") for one in own.iter(TEXT)}
         for own in panels(parsed(svg)).values()
@@ -127,35 +122,25 @@ def test_charts_of_two_cases_share_their_scales() -> None:
 
 
 def test_what_does_not_fit_on_a_page_goes_on_a_further_one() -> None:
-    both = [PairedCase(path.name, solve(load(path))) for path in (ONE, OTHER)]
-    made = pair_pages(both, "flow", "svg", Style(height=PAGE_HEIGHT))
+    made = pair("flow", style=Style(height=PAGE_HEIGHT))
     assert len(made) > 1
     for svg in made:
         assert float(parsed(svg).attrib["viewBox"].split()[3]) <= PAGE_HEIGHT + 0.01
 
 
-def test_gears_are_those_of_each_case(tmp_path: Path) -> None:
-    to = tmp_path / "both.svg"
-    assert vstatics("plot", ONE, OTHER, "-k", "flow", "--gear", "R", "-o", to).status == 0
+def test_files_have_both_cases_or_each_its_own(tmp_path: Path) -> None:
+    both, to = ("plot", ONE, OTHER, "-k"), tmp_path / "both.svg"
+    assert vstatics(*both, "flow", "--gear", "R", "-o", to).status == 0
     for panel in panels(parsed(to.read_bytes())).values():
         assert any("gear R" in text for text in words(panel))
-
-
-@pytest.mark.parametrize("form", ["png", "pdf"])
-def test_other_formats_have_both_too(form: str, tmp_path: Path) -> None:
-    to = tmp_path / f"both.{form}"
-    assert vstatics("plot", ONE, OTHER, "-k", "efficiency", "-o", to).status == 0
-    assert to.stat().st_size > 5000
-
-
-def test_three_cases_need_a_directory_and_two_may_have_one(tmp_path: Path) -> None:
-    said = vstatics("plot", ONE, OTHER, ONE, "-k", "stick", "-o", tmp_path / "a.svg")
+    for form in ("png", "pdf"):
+        assert vstatics(*both, "efficiency", "-o", tmp_path / f"both.{form}").status == 0
+        assert (tmp_path / f"both.{form}").stat().st_size > 5000
+    said = vstatics(*both[:3], ONE, "-k", "stick", "-o", to)
     assert said.is_wrong_use("one case or two: expected a directory")
-    assert vstatics("plot", ONE, OTHER, "-k", "efficiency", "-o", f"{tmp_path}/out/").status == 0
-    assert {path.name for path in (tmp_path / "out").glob("*.svg")} == {
-        "simpson.svg",
-        "zf-6hp26.svg",
-    }
+    assert vstatics(*both, "efficiency", "-o", f"{tmp_path}/out/").status == 0
+    shown = {path.name for path in (tmp_path / "out").glob("*.svg")}
+    assert shown == {"simpson.svg", "zf-6hp26.svg"}
 
 
 @needs("vehicle")

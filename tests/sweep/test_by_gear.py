@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 
@@ -18,7 +17,7 @@ from vstatics.sweep.chunk import STATUS, Chunk
 
 BOX = Transmission(
     3,
-    [ShiftElement(2, 0), ShiftElement(1, 2)],
+    [ShiftElement(2, 0, "B"), ShiftElement(1, 2, "C")],
     [Mechanism(1, 2, 3, -2.5, 0.96, name="set")],
     [Gear([1], name="low, 1"), Gear([2], name="high"), Gear([], name="idle")],
 )
@@ -28,6 +27,12 @@ RATIOS = [-2.0, -3.0]
 def swept(**asked: object) -> Chunk:
     [chunk] = vstatics.sweep(BOX, {"set.ratio": RATIOS}, **asked)  # type: ignore[arg-type]
     return chunk
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    vstatics.save(BOX, str(tmp_path / "box.yaml"))
+    return tmp_path / "box.yaml"
 
 
 def test_a_row_is_of_a_gear() -> None:
@@ -50,69 +55,45 @@ def test_conditions_and_the_best_are_of_gears() -> None:
     chunk = swept(out="r=ratio", where="r > 1 and r < 3.5", by="gear")
     assert chunk.columns.tolist() == [[3.0]]
     assert chunk.removed == (4, 1)
+    chunk = swept(out="r=ratio[#1], k=sqrt(r)*pi, ratio", where="k > 6")  # of a ratio 4: 2 pi
+    assert chunk.headings[:2] == ("r", "k")
+    np.testing.assert_allclose(chunk.columns[:, 1], [2 * math.pi])
 
 
 @pytest.mark.parametrize("suffix", ["csv", "jsonl", "npz", "parquet"])
-def test_every_format_has_the_gear(tmp_path: Path, suffix: str) -> None:
-    case, out = tmp_path / "box.json", tmp_path / f"out.{suffix}"
-    case.write_text(_text())
-    vary = "--vary", "set.ratio=-2,-3", "--by", "gear", "--out", "ratio,k=2*ratio"
-    assert run("sweep", str(case), *vary, "-o", str(out)).status == 0
+def test_every_format_has_the_gear(file: Path, suffix: str) -> None:
+    out = file.with_suffix(f".{suffix}")
+    asked = "--vary", "set.ratio=-2,-3", "--by", "gear", "--out", "ratio,k=2*ratio", "-o", out
+    assert run("sweep", file, *asked).status == 0
     read = sweep_tables.read(out.read_bytes(), out.name)
     assert read.gears == ["low, 1", "high", "idle"] * 2
     np.testing.assert_allclose(read.columns["k"], [6, 2, math.nan, 8, 2, math.nan])
-    best = "--max", "ratio", "--best", "2", "-o", str(out)
-    assert run("sweep", str(case), *vary, *best).status == 0
+    assert run("sweep", file, *asked, "--max", "ratio", "--best", "2").status == 0
     read = sweep_tables.read(out.read_bytes(), out.name)
     assert (read.variants, read.gears) == ([1, 0], ["low, 1"] * 2)
 
 
-def _text() -> str:
-    gears = {"low, 1": ["B"], "high": ["C"], "idle": []}
-    set_ = {"first": 1, "second": 2, "third": 3, "ratio": -2.5, "efficiency": 0.96}
-    elements = {"B": [2, "housing"], "C": [1, 2]}
-    made = {"links": 3, "mechanisms": {"set": set_}, "shift_elements": elements, "gears": gears}
-    return json.dumps(made)
-
-
 def test_many_jobs_and_several_pieces_give_the_same_rows(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    file: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     small_pieces(monkeypatch)
-    case = tmp_path / "box.json"
-    case.write_text(_text())
     vary = "--vary", "set.ratio=-4:-2:20", "--by", "gear", "--out", "ratio"
-    front = "--max", "ratio", "--min", "set.ratio**2", "--best", "7"
-    for more in ((), front):
-        texts = []
-        for jobs in ("1", "2"):
-            out = tmp_path / f"out{jobs}.csv"
-            assert run("sweep", str(case), *vary, *more, "-j", jobs, "-o", str(out)).status == 0
-            texts.append(out.read_bytes())
+    for more, rows in ((), 61), (("--max", "ratio", "--min", "set.ratio**2", "--best", "7"), 8):
+        texts = [run("sweep", file, *vary, *more, "-j", jobs).out for jobs in (1, 2)]
         assert texts[0] == texts[1]
-    assert texts[0].count(b"\n") == 8
+        assert texts[0].count("\n") == rows
 
 
-@pytest.mark.parametrize(
-    ("out", "said"),
-    [
-        ("ratio[1]", "each row is of a gear, expected ratio"),
-        ("k=1, k=2", "two columns are called `k`"),
-        ("ratio=1", "`ratio` already has a meaning"),
-        ("pi[1]", "`pi` is a number"),
-        ("sqrt(1, 2)", "sqrt of 2 parts, expected one"),
-    ],
-)
-def test_what_is_wrong_is_told(out: str, said: str) -> None:
-    with pytest.raises(ReadError, match=said.replace("(", r"\(")):
-        swept(out=out, by="gear")
-
-
-def test_names_of_columns_may_be_spoken_of() -> None:
-    """``k = sqrt(r) pi`` of a ratio 4 is 2 pi."""
-    chunk = swept(out="r=ratio[#1], k=sqrt(r)*pi, ratio", where="k > 6")
-    assert chunk.headings[:2] == ("r", "k")
-    np.testing.assert_allclose(chunk.columns[:, 1], [2 * math.pi])
+def test_what_is_wrong_is_told() -> None:
+    for out, said in {
+        "ratio[1]": "each row is of a gear, expected ratio",
+        "k=1, k=2": "two columns are called `k`",
+        "ratio=1": "`ratio` already has a meaning",
+        "pi[1]": "`pi` is a number",
+        "sqrt(1, 2)": "sqrt of 2 parts, expected one",
+    }.items():
+        with pytest.raises(ReadError, match=said):
+            swept(out=out, by="gear")
 
 
 def test_steps_and_spread_stand_in_columns() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 
@@ -12,6 +11,7 @@ import pytest
 import vstatics
 from tests.chance import seeded
 from tests.commands import vstatics as run
+from tests.core.model.test_bare_drags import BARE
 from vstatics import Load, load, solve
 
 CASE = """
@@ -26,9 +26,14 @@ gears: {one: {torques: {mid: 4 N*m}}, two: []}
 
 
 @pytest.fixture
-def case(tmp_path: Path) -> vstatics.Transmission:
+def file(tmp_path: Path) -> Path:
     (tmp_path / "case.yaml").write_text(CASE)
-    return load(tmp_path / "case.yaml")
+    return tmp_path / "case.yaml"
+
+
+@pytest.fixture
+def case(file: Path) -> vstatics.Transmission:
+    return load(file)
 
 
 def test_points_of_load_are_those_of_cases_made_anew(case: vstatics.Transmission) -> None:
@@ -47,36 +52,28 @@ def test_points_of_load_are_those_of_cases_made_anew(case: vstatics.Transmission
 
 def test_values_and_headings_have_the_unit_that_is_written(tmp_path: Path) -> None:
     """A constant drag T_d on the input: eta = 1 - T_d/T, whatever the speed."""
-    file = tmp_path / "pair.json"
-    made = {
-        "links": ["in", "out"],
-        "mechanisms": {"pair": {"first": "in", "second": "out", "ratio": 2}},
-        "gears": {"1": {"drag": {"in": "2 N*m"}}},
-        "load": {"speed": "100 rad/s", "torque": "10 N*m"},
-    }
-    file.write_text(json.dumps(made))
+    file = tmp_path / "pair.yaml"
+    file.write_text(
+        "links: [in, out]\nmechanisms: {pair: {first: in, second: out, ratio: 2}}\n"
+        'gears: {"1": {drag: {in: 2 N*m}}}\nload: {speed: 100 rad/s, torque: 10 N*m}\n'
+    )
     vary = "--vary", "load.torque=.01 kN*m:.04 kN*m:4", "--vary", "load.speed=60 rpm"
-    ran = run("sweep", str(file), *vary, "--out", "efficiency, k=load.torque, W_rpm[out]")
+    ran = run("sweep", file, *vary, "--out", "efficiency, k=load.torque, W_rpm[out]")
     lines = [line.split(",") for line in ran.out.splitlines()]
     assert lines[0][1:3] == ["load.torque [kN*m]", "load.speed [rpm]"]
-    assert [float(one[4]) for one in lines[1:]] == pytest.approx(
-        [1 - 2 / t for t in (10, 20, 30, 40)]
-    )
+    efficiencies = [1 - 2 / torque for torque in (10, 20, 30, 40)]
+    assert [float(one[4]) for one in lines[1:]] == pytest.approx(efficiencies)
     assert [float(one[5]) for one in lines[1:]] == pytest.approx([0.01, 0.02, 0.03, 0.04])
     assert {one[6] for one in lines[1:]} == {"30"}
 
 
 def test_numbers_of_gears_and_mechanisms_vary_together(case: vstatics.Transmission) -> None:
-    values = {
-        "gears.one.torques.mid": [0.0, 6.0],
-        "b.efficiency": [0.9, 0.8],
-        "drag.mid": [0.0, 3.0],
-    }
+    rows = [(0.0, 0.9, 0.0), (6.0, 0.8, 3.0)]
+    names = ("gears.one.torques.mid", "b.efficiency", "drag.mid")
+    values = dict(zip(names, map(list, zip(*rows, strict=True)), strict=True))
     [chunk] = vstatics.sweep(case, variants=values, out="lossy_output_torque_Nm")
     one, two = case.gears
-    for row, (torque, eta, drag) in zip(
-        chunk.columns, zip(*values.values(), strict=True), strict=True
-    ):
+    for row, (torque, eta, drag) in zip(chunk.columns, rows, strict=True):
         shared = {2: drag / 50}
         gears = [one._replace(torques={2: torque / 50}, drag=shared), two._replace(drag=shared)]
         sets = [case.mechanisms[0], case.mechanisms[1]._replace(efficiency=eta)]
@@ -105,48 +102,31 @@ def test_impossible_values_make_a_variant_invalid(case: vstatics.Transmission) -
     assert chunk.counts == {"invalid": 1, "ok": 1}
 
 
-@pytest.mark.parametrize(
-    ("vary", "said"),
-    [
-        ("load.sped=1 rpm", "expected `load.` and one of speed, torque; did you mean `load.speed`"),
-        ("vehicle.mass=1 kg,2 kg", "numbers of `vehicle` cannot vary in a sweep of a case"),
-        ("load.torque=100..400", "a list such as 0.95,0.97; such as `100:400:50`"),
-        ("gears.*.balance.battery=1 W", "expected `gears.*.` and one of load, speeds, torques"),
-        ("gears.on.drag.mid=1 N*m", "did you mean `gears.one`"),
-        ("gears.*.torques.out=1 N*m", "link out is the output"),
-        ("load.speed=1,2", "its values need their unit, such as 2000 rpm"),
-        ("load.speed=1 rpm,nan rpm", "1:18: error: read `nan rpm`, expected a number"),
-        ("load.speed=1 kg,2 kg", "this is a mass"),
-        ("load.speed=1 rpm,2 rad/s", "expected one unit for all"),
-        ("a.efficiency=.9 rpm", "read `.9 rpm`"),
-        ("load.torque=1 N*m,nan N*m", "--vary:1:19: error: read `nan N*m`, expected a number"),
-    ],
-)
-def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str) -> None:
-    (tmp_path / "case.yaml").write_text(CASE)
-    out = tmp_path / "out.csv"
-    ran = run("sweep", str(tmp_path / "case.yaml"), "--vary", vary, "-o", str(out))
-    if vary.startswith("load.torque=nan"):
-        assert ran.status == 1
-        return
-    assert (ran.status, out.exists()) == (1, False)
-    assert "--vary:1:" in ran.err
-    assert said in ran.err
-
-
-@pytest.mark.parametrize(
-    "twice",
-    [
-        ["gears.*.torques.mid=1 N*m", "gears.one.torques.mid=2 N*m"],
-        ["drag.mid=1 N*m", "gears.two.drag.mid=2 N*m"],
-        ["gears.*.drag.mid=1 N*m", "drag.mid=1 N*m"],
-    ],
-)
-def test_a_number_that_two_paths_name_is_varied_once(tmp_path: Path, twice: list[str]) -> None:
-    (tmp_path / "case.yaml").write_text(CASE)
-    vary = [word for one in twice for word in ("--vary", one)]
-    ran = run("sweep", str(tmp_path / "case.yaml"), *vary)
-    assert ran.gives_nothing("is varied twice")
+def test_what_is_wrong_is_told_at_its_place(file: Path, tmp_path: Path) -> None:
+    for vary, said in {
+        "load.sped=1 rpm": "expected `load.` and one of speed, torque; did you mean `load.speed`",
+        "vehicle.mass=1 kg,2 kg": "numbers of `vehicle` cannot vary in a sweep of a case",
+        "load.torque=100..400": "a list such as 0.95,0.97; such as `100:400:50`",
+        "gears.*.balance.battery=1 W": "expected `gears.*.` and one of load, speeds, torques",
+        "gears.on.drag.mid=1 N*m": "did you mean `gears.one`",
+        "gears.*.torques.out=1 N*m": "link out is the output",
+        "load.speed=1,2": "its values need their unit, such as 2000 rpm",
+        "load.speed=1 rpm,nan rpm": "1:18: error: read `nan rpm`, expected a number",
+        "load.speed=1 kg,2 kg": "this is a mass",
+        "load.speed=1 rpm,2 rad/s": "expected one unit for all",
+        "a.efficiency=.9 rpm": "read `.9 rpm`",
+        "load.torque=1 N*m,nan N*m": "--vary:1:19: error: read `nan N*m`, expected a number",
+    }.items():
+        ran = run("sweep", file, "--vary", vary, "-o", tmp_path / "out.csv")
+        assert ran.gives_nothing("--vary:1:", said), vary
+        assert not (tmp_path / "out.csv").exists()
+    for twice in (
+        ("gears.*.torques.mid=1 N*m", "gears.one.torques.mid=2 N*m"),
+        ("drag.mid=1 N*m", "gears.two.drag.mid=2 N*m"),
+        ("gears.*.drag.mid=1 N*m", "drag.mid=1 N*m"),
+    ):
+        ran = run("sweep", file, "--vary", twice[0], "--vary", twice[1])
+        assert ran.gives_nothing("is varied twice"), twice
 
 
 def test_the_battery_of_all_gears_varies_at_once(tmp_path: Path) -> None:
@@ -173,85 +153,71 @@ def test_what_is_not_varied_has_its_own_number(case: vstatics.Transmission) -> N
     assert chunk.columns.tolist() == [[2000, 50, 2, 4, 0, 0.9]]
 
 
-@pytest.mark.parametrize(
-    ("path", "said"),
-    [
-        ("gears.two.torques.mid", "the case has no number at"),
-        ("gears.two.load.speed", "the case has no number at"),
-        ("gears.*.drag.out", "differs from gear to gear"),
-        ("gears.three.drag.out", "is relative to the load"),
-    ],
-)
-def test_what_has_no_number_of_its_own_is_told(tmp_path: Path, path: str, said: str) -> None:
-    with_third = CASE.replace("two: []}", "two: [], three: {drag: {out: .01}}}")
-    (tmp_path / "case.yaml").write_text(with_third)
-    ran = run("sweep", str(tmp_path / "case.yaml"), "--vary", "a.ratio=-3", "--out", path)
-    assert ran.gives_nothing("--out:1:1: error", said)
+def test_what_has_no_number_of_its_own_is_told(file: Path) -> None:
+    file.write_text(CASE.replace("two: []}", "two: [], three: {drag: {out: .01}}}"))
+    for path, said in {
+        "gears.two.torques.mid": "the case has no number at",
+        "gears.two.load.speed": "the case has no number at",
+        "gears.*.drag.out": "differs from gear to gear",
+        "gears.three.drag.out": "is relative to the load",
+    }.items():
+        ran = run("sweep", file, "--vary", "a.ratio=-3", "--out", path)
+        assert ran.gives_nothing("--out:1:1: error", said), path
 
 
-def test_an_error_writes_nothing(tmp_path: Path) -> None:
+def test_an_error_writes_nothing(file: Path, tmp_path: Path) -> None:
     """Neither the head of the columns to stdout, nor a file."""
-    file, out = tmp_path / "case.yaml", tmp_path / "out.csv"
-    file.write_text(
-        CASE.replace("load: {speed: 2000 rpm, torque: 50 N*m}\n", "").replace(" N*m", "")
-    )
-    for more in ([], ["-o", str(out)]):
-        ran = run("sweep", str(file), "--vary", "a.ratio=-2", "--vary", "drag.mid=1 N*m", *more)
-        assert (ran.status, ran.out, out.exists()) == (1, "", False)
-        assert "--vary:1:1: error: gears.one.drag.mid varies in SI, expected a load" in ran.err
+    out = tmp_path / "out.csv"
+    without = CASE.replace("load: {speed: 2000 rpm, torque: 50 N*m}\n", "")
+    file.write_text(without.replace(" N*m", ""))
+    for more in ((), ("-o", out)):
+        ran = run("sweep", file, "--vary", "a.ratio=-2", "--vary", "drag.mid=1 N*m", *more)
+        assert ran.gives_nothing(
+            "--vary:1:1: error: gears.one.drag.mid varies in SI, expected a load"
+        )
+        assert not out.exists()
 
 
-@pytest.mark.parametrize("as_table", [False, True])
-def test_a_case_may_lack_the_load_that_varies(tmp_path: Path, as_table: bool) -> None:
+def test_a_case_may_lack_the_load_that_varies(file: Path, tmp_path: Path) -> None:
     """4 N*m on the second link of two pairs, by hand: M_out = -(2 (-3 M_in + 4))."""
-    file, table = tmp_path / "case.yaml", tmp_path / "table.csv"
+    table = tmp_path / "table.csv"
     lossless = CASE.replace(", efficiency: .96", "").replace(", efficiency: .9", "")
     lines = [line for line in lossless.splitlines() if not line.startswith(("load", "drag"))]
     file.write_text("\n".join(lines))
     table.write_text("load.torque [N*m]\n10\n-20\n")
-    vary = ["--variants", str(table)] if as_table else ["--vary", "load.torque=10 N*m,-20 N*m"]
-    ran = run("sweep", str(file), *vary, "--out", "M=output_torque_Nm[one]")
-    found = [float(line.split(",")[-1]) for line in ran.out.splitlines()[1:]]
-    assert found == pytest.approx([2 * (-3 * torque + 4) for torque in (10, -20)])
-    assert run("sweep", str(file), "--vary", "a.ratio=-2").status == 1
+    for vary in (("--variants", table), ("--vary", "load.torque=10 N*m,-20 N*m")):
+        ran = run("sweep", file, *vary, "--out", "M=output_torque_Nm[one]")
+        found = [float(line.split(",")[-1]) for line in ran.out.splitlines()[1:]]
+        assert found == pytest.approx([2 * (-3 * torque + 4) for torque in (10, -20)])
+    assert run("sweep", file, "--vary", "a.ratio=-2").status == 1
 
 
-def test_a_note_tells_that_a_converter_is_asked_outside_its_points(tmp_path: Path) -> None:
-    (tmp_path / "case.yaml").write_text(
+def test_a_note_tells_that_a_converter_is_asked_outside_its_points(file: Path) -> None:
+    file.write_text(
         "links: [engine, turbine]\n"
         "mechanisms: {TC: {kind: converter, first: engine, second: turbine,"
         " points: [[.1, 2.4], [.8, 1]]}}\n"
         "gears: {drive: {speed_ratios: {TC: .5}}}\n"
     )
-    path = "gears.drive.speed_ratios.TC"
     for least, count in ((0.1, 0), (0.05, 1)):
-        ran = run("sweep", str(tmp_path / "case.yaml"), "--vary", f"{path}={least},.8")
-        assert (
-            ran.err.count(
-                "note: outside the points of TC, the value of the nearest end point applies"
-            )
-            == count
-        )
+        ran = run("sweep", file, "--vary", f"gears.drive.speed_ratios.TC={least},.8")
+        assert ran.err.count(f"{OUTSIDE} TC, {NEAREST}") == count
+
+
+OUTSIDE, NEAREST = "note: outside the points of", "the value of the nearest end point applies"
 
 
 @pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize(
-    "options", [(), ("-o", "out.npz", "--jobs", "2"), ("--max", "efficiency[one]")]
-)
-@pytest.mark.parametrize(("most", "is_outside"), [(100, 0), (101, 1)])
-def test_one_note_tells_that_variants_are_outside_a_law(
-    options: tuple[str, ...],
-    most: int,
-    is_outside: int,
-) -> None:
+def test_one_note_tells_that_variants_are_outside_a_law(file: Path) -> None:
     law = "drag: {in: [[0, 1], [100, 3]]}"
-    Path("case.yaml").write_text(
-        "\n".join(law if line.startswith("drag") else line for line in CASE.splitlines())
-    )
-    vary = "--vary", f"load.speed=50 rad/s,{most} rad/s"
-    ran = run("sweep", "case.yaml", *vary, "--out", "efficiency[one]", *options)
-    assert ran.status == 0
-    assert (
-        ran.err.count("note: outside the points of in, the value of the nearest end point applies")
-        == is_outside
-    )
+    file.write_text(CASE.replace("drag: {mid: 2 N*m}", law))
+    for options in ((), ("-o", "out.npz", "--jobs", "2"), ("--max", "efficiency[one]")):
+        for most, is_outside in ((100, 0), (101, 1)):
+            vary = "--vary", f"load.speed=50 rad/s,{most} rad/s"
+            ran = run("sweep", file, *vary, "--out", "efficiency[one]", *options)
+            assert (ran.status, ran.err.count(f"{OUTSIDE} in, {NEAREST}")) == (0, is_outside)
+
+
+def test_a_sweep_warns_once_of_a_drag_without_a_unit() -> None:
+    vary = ("--vary", "load.torque=50 N*m:200 N*m:7")
+    assert run("sweep", "-", *vary, stdin=BARE.encode()).err.count("has no unit") == 1

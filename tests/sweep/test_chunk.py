@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES, MZKT
+from tests.core.statics.test_freewheels import pair
 from tests.sweep.sweeps import DIFFERENTIAL, plan
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.sweep import blocks, sweep
@@ -37,46 +38,43 @@ def test_numbers_are_those_of_the_case_solved_alone() -> None:
         assert made.values[row].tolist() == [table[name][row] for name in table]
 
 
-def test_the_low_gear_of_a_differential_has_its_closed_form() -> None:
-    """Ratio 1 - u and efficiency (1 - u eta)/(1 - u) with the ring held."""
-    (made,) = sweep(DIFFERENTIAL, {"D.ratio": "-4:-2:5", "D.efficiency": [0.9, 1.0]})
-    ratio, efficiency = made.values.T
-    np.testing.assert_allclose(made.columns[:, 1], 1 - ratio, rtol=1e-13)
-    np.testing.assert_allclose(
-        made.columns[:, 3], (1 - ratio * efficiency) / (1 - ratio), rtol=1e-13
-    )
+def statuses(case: Transmission, vary: dict[str, Any], **asked: Any) -> list[str]:
+    """The status of each variant of a sweep of ratios."""
+    (made,) = sweep(case, variants=vary, **asked)
+    return [STATUS[code] for code in made.status]
 
 
 def test_a_number_that_can_be_none_makes_an_invalid_row() -> None:
     """0, and what is not finite; an efficiency outside 0 < e <= 1."""
     ratios = [-np.inf, 0, np.nan, np.inf, -2.5, -2.5, -2.5]
-    efficiencies = [0.9, 0.9, 0.9, 0.9, 0, 1.01, 0.9]
-    table = {"D.ratio": ratios, "D.efficiency": efficiencies}
+    table = {"D.ratio": ratios, "D.efficiency": [0.9, 0.9, 0.9, 0.9, 0, 1.01, 0.9]}
+    assert statuses(DIFFERENTIAL, table) == ["invalid"] * 6 + ["ok"]
     (made,) = sweep(DIFFERENTIAL, variants=table)
-    assert [STATUS[code] for code in made.status] == ["invalid"] * 6 + ["ok"]
     assert dict(made.counts) == {"ok": 1, "invalid": 6}
     assert np.isnan(made.columns[:6]).all()
     np.testing.assert_array_equal(made.values[:, 0], ratios)
+    frame = made.to_dataframe()
+    assert list(frame.columns[:3]) == ["D.ratio", "D.efficiency", "status"]
+    assert frame["status"].tolist() == ["invalid"] * 6 + ["ok"]
+    assert frame.loc[6, "ratio[low]"] == 3.5
     (kept,) = sweep(DIFFERENTIAL, variants=table, where="not (ratio[low] > 99)")
     assert kept.variants.tolist() == [6]
     assert dict(kept.counts) == dict(made.counts)
 
 
-def test_ratio_1_is_a_ratio_like_any_other() -> None:
-    """Of a pair of wheels; in a set it ties sun and ring, so a brake on the ring holds the sun."""
-    table = {"D.ratio": [1.0, -2.5]}
-    (made,) = sweep(DIFFERENTIAL, variants=table, out="ratio")
-    assert [STATUS[code] for code in made.status] == ["tied up", "ok"]
-    pair = Transmission(2, [], [Mechanism(1, 2, 0, -2, name="D")], [Gear()], output=2)
-    (made,) = sweep(pair, {"D.ratio": [1, 3]}, out="ratio")
+def test_the_status_of_a_variant_is_that_of_its_gears() -> None:
+    """Ratio 1 ties sun and ring of a set, so a brake on the ring holds the sun.
+
+    Driven from its slow end, `self-locking` holds itself; with all power passing it turns.
+    """
+    assert statuses(DIFFERENTIAL, {"D.ratio": [1, -2.5]}, out="ratio") == ["tied up", "ok"]
+    one = Transmission(2, [], [Mechanism(1, 2, 0, -2, name="D")], [Gear()], output=2)
+    (made,) = sweep(one, {"D.ratio": [1, 3]}, out="ratio")
     assert made.columns[:, 0].tolist() == [1, 3]
-
-
-def test_friction_locks_some_variants() -> None:
-    """Driven from its slow end, `self-locking` holds itself; with all power passing it turns."""
     case = load(CASES / "self-locking.yaml")
-    (made,) = sweep(case, {f"{case.mechanisms[0].name}.efficiency": [0.5, 1]})
-    assert [STATUS[code] for code in made.status] == ["locked", "ok"]
+    efficiencies = {f"{case.mechanisms[0].name}.efficiency": [0.5, 1]}
+    assert statuses(case, efficiencies) == ["locked", "ok"]
+    assert statuses(pair(2.0), {"D1.ratio": [2, -2]}, out="ratio") == ["ok", "conflict"]
 
 
 def test_a_gear_that_is_tied_up_or_open_by_its_ratios_tells_so() -> None:
@@ -84,20 +82,14 @@ def test_a_gear_that_is_tied_up_or_open_by_its_ratios_tells_so() -> None:
 
     Then one of them is in excess; with others they hold the train.
     """
-    case = Transmission(
-        2,
-        [],
-        [Mechanism(1, 2, 0, -2, name="A"), Mechanism(1, 2, 0, -2, name="B")],
-        [Gear()],
-        output=2,
-    )
-    (made,) = sweep(case, {"A.ratio": [-2, -3]}, out="ratio")
-    assert [STATUS[code] for code in made.status] == ["ok", "tied up"]
-    other = Transmission(
-        2, [], [*case.mechanisms[:1], Mechanism(1, 2, 0, -3, name="B")], [Gear()], output=2
-    )
-    (made,) = sweep(other, {"B.ratio": [-2, -3]}, out="ratio")
-    assert [STATUS[code] for code in made.status] == ["ok", "tied up"]
+    for ratio, name, varied in ((-2, "A", [-2, -3]), (-3, "B", [-2, -3])):
+        sets = [Mechanism(1, 2, 0, -2, name="A"), Mechanism(1, 2, 0, ratio, name="B")]
+        case = Transmission(2, [], sets, [Gear()], output=2)
+        assert statuses(case, {f"{name}.ratio": varied}, out="ratio") == ["ok", "tied up"]
+    # of three links the two sets fix all speeds, but not if they say the same
+    sets = [Mechanism(1, 2, 3, -2, name="A"), Mechanism(1, 2, 3, -3, name="B")]
+    case = Transmission(3, [], sets, [Gear()])
+    assert statuses(case, {"B.ratio": [-3, -2]}, out="ratio") == ["ok", "open"]
 
 
 def test_a_neutral_gear_of_the_case_is_no_reason() -> None:
@@ -152,48 +144,28 @@ def test_plans_and_chunks_can_go_to_other_processes() -> None:
 
 def test_a_fingerprint_tells_plans_apart() -> None:
     """Everything that decides the result is in it."""
+    vary = "D.ratio=-4:-2:9"
     same: dict[str, Any] = {"piece": 8, "out": "ratio", "where": "ratio[low] > 3"}
-    plans = [
-        plan("D.ratio=-4:-2:9", **same),
-        plan("D.ratio=-4:-2:10", **same),
-        plan("D.ratio=-4:-2.1:9", **same),
-        plan("D.efficiency=.9:1:9", **same),
-        plan("D.ratio=-4:-2", sample=9, **same),
-        plan("D.ratio=-4:-2", sample=9, seed=1, **same),
-        plan("D.ratio=-4:-2:9", **{**same, "piece": 9}),
-        plan("D.ratio=-4:-2:9", **{**same, "out": "efficiency"}),
-        plan("D.ratio=-4:-2:9", **{**same, "where": "ratio[low] > 4"}),
-        plan("D.ratio=-4:-2:9", coast=True, **same),
-        plan("D.ratio=-4:-2:9", min=["ratio[low]"], **same),
-        plan("D.ratio=-4:-2:9", max=["ratio[low]"], **same),
-        plan("D.ratio=-4:-2:9", max=["ratio[low]"], best=3, **same),
+    plans = [plan(one, **same) for one in (vary, "D.ratio=-4:-2:10", "D.ratio=-4:-2.1:9")]
+    plans += [plan("D.efficiency=.9:1:9", **same)]
+    plans += [plan("D.ratio=-4:-2", sample=9, **{**same, "seed": seed}) for seed in (None, 1)]
+    others: list[dict[str, Any]] = [
+        *({"piece": 9}, {"out": "efficiency"}, {"where": "ratio[low] > 4"}, {"coast": True}),
+        *({"min": ["ratio[low]"]}, {"max": ["ratio[low]"]}, {"max": ["ratio[low]"], "best": 3}),
     ]
-    told = {made.fingerprint() for made in plans}
-    assert len(told) == len(plans)
-    assert plan("D.ratio=-4:-2:9", **same).fingerprint() == plans[0].fingerprint()
+    plans += [plan(vary, **{**same, **other}) for other in others]
+    assert len({made.fingerprint() for made in plans}) == len(plans)
+    assert plan(vary, **same).fingerprint() == plans[0].fingerprint()
     assert plans[0].fingerprint("csv") != plans[0].fingerprint("jsonl")
 
 
-def test_a_chunk_becomes_a_table_of_pandas() -> None:
-    pytest.importorskip("pandas")
-    (made,) = sweep(DIFFERENTIAL, {"D.ratio": [-2, 0]}, out="ratio[low]")
-    table = made.to_dataframe()
-    assert list(table.columns) == ["D.ratio", "status", "ratio[low]"]
-    assert table["status"].tolist() == ["ok", "invalid"]
-    assert table.loc[0, "ratio[low]"] == 3
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
+def test_what_cannot_be_is_told_before_anything_is_calculated() -> None:
+    wrong: list[tuple[dict[str, Any], str]] = [
         ({"vary": {"D.ratio": [[1.0]]}}, "D.ratio: read 2 axes"),
         ({"variants": {"D.ratio": [1], "D.efficiency": [1, 2]}}, "the same number of values"),
         ({"vary": {"D.ratoi": [1]}}, "did you mean `ratio`"),
         ({"vary": ["D.ratio=1"], "out": "ratoi"}, "did you mean `ratio`"),
-    ],
-)
-def test_what_cannot_be_is_told_before_anything_is_calculated(
-    arguments: dict[str, object], words: str
-) -> None:
-    with pytest.raises(Exception, match=words):
-        sweep(DIFFERENTIAL, **arguments)  # type: ignore[arg-type]
+    ]
+    for arguments, words in wrong:
+        with pytest.raises(Exception, match=words):
+            sweep(DIFFERENTIAL, **arguments)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import time
@@ -17,7 +16,7 @@ import pytest
 
 import vstatics
 from tests.commands import environment
-from tests.processes import end, wait_for
+from tests.processes import end, names, wait_for
 from tests.sweep.sweeps import CASE_TEXT, begin, finished
 from vstatics.core.extras import build
 from vstatics.core.jobs import cluster as workers
@@ -27,8 +26,6 @@ pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
 SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:500")
 """Half a million variants in 8 pieces."""
-MORE = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:1500")
-"""Three times as many, so that a signal comes before their end."""
 LONG = ("box.yaml", "--vary", "D.ratio=-4:-2:10000", "--vary", "D.efficiency=.9:1:10000")
 """A hundred million variants, more than there is time for."""
 
@@ -106,45 +103,22 @@ def test_a_table_and_the_best_come_from_a_cluster(cluster: Cluster) -> None:
     assert (folder / "four.csv").read_bytes() == (folder / "one.csv").read_bytes()
 
 
-def test_an_interrupted_sweep_goes_on_without_the_cluster(cluster: Cluster) -> None:
-    folder = cluster.folder
-    running = cluster.begin(*MORE, "-o", "out.npz")
-    wait_for(lambda: len(finished(folder / "out.npz.parts")) >= 2)
-    running.send_signal(signal.SIGINT)
-    status, said = end(running)
-    assert (status, said.startswith("stopped; ")) == (130, True)
-    assert "Traceback" not in said
-    assert end(begin(*MORE, "-o", "out.npz", "--resume", "-j", 2, cwd=folder))[0] == 0
-    assert end(begin(*MORE, "-o", "one.npz", cwd=folder))[0] == 0
-    assert (folder / "out.npz").read_bytes() == (folder / "one.npz").read_bytes()
-
-
-def test_a_scheduler_that_goes_away_is_told_in_a_line(cluster: Cluster) -> None:
+@pytest.mark.parametrize(
+    ("lost", "words"),
+    [
+        ("scheduler", "the connection to the scheduler is lost"),
+        ("workers", "all workers are lost, or all that were there in the beginning"),
+    ],
+)
+def test_a_loss_is_told_in_a_line(lost: str, words: str, cluster: Cluster) -> None:
     folder = cluster.folder
     running = cluster.begin(*SWEEP, "-o", "out.csv")
     wait_for(lambda: finished(folder / "out.csv.parts"))
-    cluster.scheduler.kill()
+    for process in [cluster.scheduler] if lost == "scheduler" else cluster.workers:
+        process.kill()
     status, said = end(running)
     first, second = said.splitlines()
-    assert (status, first) == (
-        1,
-        f"{cluster.address}: error: the connection to the scheduler is lost",
-    )
-    assert second.endswith("the same command with --resume goes on")
-
-
-def test_the_loss_of_all_workers_is_told_as_such(cluster: Cluster) -> None:
-    folder = cluster.folder
-    running = cluster.begin(*SWEEP, "-o", "out.csv")
-    wait_for(lambda: finished(folder / "out.csv.parts"))
-    for worker in cluster.workers:
-        worker.kill()
-    status, said = end(running)
-    first, second = said.splitlines()
-    assert (status, first) == (
-        1,
-        f"{cluster.address}: error: all workers are lost, or all that were there in the beginning",
-    )
+    assert (status, first) == (1, f"{cluster.address}: error: {words}")
     assert second.endswith("the same command with --resume goes on")
 
 
@@ -163,34 +137,45 @@ def test_a_worker_with_another_build_is_refused_also_when_it_joins_late(
 ) -> None:
     folder = cluster.folder
     variables = other_build(folder)
-    if late:
-        running = cluster.begin(*LONG, "-o", "out.csv")
-        wait_for(lambda: finished(folder / "out.csv.parts"))
-        cluster.workers.append(cluster.worker(**variables))
-    else:
+    if not late:
         cluster.workers.append(cluster.worker(**variables))
         time.sleep(5)
-        running = cluster.begin(*LONG, "-o", "out.csv")
+    running = cluster.begin(*LONG, "-o", "out.csv")
+    if late:
+        wait_for(lambda: finished(folder / "out.csv.parts"))
+        cluster.workers.append(cluster.worker(**variables))
     status, said = end(running)
     first = next(line for line in said.splitlines() if "error" in line)  # progress may be told
+    expected = rf"expected \S+ \(build {build()}\)"
     assert status == 1
-    assert re.search(
-        rf"error: worker \S+ has vstatics \S+ \(build \w+\), expected \S+ \(build {build()}\)",
-        first,
-    )
+    assert re.search(rf"error: worker \S+ has vstatics \S+ \(build \w+\), {expected}", first)
 
 
 def test_who_was_lost_is_asked_where_dask_does_not_know_it_yet(cluster: Cluster) -> None:
-    """The client has not seen the end of its connection; losing workers ends none."""
+    """The client has not seen the end of its connection; losing workers ends none.
+
+    After a loss Dask connects again, but what was under way is cancelled.
+    """
+    cancelled = Exception("cancelled")
+    cancelled.reason = "scheduler-connection-lost"  # type: ignore[attr-defined]
     with workers.Cluster("state", str, cluster.address) as made:
         assert "all workers are lost" in str(made._loss(OSError()))
+        assert "the connection to the scheduler is lost" in str(made._loss(cancelled))
         cluster.scheduler.kill()
         assert "the connection to the scheduler is lost" in str(made._loss(OSError()))
 
 
-def test_a_scheduler_that_came_back_was_lost(cluster: Cluster) -> None:
-    """Dask connects again, but what was under way is cancelled."""
-    cancelled = Exception("cancelled")
-    cancelled.reason = "scheduler-connection-lost"  # type: ignore[attr-defined]
-    with workers.Cluster("state", str, cluster.address) as made:
-        assert "the connection to the scheduler is lost" in str(made._loss(cancelled))
+@pytest.mark.parametrize(
+    ("address", "words"),
+    [
+        ("tcp://127.0.0.1:1", "no Dask scheduler answers there"),
+        ("nonsense://x", "is not the address of a scheduler, expected tcp://HOST:PORT"),
+    ],
+)
+def test_a_scheduler_that_is_not_there_is_told(address: str, words: str, tmp_path: Path) -> None:
+    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    sweep = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "-o", "o.csv", "--scheduler", address)
+    status, said = end(begin(*sweep, cwd=tmp_path))
+    assert (status, said.startswith(f"{address}: error: {words}")) == (1, True)
+    assert len(said.splitlines()) <= 2
+    assert names(tmp_path) == ["box.yaml"]

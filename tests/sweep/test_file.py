@@ -55,22 +55,17 @@ def test_every_key_is_read() -> None:
     assert read("vary: [D.ratio=1, D.efficiency=.9]").vary[1].text == "D.efficiency=.9"
 
 
-@pytest.mark.parametrize(
-    ("text", "place", "words"),
-    [
+def test_what_is_wrong_is_told_with_its_place() -> None:
+    for text, place, words in (
         ("vray: [D.ratio=1]", "1:1", "unknown key `vray`; did you mean `vary`?"),
         ("nothing: 1", "1:1", "unknown key `nothing`, expected `case`"),
         ("out: ratio\nout: ratio", "2:1", "key `out` is given twice"),
         ("zip: yes", "1:6", "read 'yes', expected `true` or `false`"),
         ("sample: 0", "1:9", "read '0', expected a whole number from 1 on"),
-        pytest.param("best: " + "9" * 5000, "1:7", "of at most 1000 digits", id="digits"),
+        ("best: " + "9" * 5000, "1:7", "of at most 1000 digits"),
         ("seed: -1", "1:7", "a whole number from 0 on"),
         ("method: sobl", "1:9", "did you mean `sobol`?"),
-        (
-            "format: xml",
-            "1:9",
-            "expected `csv`, `jsonl`, `npz`, `parquet`, `markdown`, `latex` or `xlsx`",
-        ),
+        ("format: xml", "1:9", "expected `csv`, `jsonl`, `npz`, `parquet`, `markdown`, `latex` or"),
         ("best: []", "1:7", "read a list, expected a whole number"),
         ("case: [a]", "1:7", "expected the name of a file"),
         ("where: {a: b}", "1:8", "read a mapping, expected text"),
@@ -81,60 +76,53 @@ def test_every_key_is_read() -> None:
         ("{case: a, duration: 6}", "1:1", "this is a scenario, expected a sweep file: `vstatics s"),
         ("{gears: {}}", "1:1", "this is a case, expected a sweep file: `vstatics sweep CASE"),
         ("out: [ratio[1]]", "1:12", "in quotes within a list, such as 'ratio[1]'"),
-    ],
-)
-def test_what_is_wrong_is_told_with_its_place(text: str, place: str, words: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        read(text)
-    told = str(caught.value.problems[0])
-    assert told.startswith(f"sweep.yaml:{place}: error: ")
-    assert words in told
+    ):
+        with pytest.raises(ReadError) as caught:
+            read(text)
+        told = str(caught.value.problems[0])
+        assert told.startswith(f"sweep.yaml:{place}: error: ")
+        assert words in told
 
 
-@pytest.fixture
-def folder(folder: Path) -> Path:
+def test_what_is_wrong_in_a_text_is_told_with_its_place_in_the_file(folder: Path) -> None:
     (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
-    return folder
-
-
-@pytest.mark.parametrize(
-    ("text", "place"),
-    [
-        ("vary: [D.ratio=1, D.ratoi=2]", (2, 21)),
-        ("vary: [D.ratio=1, 'D.ratio=-4:-2:x']", (2, 34)),
-        ("vary:\n  D.ratio: 1\n  X.ratio: 2", (4, 3)),
-        ("vary:\n  D.ratio: -4:-2:x", (3, 18)),
-        ("vary:\n  D.ratio: [1, x]", (3, 16)),
-        ("vary: [D.ratio=2]\nout: [ratio, 'efficiency[lwo]']", (3, 26)),
-        ('vary: [D.ratio=2]\nwhere: "ratio[lwo] > 3"', (3, 15)),
-        ("vary: [D.ratio=2]\nmax:\n  - ratoi", (4, 5)),
-        ("vary:\n  D.ratio: 1\n  '#1.ratio': 2", (4, 4)),
-        ("vary: [D.ratio=2]\nout: |\n  ratio[low],\n  ratio[lwo]", (3, 6)),
-        ("vary: [D.ratio=2]\nout: ratio[low],\n  ratio[lwo]", (3, 6)),
-        ("vary: {D.ratio: 1:30}", (2, 8)),
-        ("vary: [D.ratio=2]\nwhere: >-\n  ratio[low] > 3 and\n  ratio[lwo] > 3", (3, 8)),
-    ],
-)
-def test_what_is_wrong_in_a_text_is_told_with_its_place_in_the_file(
-    text: str, place: tuple[int, int], folder: Path
-) -> None:
-    (folder / "sweep.yaml").write_text(f"case: box.yaml\n{text}\n", encoding="utf-8")
-    said = vstatics("sweep", "--file", "sweep.yaml")
-    line, column = place
-    assert said.status == 1
-    first, shown, caret = said.err.splitlines()[:3]
-    assert first.startswith(f"sweep.yaml:{line}:{column}: error: ")
-    assert shown.strip() == text.splitlines()[line - 2].strip()
-    assert caret.index("^") - 1 == column
+    for text, place in {
+        "vary: [D.ratio=1, D.ratoi=2]": (2, 21),
+        "vary: [D.ratio=1, 'D.ratio=-4:-2:x']": (2, 34),
+        "vary:\n  D.ratio: 1\n  X.ratio: 2": (4, 3),
+        "vary:\n  D.ratio: -4:-2:x": (3, 18),
+        "vary:\n  D.ratio: [1, x]": (3, 16),
+        "vary: [D.ratio=2]\nout: [ratio, 'efficiency[lwo]']": (3, 26),
+        'vary: [D.ratio=2]\nwhere: "ratio[lwo] > 3"': (3, 15),
+        "vary: [D.ratio=2]\nmax:\n  - ratoi": (4, 5),
+        "vary:\n  D.ratio: 1\n  '#1.ratio': 2": (4, 4),
+        "vary: [D.ratio=2]\nout: |\n  ratio[low],\n  ratio[lwo]": (3, 6),
+        "vary: [D.ratio=2]\nout: ratio[low],\n  ratio[lwo]": (3, 6),
+        "vary: {D.ratio: 1:30}": (2, 8),
+        "vary: [D.ratio=2]\nwhere: >-\n  ratio[low] > 3 and\n  ratio[lwo] > 3": (3, 8),
+    }.items():
+        (folder / "sweep.yaml").write_text(f"case: box.yaml\n{text}\n", encoding="utf-8")
+        said = vstatics("sweep", "--file", "sweep.yaml")
+        line, column = place
+        first, shown, caret = said.err.splitlines()[:3]
+        assert first.startswith(f"sweep.yaml:{line}:{column}: error: ")
+        assert shown.strip() == text.splitlines()[line - 2].strip()
+        assert (said.status, caret.index("^") - 1) == (1, column)
 
 
 def test_a_sweep_file_gives_what_the_options_give(folder: Path) -> None:
-    sub = folder / "sub"
-    sub.mkdir()
+    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    file = folder / "sub/sweep.yaml"
+    file.parent.mkdir()
     text = "case: ../box.yaml\nvary: {D.ratio: '-4:-2:5'}\nout: ratio\noutput: out.csv\n"
-    (sub / "sweep.yaml").write_text(text, encoding="utf-8")
+    file.write_text(text, encoding="utf-8")
     assert vstatics("sweep", "--file", "sub/sweep.yaml").status == 0
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=-4:-2:5", "--out", "ratio")
-    assert (sub / "out.csv").read_text(encoding="utf-8") == said.out
+    assert (folder / "sub/out.csv").read_text(encoding="utf-8") == said.out
     said = vstatics("sweep", "--file", "sub/sweep.yaml", "--vary", "D.ratio=-3", "-o", "-")
     assert said.out == "variant,D.ratio,status,ratio[direct],ratio[low]\n0,-3,ok,1,4\n"
+    for command in ("check", "run", "explain"):
+        said = vstatics(command, file)
+        assert (said.status, said.err.count("\n")) == (1, 1)
+        assert "this is a sweep file, expected a case; `vstatics sweep --file`" in said.err
+    assert "a sweep file by --file" in vstatics("sweep", file).err

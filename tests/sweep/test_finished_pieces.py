@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import resource
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +35,14 @@ def store(path: Path, *, resume: bool = False, vary: str = VARY[0], **more: Any)
     return Output(made, "csv", opened)
 
 
+def finished(path: Path, *, resume: bool = False, vary: str = VARY[0]) -> Output:
+    """The output with all pieces calculated, as a process leaves it that ends before the rest."""
+    written = store(path, resume=resume, vary=vary)
+    calculate(written)
+    written.store.unlock()
+    return written
+
+
 def calculate(written: Output) -> list[int]:
     """Calculate what is not there; how many variants, as they came."""
     told: list[int] = []
@@ -54,11 +64,9 @@ def whole(folder: Path) -> bytes:
 
 def test_a_stopped_sweep_goes_on_and_gives_the_same(tmp_path: Path) -> None:
     path = tmp_path / "out.csv"
-    written = store(path)
-    calculate(written)
+    directory = Path(finished(path).store.directory)
     for gone in (1, 3):
-        Path(piece_file.piece_path(written.store.directory, gone)).unlink()
-    written.store.unlock()
+        Path(piece_file.piece_path(str(directory), gone)).unlink()
     again = store(path, resume=True)
     assert (again.finished, list(again.pending)) == (16, [1, 3])
     assert calculate(again) == [8, 6]
@@ -73,18 +81,12 @@ def test_pieces_of_another_sweep_of_the_same_layout_are_calculated_again(tmp_pat
     rng = seeded(0)
     for trial in range(count(6, 200)):
         path, other = (tmp_path / f"{name}{trial}.csv" for name in ("out", "other"))
-        written = store(path)
-        calculate(written)
-        written.store.unlock()
         last = rng.choice((-2.0, -1.9, -2.5))
-        foreign = store(other, vary=f"D.ratio=-4:{last!r}:30")
-        calculate(foreign)
+        ends = finished(other, vary=f"D.ratio=-4:{last!r}:30"), finished(path)
         replaced = sorted(rng.sample(range(4), rng.randint(1, 4)))
         for piece in replaced:
-            ends = (one.store.directory for one in (foreign, written))
-            source, target = (Path(piece_file.piece_path(end, piece)) for end in ends)
-            target.write_bytes(source.read_bytes())
-        foreign.store.unlock()
+            source, target = (piece_file.piece_path(end.store.directory, piece) for end in ends)
+            Path(target).write_bytes(Path(source).read_bytes())
         again = store(path, resume=True)
         assert list(again.pending) == ([] if last == -2 else replaced)
         calculate(again)
@@ -94,62 +96,48 @@ def test_pieces_of_another_sweep_of_the_same_layout_are_calculated_again(tmp_pat
 
 def test_what_a_killed_process_left_unfinished_is_removed(tmp_path: Path) -> None:
     path = tmp_path / "out.csv"
-    written = store(path)
-    calculate(written)
-    folder = Path(written.store.directory)
-    (folder / "00000001.999.tmp").write_bytes(b"half")
-    (folder / piece_file.ASSEMBLED).write_bytes(b"half")
-    (folder / "00000002").write_bytes(b"half")
-    written.store.unlock()
-    again = store(path, resume=True)
-    assert list(again.pending) == [2]
+    folder = Path(finished(path).store.directory)
+    for name in ("00000001.999.tmp", piece_file.ASSEMBLED, "00000002"):
+        (folder / name).write_bytes(b"half")
+    assert list(store(path, resume=True).pending) == [2]
     assert names(folder) == [f"0000000{n}" for n in (0, 1, 3)] + ["lock", "plan.json"]
 
 
-@pytest.mark.parametrize(
-    ("more", "words"),
-    [
-        ({"resume": False}, "holds 4 of 4 finished pieces of this sweep.*--resume"),
+def test_pieces_that_are_not_asked_for_are_not_lost(tmp_path: Path) -> None:
+    file = str(tmp_path / "out.csv")
+    folder = Path(finished(tmp_path / "out.csv").store.directory)
+    before = names(folder)
+    wanted: list[tuple[dict[str, Any], str]] = [
+        ({}, "holds 4 of 4 finished pieces of this sweep.*--resume"),
         ({"out": "ratio"}, "of another sweep: columns changed; .*remove the directory"),
         ({"where": "ratio[low] > 3"}, "of another sweep: where changed"),
         ({"coast": True}, "of another sweep: the case, a file that it names, or an option"),
-    ],
-)
-def test_pieces_that_are_not_asked_for_are_not_lost(
-    more: dict[str, Any], words: str, tmp_path: Path
-) -> None:
-    written = store(tmp_path / "out.csv")
-    calculate(written)
-    written.store.unlock()
-    before = names(Path(written.store.directory))
-    wanted = {name: value for name, value in more.items() if name != "resume"}
-    other = plan(*VARY, piece=8, **wanted)
-    with pytest.raises(ReadError, match=words), FinishedPieces(str(tmp_path / "out.csv")) as opened:
-        opened.open(description(other, "csv"), other.pieces, resume=more.get("resume", True))
-    assert not opened.is_open  # so the command does not say that it can go on
-    assert names(Path(written.store.directory)) == before
-
-
-def test_a_directory_of_others_is_left_alone(tmp_path: Path) -> None:
-    folder = tmp_path / "out.csv.parts"
-    folder.mkdir()
-    (folder / "letter.txt").write_text("dear", encoding="utf-8")
+    ]
+    for more, words in wanted:
+        other = plan(*VARY, piece=8, **more)
+        with pytest.raises(ReadError, match=words), FinishedPieces(file) as opened:
+            opened.open(description(other, "csv"), other.pieces, resume=bool(more))
+        assert not opened.is_open  # so the command does not say that it can go on
+        assert names(folder) == before
+    (tmp_path / "a.csv.parts").mkdir()
+    letter = tmp_path / "a.csv.parts/letter.txt"
+    letter.write_text("dear", encoding="utf-8")
     with pytest.raises(ReadError, match="contains no sweep"):
-        store(tmp_path / "out.csv", resume=True)
-    assert (folder / "letter.txt").read_text(encoding="utf-8") == "dear"
+        store(tmp_path / "a.csv", resume=True)
+    assert letter.read_text(encoding="utf-8") == "dear"
+    with pytest.raises(IsADirectoryError):
+        store(tmp_path)
 
 
 def test_pieces_of_another_build_are_calculated_again_with_a_word(tmp_path: Path) -> None:
     """Before builds were told the description had none, and another fingerprint."""
+    made = plan(*VARY, piece=8)
     for build in ({"build": "0123456789ab"}, {}):
-        written = store(tmp_path / "out.csv", resume=True)
-        calculate(written)
-        written.store.unlock()
+        written = finished(tmp_path / "out.csv", resume=True)
         file = Path(written.store.path("plan.json"))
         known = {**json.loads(file.read_text(encoding="utf-8")), "fingerprint": "other"}
         known.pop("build")
         file.write_text(json.dumps({**known, **build}), encoding="utf-8")
-        made = plan(*VARY, piece=8)
         with FinishedPieces(str(tmp_path / "out.csv")) as opened:
             with pytest.raises(ReadError, match=r"of this sweep, .*--resume"):
                 opened.open(description(made, "csv"), made.pieces, resume=False)
@@ -189,16 +177,12 @@ def test_where_nothing_is_finished_nothing_stays(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_two_sweeps_do_not_write_one_output(tmp_path: Path) -> None:
     """A process has the directory until it ends, however it ends."""
-    held = store(tmp_path / "out.csv")
-    calculate(held)
-    held.store.unlock()
-    code = f"""
-import time
-from vstatics.core.jobs.finished_pieces import FinishedPieces
-FinishedPieces({str(tmp_path / "out.csv")!r}).lock()
-print("held", flush=True)
-time.sleep(60)
-"""
+    finished(tmp_path / "out.csv")
+    code = (
+        "import time; from vstatics.core.jobs.finished_pieces import FinishedPieces\n"
+        f"FinishedPieces({str(tmp_path / 'out.csv')!r}).lock()\n"
+        "print('held', flush=True); time.sleep(60)"
+    )
     with subprocess.Popen(
         [sys.executable, "-c", code], stdout=subprocess.PIPE, env=environment()
     ) as other:
@@ -210,30 +194,28 @@ time.sleep(60)
     assert store(tmp_path / "out.csv", resume=True).finished == 30
 
 
-def test_an_output_that_is_a_directory_is_told_at_once(tmp_path: Path) -> None:
-    with pytest.raises(IsADirectoryError):
-        store(tmp_path)
+@contextlib.contextmanager
+def small_disk(size: int) -> Iterator[None]:
+    """A limit on the size of files is a small disk for this process."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
+    try:
+        with pytest.raises(OSError, match="File too large"):
+            yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
 
 
 def test_a_piece_that_does_not_fit_on_the_disk_leaves_nothing(tmp_path: Path) -> None:
-    """A limit on the size of files is a small disk for this process."""
     written = store(tmp_path / "out.csv", out="ratio,efficiency,speeds,torques,lossy_torques")
-    before = names(Path(written.store.directory))
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (500, hard))
-    try:
-        with pytest.raises(OSError, match="File too large"):
-            calculate(written)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert names(Path(written.store.directory)) == before
+    folder = Path(written.store.directory)
+    before = names(folder)
+    with small_disk(500):
+        calculate(written)
+    assert names(folder) == before
     calculate(written)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (5000, hard))
-    try:
-        with pytest.raises(OSError, match="File too large"):
-            assemble(written)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert piece_file.ASSEMBLED not in names(Path(written.store.directory))
+    with small_disk(5000):
+        assemble(written)
+    assert piece_file.ASSEMBLED not in names(folder)
     assemble(written)
     assert len((tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()) == 31

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal
 
@@ -46,6 +45,12 @@ def case() -> vstatics.Transmission:
     return from_dict(CASE)
 
 
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    (tmp_path / "case.json").write_text(json.dumps(CASE), encoding="utf-8")
+    return tmp_path / "case.json"
+
+
 def changed(*ways: tuple[tuple[str, ...], float | str]) -> vstatics.Transmission:
     """The case of a document with other numbers."""
     document = json.loads(json.dumps(CASE))
@@ -55,18 +60,6 @@ def changed(*ways: tuple[tuple[str, ...], float | str]) -> vstatics.Transmission
             inner = inner.setdefault(key, {})
         inner[keys[-1]] = number
     return from_dict(document)
-
-
-def test_teeth_give_ratio_and_efficiency_of_willis(case: vstatics.Transmission) -> None:
-    """Ring held, power into the sun: i = 1 + R/S, eta = (1 + eta_0 R/S)/(1 + R/S)."""
-    suns = np.arange(21, 40)
-    without = case.replace(gears=[case.gears[0]._replace(torques={})])
-    out = "ratio[one]/2, efficiency[one]/.98"
-    [chunk] = vstatics.sweep(without, {"P1.teeth.sun": suns}, out=out)
-    for sun, (ratio, efficiency) in zip(suns.tolist(), chunk.columns.tolist(), strict=True):
-        u = Fraction(75, sun)
-        assert -ratio == pytest.approx(float(1 + u), rel=1e-14)
-        assert efficiency == pytest.approx(float((1 + u * Fraction(9702, 10000)) / (1 + u)))
 
 
 def test_what_cannot_be_put_together_is_said_and_its_numbers_stand(
@@ -84,24 +77,11 @@ def test_what_cannot_be_put_together_is_said_and_its_numbers_stand(
 
 @pytest.mark.parametrize("by", [(), ("--by", "gear")])
 def test_what_cannot_be_put_together_is_best_only_if_it_is_asked_for(
-    by: tuple[str, ...], tmp_path: Path
+    by: tuple[str, ...], file: Path
 ) -> None:
-    file = tmp_path / "box.json"
-    file.write_text(json.dumps(CASE), encoding="utf-8")
-
     def suns(*options: str) -> list[int]:
-        said = run(
-            "sweep",
-            file,
-            "--vary",
-            "P1.teeth.sun=25:40:16",
-            "--out",
-            "ok",
-            "-f",
-            "csv",
-            *by,
-            *options,
-        )
+        asked = ("--vary", "P1.teeth.sun=25:40:16", "--out", "ok", "-f", "csv", *by, *options)
+        said = run("sweep", file, *asked)
         assert said.status == 0, said.err
         rows = list(csv.DictReader(said.out.splitlines()))
         assert [row["ok"] == "1" for row in rows] == [row["status"] == "ok" for row in rows]
@@ -119,20 +99,19 @@ def test_what_cannot_be_put_together_is_best_only_if_it_is_asked_for(
 def other_documents() -> tuple[dict[str, Any], list[vstatics.Transmission]]:
     """Teeth, friction and load in a random order: what varies, and the case of each point."""
     rng = seeded(2781)
-    ways = {
+    ways: dict[str, tuple[str, ...]] = {
         "P1.teeth.sun": ("elements", "P1", "teeth", "sun"),
         "pair.teeth.second": ("elements", "pair", "teeth", "second"),
         "mesh_efficiency.friction": ("mesh_efficiency", "friction"),
     }
     rows = [
-        (rng.choice([27, 33, 36]), rng.choice([41, 53]), rng.uniform(0.03, 0.1)) for _ in "a" * 9
+        (rng.choice([27, 33, 36]), rng.choice([41, 53]), rng.uniform(0.03, 0.1)) for _ in range(9)
     ]
     torques = [rng.uniform(-200, 200) for _ in rows]
     vary = {**dict(zip(ways, zip(*rows, strict=True), strict=True)), "load.torque": torques}
-    loads = ((("load", "torque"), f"{torque!r} N*m") for torque in torques)
-    each = zip(rows, loads, strict=True)
     return vary, [
-        changed(*zip(ways.values(), numbers, strict=True), load) for numbers, load in each
+        changed(*zip(ways.values(), row, strict=True), (("load", "torque"), f"{torque!r} N*m"))
+        for row, torque in zip(rows, torques, strict=True)
     ]
 
 
@@ -160,85 +139,45 @@ def test_points_of_solve_are_the_cases_of_other_documents(case: vstatics.Transmi
             )
 
 
-def test_solve_varies_teeth_alone_too(case: vstatics.Transmission) -> None:
-    """Ring held: i = 1 + R/S, before a pair of 20 and 40 teeth."""
-    suns = [25, 30, 25, 27]
-    ratios = solve(case, vary={"P1.teeth.sun": suns}).ratio[:, 0]
-    assert ratios.tolist() == pytest.approx([-2 * (1 + 75 / sun) for sun in suns], rel=1e-14)
-
-
-@pytest.mark.parametrize(
-    ("path", "values", "said"),
-    [
+def test_numbers_that_make_no_case_are_told_or_invalid(
+    case: vstatics.Transmission, file: Path
+) -> None:
+    for path, values, said in (
         ("P1.teeth.sun", [30, 29.5], "read 29.5 in variant 1, expected a whole number"),
         ("P1.teeth.sun", [30, 90], "in variant 1: read 75, expected more teeth than the 90 of sun"),
         ("P1.teeth.son", [30], "did you mean `P1.teeth.sun`"),
-    ],
-)
-def test_solve_tells_numbers_that_make_no_case(
-    case: vstatics.Transmission, path: str, values: list[float], said: str
-) -> None:
-    with pytest.raises(vstatics.CaseError, match=said):
-        solve(case, vary={path: values})
+    ):
+        with pytest.raises(vstatics.CaseError, match=said):
+            solve(case, vary={path: values})
+    [chunk] = vstatics.sweep(case, {"P1.teeth.sun": [30.0, 29.5, 0.0, -3.0, 75.0]}, out="ratio")
+    assert [STATUS[code] for code in chunk.status] == ["not assembled", *["invalid"] * 4]
+    assert np.isnan(chunk.columns[1:]).all()
+    for sun, said in (("75", "expected more teeth than the 75 of sun"), ("30.5", "a whole number")):
+        assert run("sweep", file, "--vary", f"P1.teeth.sun={sun}").fails(said)
 
 
-def test_friction_of_all_meshes(case: vstatics.Transmission) -> None:
-    """Standard wheels of 20 and 40 teeth: 1 - pi mu (1/20 + 1/40) H, .99004 at .06."""
-    [chunk] = vstatics.sweep(
-        case, {"mesh_efficiency.friction": [0.03, 0.06]}, out="efficiency[two]"
-    )
-    assert 1 - chunk.columns[:, 0] == pytest.approx([0.00498, 0.00996], abs=5e-6)
-
-
-def test_a_capacity_is_a_number_of_conditions(tmp_path: Path) -> None:
+def test_a_capacity_is_a_number_of_conditions(file: Path) -> None:
     """The brake holds i - 1 = 2.5 times the input torque."""
-    file = tmp_path / "case.json"
     file.write_text(json.dumps({**CASE, "gears": {"one": ["B"]}}))
     vary = "--vary", "B.capacity=.2 kN*m,.3 kN*m"
-    ran = run(
-        "sweep",
-        str(file),
-        *vary,
-        "--out",
-        "ratio",
-        "--where",
-        "abs(torques_Nm[B, one]) < 1000*B.capacity",
-    )
+    where = "--where", "abs(torques_Nm[B, one]) < 1000*B.capacity"
+    ran = run("sweep", file, *vary, "--out", "ratio", *where)
     lines = [line.split(",") for line in ran.out.splitlines()]
     assert lines[0][1] == "B.capacity [kN*m]"
     assert [line[1] for line in lines[1:]] == ["0.3"]
 
 
-def test_numbers_that_make_no_case_are_invalid(case: vstatics.Transmission) -> None:
-    values = [30.0, 29.5, 0.0, -3.0, 75.0]
-    [chunk] = vstatics.sweep(case, {"P1.teeth.sun": values}, out="ratio[one]")
-    assert [STATUS[code] for code in chunk.status] == ["not assembled", *["invalid"] * 4]
-    assert np.isnan(chunk.columns[1:]).all()
-
-
-@pytest.mark.parametrize(
-    ("vary", "said"),
-    [
-        ("P1.teeth.moon=30", "expected `P1.teeth.` and one of sun, ring, planet"),
-        ("P1.teeth=30", "expected `P1.teeth.` and one of sun, ring, planet"),
-        ("P2.teeth.sun=30", "did you mean `P1.teeth.sun`"),
-        ("mesh_efficiency.frict=.1", "did you mean `mesh_efficiency.friction`"),
-        ("B.capacity=30", "its values need their unit"),
-        ("B.capacity=30 kg", "this is a mass"),
-        ("P1.teeth.sun=30 rpm", "expected bare numbers"),
-    ],
-)
-def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str) -> None:
-    (tmp_path / "case.json").write_text(json.dumps(CASE))
-    ran = run("sweep", str(tmp_path / "case.json"), "--vary", vary)
-    assert ran.gives_nothing("--vary:1:", said)
-
-
-def test_where_no_variant_is_a_case_it_is_told_why(tmp_path: Path) -> None:
-    (tmp_path / "case.json").write_text(json.dumps(CASE))
-    for sun, said in (("75", "expected more teeth than the 75 of sun"), ("30.5", "a whole number")):
-        ran = run("sweep", str(tmp_path / "case.json"), "--vary", f"P1.teeth.sun={sun}")
-        assert ran.fails(said)
+def test_what_is_wrong_is_told_at_its_place(file: Path) -> None:
+    for vary, said in {
+        "P1.teeth.moon=30": "expected `P1.teeth.` and one of sun, ring, planet",
+        "P1.teeth=30": "expected `P1.teeth.` and one of sun, ring, planet",
+        "P2.teeth.sun=30": "did you mean `P1.teeth.sun`",
+        "mesh_efficiency.frict=.1": "did you mean `mesh_efficiency.friction`",
+        "B.capacity=30": "its values need their unit",
+        "B.capacity=30 kg": "this is a mass",
+        "P1.teeth.sun=30 rpm": "expected bare numbers",
+    }.items():
+        assert run("sweep", file, "--vary", vary).gives_nothing("--vary:1:", said), vary
 
 
 def test_who_asks_for_planets_gets_the_same_in_all_else(case: vstatics.Transmission) -> None:
@@ -289,24 +228,22 @@ def test_a_ratio_and_the_teeth_that_give_it_are_one_number(case: vstatics.Transm
     assert chunk.columns[:, 0].tolist() == [-3.0, -2.5, -3.0, -2.5]
 
 
-def test_a_ratio_that_no_teeth_give_is_none(case: vstatics.Transmission, tmp_path: Path) -> None:
+def test_a_ratio_that_no_teeth_give_is_none(case: vstatics.Transmission, file: Path) -> None:
     """A ring is larger than its sun, and wheels beside one another turn in opposite ways.
 
     Teeth that would give it are an error of a case; a mechanism given as such may have any.
     """
     numbers = [-2.5, -1.0, -0.5, 0.5, 2.5]
-    [chunk] = vstatics.sweep(case, {"P1.ratio": numbers}, out="ratio")
-    assert [STATUS[code] for code in chunk.status] == ["ok", *["invalid"] * 4]
-    [chunk] = vstatics.sweep(case, {"pair.ratio": numbers}, out="ratio")
-    assert [STATUS[code] for code in chunk.status] == [*["ok"] * 3, *["invalid"] * 2]
+    for path, possible in (("P1.ratio", 1), ("pair.ratio", 3)):
+        [chunk] = vstatics.sweep(case, {path: numbers}, out="ratio")
+        expected = [*["ok"] * possible, *["invalid"] * (5 - possible)]
+        assert [STATUS[code] for code in chunk.status] == expected
     with pytest.raises(vstatics.CaseError, match=r"read -0\.5 in variant 1, expected .* below -1"):
         solve(case, vary={"P1.ratio": [-2.5, -0.5]})
     with pytest.raises(vstatics.ReadError, match="more teeth than the 75 of sun"):
         changed((("elements", "P1", "teeth", "sun"), 75))
-    given = case.replace(drawing=None)
-    assert solve(given, vary={"P1.ratio": numbers}).ratio.shape == (5, 2)
-    (tmp_path / "case.json").write_text(json.dumps(CASE))
-    said = run("sweep", tmp_path / "case.json", "--vary", "P1.ratio=.5")
+    assert solve(case.replace(drawing=None), vary={"P1.ratio": numbers}).ratio.shape == (5, 2)
+    said = run("sweep", file, "--vary", "P1.ratio=.5")
     assert said.fails("P1.ratio: read 0.5 in variant 0, expected a finite ratio below -1")
 
 
@@ -316,3 +253,10 @@ def test_an_efficiency_that_follows_a_law_is_no_column() -> None:
     document["elements"]["P1"]["efficiency"] = law
     with pytest.raises(vstatics.ReadError, match=r"P1\.efficiency.*it is not a number"):
         vstatics.sweep(from_dict(document), ["load.torque=50 N*m,60 N*m"], out="P1.efficiency")
+
+
+def test_solve_varies_teeth_alone_too(case: vstatics.Transmission) -> None:
+    """Ring held: i = 1 + R/S, before a pair of 20 and 40 teeth."""
+    suns = [25, 30, 25, 27]
+    ratios = solve(case, vary={"P1.teeth.sun": suns}).ratio[:, 0]
+    assert ratios.tolist() == pytest.approx([-2 * (1 + 75 / sun) for sun in suns], rel=1e-14)

@@ -74,14 +74,19 @@ def column_types(plan: SweepPlan) -> list[ColumnType]:
 
 
 class Output:
-    """Calculation and assembly of the file of a sweep; its pieces are in an open `store`."""
+    """Calculation and assembly of the file of a sweep; its pieces are in `store`."""
 
     def __init__(
         self, plan: SweepPlan, form: Format, store: FinishedPieces, *, raw: bool = False
     ) -> None:
         """Prepare to use the stored pieces, which do not depend on `raw`."""
-        self.task = SweepTask(plan, form, store.directory, raw, store.work)
+        self._task = SweepTask(plan, form, store.directory, raw)
         self.store = store
+
+    @property
+    def task(self) -> SweepTask:
+        """Task of the workers; the work of a store is only known once the store is open."""
+        return self._task._replace(work=self.store.work)
 
     @property
     def pending(self) -> Iterator[int]:

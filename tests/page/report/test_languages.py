@@ -15,6 +15,12 @@ from tests.core.texts.test_pages import SHOWN, left, names, of_case, words_of
 from tests.page.serve.windows import Program, Window
 from vstatics.core.texts import table
 
+OTHERS = (
+    *("zf-8hp70.yaml", "toyota-p410.yaml", "driveline-8hp70.yaml", "ford-10r80.yaml"),
+    *("scenarios/tarasik-box.yaml", "scenarios/moskvich-start.yaml", "moskvich412.yaml"),
+    *("self-locking.yaml", "power-split.yaml", "wheel-hub.yaml", "ravigneaux-gf4a.yaml"),
+)
+
 
 def document_of(page: str) -> dict[str, Any]:
     found = re.search(r'<script type="application/json" id="result">(.*?)</script>', page)
@@ -27,30 +33,12 @@ def page_of(case: str, *options: str) -> str:
     return vstatics("report", case, *options, "-o", "-", "-q").out
 
 
-@pytest.mark.parametrize("case", SHOWN[:1])
-def test_a_page_has_no_english_words(case: str) -> None:
-    page = page_of(case, "--lang", "ru")
-    assert '<html lang="ru">' in page
-    assert left(words_of(page), of_case(document_of(page))) == set()
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize(
-    "case",
-    [
-        *(
-            "zf-8hp70.yaml",
-            "toyota-p410.yaml",
-            "driveline-8hp70.yaml",
-            "scenarios/tarasik-box.yaml",
-            "ford-10r80.yaml",
-        ),
-        *("scenarios/moskvich-start.yaml", "moskvich412.yaml", "self-locking.yaml"),
-        *("power-split.yaml", "wheel-hub.yaml", "ravigneaux-gf4a.yaml"),
-    ],
+    "case", [SHOWN[0], *(pytest.param(CASES / name, marks=pytest.mark.slow) for name in OTHERS)]
 )
-def test_no_page_has_english_words(case: str) -> None:
-    page = page_of(str(CASES / case), "--lang", "ru")
+def test_a_page_has_no_english_words(case: object) -> None:
+    page = page_of(str(case), "--lang", "ru")
+    assert '<html lang="ru">' in page
     assert left(words_of(page), of_case(document_of(page))) == set()
 
 
@@ -109,7 +97,7 @@ def test_a_page_says_the_same_with_other_words() -> None:
     assert both == set()
 
 
-def test_names_that_are_english_words_stay(tmp_path: Any) -> None:
+def test_names_that_are_english_words_stay(tmp_path: Path) -> None:
     """A link `output`, a gear `ratio`, an element `brake` and a set `Gears` are names."""
     case = tmp_path / "names.yaml"
     case.write_text(
@@ -118,11 +106,11 @@ def test_names_that_are_english_words_stay(tmp_path: Any) -> None:
         "mechanisms: {Gears: {first: input, second: speed, third: output, ratio: -2}}\n"
         "gears: {ratio: [brake], efficiency: [clutch]}\n"
     )
-    for arguments in (("run", "--pretty"), ("summary",), ("explain",), ("report", "-o", "-")):
-        made = vstatics(arguments[0], str(case), "--lang", "ru", *arguments[1:]).out
-        text = words_of(made) if arguments[0] == "report" else made
+    for command, *more in (("run", "--pretty"), ("summary",), ("explain",), ("report", "-o", "-")):
+        made = vstatics(command, case, "--lang", "ru", *more).out
+        text = words_of(made) if command == "report" else made
         for name in ("output", "Gears", "ratio"):
-            assert re.search(rf"\b{name}\b", text), (arguments, name)
-        if arguments[0] == "summary":
+            assert re.search(rf"\b{name}\b", text), (command, name)
+        if command == "summary":
             assert re.search(r"(?m)^ratio +3\.000 +efficiency", text)
             assert "тормоз" not in text

@@ -2,14 +2,21 @@
 
 import re
 
+import numpy as np
 import pytest
 
+from tests.chance import count, seeded
 from tests.commands import CASES, json_answer
 from tests.page.report.pages import Page
 from tests.shipped import shipped_results
+from tests.trains import random_train
+from vstatics import solve
+from vstatics.core.statics.solve import distribution_matrix
 from vstatics.core.tables.quantities import QUANTITIES
+from vstatics.core.tables.result_tables import of_results
 from vstatics.page.report.html_page import page
 from vstatics.page.report.material import gather
+from vstatics.page.report.tools.marks import with_tool_marks
 
 pytestmark = pytest.mark.usefixtures("without_pictures")
 
@@ -45,3 +52,17 @@ def test_a_page_that_stays_is_the_same_without_its_marks() -> None:
     figure = r'<span data-gear="[^"]*" data-value="[^"]*" data-\w+="Nm">(.*?)</span> <span class="unit">(.*?)</span>'
     live = re.sub(figure, r"\1 \2", live)
     assert re.sub(rf'{marks}|{own}| data-links="[^"]*"', "", live) == static
+
+
+def test_a_torque_is_of_the_links_where_the_matrix_has_its_device() -> None:
+    """Rows know the links on which their component acts."""
+    chance = seeded(7)
+    for _ in range(count(20, 200)):
+        case = random_train(chance, regular=True)
+        [grid] = [one for one in of_results(solve(case)) if one.key == "torques"]
+        rows = [row[0] for row in with_tool_marks(grid, case).cells]
+        *devices, output = [[int(one) for one in row.marks["links"].split()] for row in rows]
+        assert output == [case.main_output - 1]
+        for own, column in zip(devices, distribution_matrix(case).T, strict=True):
+            assert {*np.flatnonzero(column).tolist()} <= {*own}
+            assert len(own) <= 3

@@ -57,15 +57,12 @@ def shipped(
 
 
 @pytest.mark.slow
-def test_a_shipped_case_has_at_most_ten_sheets(shipped: list[PrintedSheet]) -> None:
+def test_a_shipped_case_has_at_most_ten_sheets_that_can_be_read(
+    shipped: list[PrintedSheet],
+) -> None:
     assert 0 < len(shipped) <= MOST_SHEETS
-
-
-@pytest.mark.slow
-def test_letters_on_paper_can_be_read(shipped: list[PrintedSheet]) -> None:
     least = LEAST_LETTERS - ROUNDED
-    small = {one for sheet in shipped for one in sheet.letters if one[1] < least}
-    assert small == set()
+    assert {one for sheet in shipped for one in sheet.letters if one[1] < least} == set()
 
 
 @pytest.mark.slow
@@ -74,15 +71,11 @@ def test_all_prints_what_the_screen_shows_and_nothing_twice(browser: Any, tmp_pa
     some, every = (lines(sheets(browser, tmp_path, case, *end)) for end in ([], ["--all"]))
     heads = headings(report(case), paper=False)
     assert set(heads) >= ON_THE_SCREEN - {"Lever diagram"}
-    assert [line for line in some if line in heads] == [
-        head for head in heads if head not in ON_THE_SCREEN
-    ]
+    printed_heads = [head for head in heads if head not in ON_THE_SCREEN]
+    assert [line for line in some if line in heads] == printed_heads
     assert [line for line in every if line in heads] == heads
-    assert not [one for one in Page(report(case, "--all")).all("div") if _class(one) == "paper"]
-
-
-def _class(one: Any) -> str:
-    return (one.attributes.get("class") or "").split(" ")[0]
+    looks = [one.attributes.get("class") or "" for one in Page(report(case, "--all")).all("div")]
+    assert not [look for look in looks if look.split(" ")[0] == "paper"]
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -119,23 +112,6 @@ def test_gears_cut_all_that_is_of_a_gear_and_change_no_number() -> None:
     assert cut.data == whole.data
 
 
-@pytest.mark.slow
-def test_pictures_are_of_the_gears_that_are_shown() -> None:
-    made = Page(report(CASES / "zf-8hp70.yaml", "--gears", "R,3", "--sections", "flow,gears"))
-    labels = [one.attributes["aria-label"] or "" for one in made.all("svg")]
-    assert set(labels) == {f"{kind}, gear {gear}" for kind in ("Power flow",) for gear in "3R"} | {
-        f"Stick diagram, gear {gear}, small" for gear in "3R"
-    }
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("options", [[], ["--gears", "2"], ["--gears", "R,1"], ["--all"]])
-def test_ids_are_unique(options: list[str]) -> None:
-    shown = Page(report(CASES / "zf-8hp70.yaml", *options))
-    ids = [one.attributes["id"] for one in shown.elements if "id" in one.attributes]
-    assert len(ids) == len(set(ids))
-
-
 @pytest.mark.usefixtures("without_pictures")
 def test_a_stamp_stands_at_the_head_escaped_and_only_where_it_is_asked_for(tmp_path: Path) -> None:
     case = write(tmp_path, NASTY_CASE)
@@ -148,9 +124,9 @@ def test_a_stamp_stands_at_the_head_escaped_and_only_where_it_is_asked_for(tmp_p
     assert shown[0].inside[-1] == "header"
 
 
-@pytest.mark.parametrize(
-    ("options", "why"),
-    [
+def test_wrong_options_are_told(tmp_path: Path) -> None:
+    case = write(tmp_path, NASTY_CASE)
+    wrong: list[tuple[list[str], str]] = [
         (["--sections", "flows"], "read `flows`, did you mean `flow`?"),
         (["--sections", "x"], "read `x`, expected overview, run, gears"),
         (["--gears", "9"], "9"),
@@ -158,21 +134,16 @@ def test_a_stamp_stands_at_the_head_escaped_and_only_where_it_is_asked_for(tmp_p
         (["--stamp", "author"], "expected NAME=TEXT"),
         (["--stamp", "a=b,a=c"], "a is given twice"),
         (["--all", "--sections", "flow"], "what it names is printed"),
-    ],
-)
-def test_wrong_options_are_told(tmp_path: Path, options: list[str], why: str) -> None:
-    said = vstatics("report", write(tmp_path, NASTY_CASE), "-o", "-", *options)
-    assert said.is_wrong_use(why)
+    ]
+    for options, why in wrong:
+        assert vstatics("report", case, "-o", "-", *options).is_wrong_use(why), options
 
 
 @pytest.mark.usefixtures("without_pictures")
 def test_ports_are_listed_where_there_are_more_than_an_input_and_an_output() -> None:
-    def has_ports(case: str) -> bool:
+    for case, has_ports in (("zf-8hp70.yaml", False), ("power-split.yaml", True)):
         heads = [one.text for one in Page(report(CASES / case)).all("h3")]
-        return any(one.startswith("Ports") for one in heads)
-
-    assert not has_ports("zf-8hp70.yaml")
-    assert has_ports("power-split.yaml")
+        assert any(one.startswith("Ports") for one in heads) == has_ports
 
 
 def test_what_has_no_room_on_paper_is_told() -> None:
@@ -190,18 +161,22 @@ def test_what_has_no_room_on_paper_is_told() -> None:
     assert side_by_side(gears, [Drawn("stick", [Markup(low)])] * 5).count("<svg") == 5
 
 
-@pytest.mark.parametrize(
-    ("asked", "large", "small"),
-    [
-        (AskedPage(["overview", "gears"]), False, True),
-        (AskedPage(["overview"]), True, False),
-        (AskedPage(["overview", "gears"], prints_all=True), True, False),
-        (AskedPage(), False, True),
-    ],
-)
-def test_stick_diagrams_of_gears_are_printed_once(
-    asked: AskedPage, large: bool, small: bool
-) -> None:
+def test_stick_diagrams_of_gears_are_printed_once() -> None:
     """Small beside the table of gears, or large in the overview, where that is printed in full."""
-    found = pictures(shipped_results("simpson-th400.yaml"), asked)
-    assert (found.bare_stick is None, bool(found.small_sticks)) == (large, small)
+    results = shipped_results("simpson-th400.yaml")
+    for asked, is_large in (
+        (AskedPage(["overview", "gears"]), False),
+        (AskedPage(["overview"]), True),
+        (AskedPage(["overview", "gears"], prints_all=True), True),
+        (AskedPage(), False),
+    ):
+        found = pictures(results, asked)
+        assert (found.bare_stick is None, bool(found.small_sticks)) == (is_large, not is_large)
+
+
+@pytest.mark.slow
+def test_pictures_are_of_the_gears_that_are_shown() -> None:
+    made = Page(report(CASES / "zf-8hp70.yaml", "--gears", "R,3", "--sections", "flow,gears"))
+    labels = {one.attributes["aria-label"] for one in made.all("svg")}
+    own = {f"Stick diagram, gear {gear}, small" for gear in "3R"}
+    assert labels == {f"Power flow, gear {gear}" for gear in "3R"} | own

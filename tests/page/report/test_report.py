@@ -44,31 +44,21 @@ def zf() -> Page:
 
 
 @pytest.fixture(scope="module")
-def nasty_text(tmp_path_factory: pytest.TempPathFactory) -> str:
-    return report(write(tmp_path_factory.mktemp("nasty"), NASTY_CASE))
-
-
-@pytest.fixture(scope="module")
-def nasty(nasty_text: str) -> Page:
-    return Page(nasty_text)
+def nasty(tmp_path_factory: pytest.TempPathFactory) -> Page:
+    return Page(report(write(tmp_path_factory.mktemp("nasty"), NASTY_CASE)))
 
 
 @pytest.mark.slow
-def test_the_page_carries_the_result(zf: Page) -> None:
-    expected = json_answer("run", CASES / "zf-8hp70.yaml")
-    assert {**zf.data, "file": "zf-8hp70.yaml"} == expected
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "name",
-    ["speeds", "planet_speeds", "slip_speeds", "torques", "lossy_torques", "power_sign", "losses"],
-)
-def test_tables_show_the_numbers_of_the_result(zf: Page, name: str) -> None:
-    table = zf.table(f"{BY_NAME[name].title} [{name}]")
-    assert list(table) == zf.data["rows"][name]
-    for shown, given in zip(table.values(), zf.data[name], strict=True):
-        assert [value(shown[gear]) for gear in zf.data["gears"]] == given
+def test_tables_show_the_numbers_of_the_result(zf: Page) -> None:
+    assert all(quantity.title for quantity in QUANTITIES)
+    for name in (
+        *("speeds", "planet_speeds", "slip_speeds", "torques", "lossy_torques"),
+        *("power_sign", "losses"),
+    ):
+        table = zf.table(f"{BY_NAME[name].title} [{name}]")
+        assert list(table) == zf.data["rows"][name]
+        for shown, given in zip(table.values(), zf.data[name], strict=True):
+            assert [value(shown[gear]) for gear in zf.data["gears"]] == given
 
 
 @pytest.mark.slow
@@ -83,6 +73,14 @@ def test_numbers_by_gear_are_those_of_the_result(zf: Page) -> None:
     gears = zf.table("Ratios, steps")
     assert [value(row["ratio"]) for row in gears.values()] == zf.data["ratio"]
     assert [value(row["efficiency"]) for row in gears.values()] == zf.data["efficiency"]
+    # ZF 8HP70 as printed to three digits behind the point; see tests/published
+    published = json.loads(Path("tests/published/zf-8hp70.json").read_text(encoding="utf-8"))
+    for gear, ratio in published["ratio"].items():
+        assert number(gears[gear]["ratio"]) == pytest.approx(ratio, abs=1e-3)
+    # first gear 1 + 85/23 (see the case), eighth the printed .667, which is 2/3
+    assert "7.043, gear 1 to 8" in [one.text for one in zf.all("dd")]
+    # as the source's table of shift elements has them; cases/zf-8hp70.yaml
+    assert [name for name in "ABCDE" if gears["1"][name].text == "●"] == ["A", "B", "C"]
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -98,24 +96,6 @@ def test_every_number_is_printed_alike_and_names_stay(tmp_path: Path) -> None:
     }
     assert not [one for one in texts if re.search(r"(?<![\w])-[\d.]|\s-\s|(?<![\w.])\.\d|^-$", one)]
     assert [one for one in texts if "\u22122.5" in one]
-
-
-@pytest.mark.slow
-def test_ratios_are_the_published_ones(zf: Page) -> None:
-    """ZF 8HP70 as printed to three digits behind the point; see tests/published."""
-    published = json.loads(Path("tests/published/zf-8hp70.json").read_text(encoding="utf-8"))
-    table = zf.table("Ratios, steps")
-    for gear, ratio in published["ratio"].items():
-        assert number(table[gear]["ratio"]) == pytest.approx(ratio, abs=1e-3)
-    # first gear 1 + 85/23 (see the case), eighth the printed .667, which is 2/3
-    assert "7.043, gear 1 to 8" in [one.text for one in zf.all("dd")]
-
-
-@pytest.mark.slow
-def test_dots_tell_the_engaged_elements(zf: Page) -> None:
-    """As the source's table of shift elements has them; cases/zf-8hp70.yaml."""
-    first = zf.table("Ratios, steps")["1"]
-    assert [name for name in "ABCDE" if first[name].text == "●"] == ["A", "B", "C"]
 
 
 @pytest.mark.slow
@@ -147,11 +127,7 @@ def test_powers_are_those_of_the_flow(zf: Page) -> None:
         for loss in gear["lossy"]["losses"]:
             if loss["name"] in table:
                 assert value(table[loss["name"]]["loss"]) == loss["power"]
-
-
-@pytest.mark.slow
-def test_the_flow_marks_what_a_convention_divides(zf: Page) -> None:
-    """In gear 6 the clutch E holds P3 as one piece; C and D stand in series with it."""
+    # in gear 6 the clutch E holds P3 as one piece; C and D stand in series with it
     table = zf.table("Power in gear 6")
     marks = {name: row["by convention"].text for name, row in table.items() if row}
     assert {name for name, mark in marks.items() if mark} == {"ring 2", "E", "P3"}
@@ -170,11 +146,11 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["Stick diagram", "Power flow", "Lever diagram"])
-def test_each_gear_has_pictures_of_its_own(zf: Page, kind: str) -> None:
+def test_each_gear_has_pictures_of_its_own(zf: Page) -> None:
     labels = [one.attributes["aria-label"] or "" for one in zf.all("svg")]
-    own = [one for one in labels if one.startswith(f"{kind}, gear") and "small" not in one]
-    assert own == [f"{kind}, gear {gear}" for gear in zf.data["gears"]]
+    for kind in ("Stick diagram", "Power flow", "Lever diagram"):
+        own = [one for one in labels if one.startswith(f"{kind}, gear") and "small" not in one]
+        assert own == [f"{kind}, gear {gear}" for gear in zf.data["gears"]]
 
 
 @pytest.mark.slow
@@ -205,32 +181,24 @@ def test_many_plans_stand_on_several_sheets(zf: Page) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("which", ["zf", "nasty"])
-def test_nothing_comes_from_elsewhere(which: str, request: pytest.FixtureRequest) -> None:
-    shown: Page = request.getfixturevalue(which)
-    for element in shown.elements:
-        assert element.tag not in ("link", "iframe", "object", "embed", "img", "base")
-        for name in ("src", "srcset", "data", "href", "xlink:href", "action"):
-            assert (element.attributes.get(name) or "#").startswith("#")
-    styles = "".join(one.text for one in shown.all("style"))
-    assert "@import" not in styles
-    assert styles.count("url(") == styles.count("url(#")
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("which", ["zf", "nasty"])
-def test_ids_are_unique_and_references_have_their_target(
-    which: str, request: pytest.FixtureRequest
+def test_nothing_comes_from_elsewhere_and_references_have_their_target(
+    zf: Page, nasty: Page
 ) -> None:
-    shown: Page = request.getfixturevalue(which)
-    ids = Counter(one.attributes["id"] for one in shown.elements if "id" in one.attributes)
-    assert set(ids.values()) == {1}
-    for element in shown.elements:
-        for name, text in element.attributes.items():
-            if name == "href":
-                assert (text or "").removeprefix("#") in ids
-            for target in re.findall(r"url\(#(.*?)\)", text or ""):
-                assert target in ids
+    options = (("--gears", "2"), ("--gears", "R,1"), ("--all",))
+    others = [Page(report(CASES / "zf-8hp70.yaml", *some)) for some in options]
+    for shown in (zf, nasty, *others):
+        ids = Counter(one.attributes["id"] for one in shown.elements if "id" in one.attributes)
+        assert set(ids.values()) == {1}
+        for element in shown.elements:
+            assert element.tag not in ("link", "iframe", "object", "embed", "img", "base")
+            for name in ("src", "srcset", "data", "href", "xlink:href", "action"):
+                assert (element.attributes.get(name) or "#").startswith("#")
+            for name, text in element.attributes.items():
+                assert name != "href" or (text or "").removeprefix("#") in ids
+                assert {*re.findall(r"url\(#(.*?)\)", text or "")} <= {*ids}
+        styles = "".join(one.text for one in shown.all("style"))
+        assert "@import" not in styles
+        assert styles.count("url(") == styles.count("url(#")
 
 
 def test_texts_of_the_case_are_shown_as_they_are(nasty: Page) -> None:
@@ -250,9 +218,8 @@ def test_a_load_gives_tables_with_units(nasty: Page) -> None:
     speeds = nasty.table(BY_NAME["speeds_rpm"].title)
     assert value(speeds["<b>in</b>"]["low <1>"]) == 2100
     assert value(speeds["out'"]["low <1>"]) == pytest.approx(2100 / 3.5)
-    assert value(nasty.table("Power in gear low <1>")["D&"]["kW"]) == pytest.approx(
-        2100 * math.pi / 30 * 1.2
-    )
+    power = nasty.table("Power in gear low <1>")["D&"]["kW"]
+    assert value(power) == pytest.approx(2100 * math.pi / 30 * 1.2)
 
 
 def test_the_same_case_gives_the_same_page(tmp_path: Path) -> None:
@@ -267,23 +234,23 @@ def test_the_same_case_gives_the_same_page(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("without_pictures")
-@pytest.mark.parametrize(
-    ("text", "status", "words"),
-    [
+def test_gears_without_numbers_say_why(tmp_path: Path) -> None:
+    for text, status, words in (
         (NEUTRAL, 0, "there is no power to show"),
         (TIED_UP, 1, "Tied up, so there is no power to show"),
         (LOCKED, 0, "with losses: self-locking"),
-    ],
-)
-def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, words: str) -> None:
-    said = vstatics("report", write(tmp_path, text), "-o", tmp_path / "out.html")
-    assert said.status == status
-    shown = Page((tmp_path / "out.html").read_text(encoding="utf-8"))
-    assert any(words in one.text for one in shown.elements if one.tag in ("p", "li"))
-    messages = [one.text for one in shown.all("li") if one.attributes.get("class")]
-    assert messages == shown.data["messages"]
-    ids = {one.attributes.get("id") for one in shown.elements}
-    assert {(one.attributes["href"] or "")[1:] for one in shown.all("a")} <= ids  # no picture leads
+    ):
+        said = vstatics("report", write(tmp_path, text), "-o", tmp_path / "out.html")
+        assert said.status == status
+        shown = Page((tmp_path / "out.html").read_text(encoding="utf-8"))
+        assert any(words in one.text for one in shown.elements if one.tag in ("p", "li"))
+        messages = [one.text for one in shown.all("li") if one.attributes.get("class")]
+        assert messages == shown.data["messages"]
+        ids = {one.attributes.get("id") for one in shown.elements}
+        assert {(one.attributes["href"] or "")[1:] for one in shown.all("a")} <= ids
+    wrong = tmp_path / "wrong.html"
+    assert vstatics("report", write(tmp_path, "links: 3\n"), "-o", wrong).status == 1
+    assert not wrong.exists()
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -304,14 +271,12 @@ def test_a_duty_cycle_is_on_the_page_with_what_is_doubtful_about_it(tmp_path: Pa
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param("ravigneaux-aod.yaml", marks=pytest.mark.slow), "self-locking.yaml"],
-)
-def test_cases_of_every_kind_have_their_page(name: str) -> None:
-    shown = Page(report(CASES / name))
-    assert {**shown.data, "file": name} == json_answer("run", CASES / name)
-    assert shown.all("svg")
+def test_a_page_carries_the_result(zf: Page) -> None:
+    assert {**zf.data, "file": "zf-8hp70.yaml"} == json_answer("run", CASES / "zf-8hp70.yaml")
+    for name in ("ravigneaux-aod.yaml", "self-locking.yaml"):
+        shown = Page(report(CASES / name))
+        assert {**shown.data, "file": name} == json_answer("run", CASES / name)
+        assert shown.all("svg")
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -324,10 +289,6 @@ def test_warnings_of_the_reader_come_with_their_line_and_without_the_file(tmp_pa
     [message] = [one.text for one in Page(said.out).all("li") if "KMZ" in one.text]
     assert message.startswith("warning: line ")
     assert str(tmp_path) not in said.out
-
-
-def test_every_table_has_a_title() -> None:
-    assert all(quantity.title for quantity in QUANTITIES)
 
 
 def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -354,13 +315,6 @@ def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.M
     assert any("not drawn. nothing <moves> [E234]" in one.text for one in shown.all("p"))
 
 
-def test_a_case_in_error_gives_no_page(tmp_path: Path) -> None:
-    said = vstatics("report", write(tmp_path, "links: 3\n"), "-o", tmp_path / "out.html")
-    assert said.status == 1
-    assert not (tmp_path / "out.html").exists()
-
-
-@needs("vehicle")
 @needs("vehicle")
 def test_the_page_of_a_car_has_what_its_vehicle_does() -> None:
     """Top speeds of the summary, wheel force and the speeds of its engine; a box alone has none."""

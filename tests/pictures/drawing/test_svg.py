@@ -9,7 +9,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.commands import CASES
-from tests.pictures.test_charts_on_paper import in_van
+from tests.pictures.test_pictures import in_van
 from tests.shipped import shipped_results
 from vstatics import load, solve
 from vstatics.pictures import drawn_kinds, render

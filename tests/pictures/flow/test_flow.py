@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterator
-from itertools import combinations, pairwise
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Literal
 from xml.etree import ElementTree as ET
@@ -16,10 +16,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path as PlotPath
-from matplotlib.transforms import Bbox
 
 from tests.chance import some
 from tests.commands import LOCKED, NEUTRAL, SHIPPED, TIED_UP
+from tests.pictures.drawn import texts
+from tests.pictures.schemes.test_schemes import overlaps
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
 from vstatics.core.flow.circulation import Node
@@ -65,17 +66,6 @@ def layouts(results: Results) -> list[tuple[PowerFlow, FlowLayout]]:
     ]
 
 
-def texts(figure: Figure) -> dict[str, Bbox]:
-    """Each text and its place, in pixels."""
-    canvas: Any = FigureCanvasAgg(figure)
-    renderer = canvas.get_renderer()
-    drawn = [text for text in figure.texts if text.get_text()]
-    return {
-        f"{number}: {text.get_text()}": text.get_window_extent(renderer)
-        for number, text in enumerate(drawn)
-    }
-
-
 def bands(figure: Figure) -> Iterator[tuple[str, PlotPath]]:
     """What each band says, and its edge, in pixels."""
     drawn = (one for one in figure.artists if isinstance(one, Patch) and one.get_gid())
@@ -97,20 +87,17 @@ def bands(figure: Figure) -> Iterator[tuple[str, PlotPath]]:
 def assert_readable(figure: Figure) -> None:
     """No text covers another or a band, none is cut off."""
     figure.set_dpi(150)
-    boxes = texts(figure)
-    for (one, box), (other, another) in combinations(boxes.items(), 2):
-        assert not box.overlaps(another), f"{one!r} covers {other!r}"
-    for name, box in boxes.items():
-        assert figure.bbox.x0 <= box.x0 < box.x1 <= figure.bbox.x1, name
-        assert figure.bbox.y0 <= box.y0 < box.y1 <= figure.bbox.y1, name
+    assert overlaps(figure) == []
+    canvas: Any = FigureCanvasAgg(figure)
+    ink = canvas.get_renderer()
+    boxes = [(text.get_text(), text.get_window_extent(ink)) for text in figure.texts]
     for band, edge in bands(figure):
-        for name, box in boxes.items():
-            assert not edge.intersects_bbox(box), f"{name!r} stands on {band!r}"
+        for name, box in boxes:
+            assert not name or not edge.intersects_bbox(box), f"{name!r} stands on {band!r}"
 
 
-def drawn(figure: Figure) -> str:
-    """All texts of a figure."""
-    return "\n".join(text.get_text() for text in figure.texts)
+def said_by(figure: Figure) -> str:
+    return "\n".join(texts(figure))
 
 
 def titles(results: Results, gear: int, style: Style | None = None) -> dict[str, str]:
@@ -162,19 +149,14 @@ def test_every_edge_and_every_loop_is_a_band_as_wide_as_its_power(path: Path, st
 
 
 @pytest.mark.parametrize("path", EACH)
-def test_what_is_transmitted_runs_from_left_to_right(path: Path) -> None:
+def test_what_is_transmitted_runs_from_left_to_right_within_the_picture(path: Path) -> None:
     for _, made in layouts(solve(load(path))):
         for line in made.lines:
             forth = all(left < right + 1e-6 for (left, _), (right, _) in pairwise(line.points))
             assert forth is not line.band.back
-
-
-@pytest.mark.parametrize("path", EACH)
-def test_nodes_and_bands_stand_within_the_picture(path: Path) -> None:
-    for _, made in layouts(solve(load(path))):
-        for x, y in (point for line in made.lines for point in line.points):
-            assert 0 <= x <= made.width
-            assert 0 <= y <= made.height
+            for x, y in line.points:
+                assert 0 <= x <= made.width
+                assert 0 <= y <= made.height
         for box in made.boxes:
             assert 0 <= box.left < box.right <= made.width
             assert 0 <= box.top <= box.bottom <= made.height
@@ -200,28 +182,23 @@ def recirculating(load: Load | None = None) -> Transmission:
     return Transmission(3, [], mechanisms, [Gear()], link_names=names, load=load)
 
 
-@pytest.mark.parametrize("dark", [False, True])
-def test_a_loop_tells_its_power_and_its_part_of_the_power_in(dark: bool) -> None:
-    told = drawn(picture(solve(recirculating()), "flow", Style("en", dark), [1]))
-    assert "recirculating power 1.000: 100.0% of the power in" in told
-    assert "set\n2.000" in told
+def test_a_loop_tells_its_power_and_its_part_of_the_power_in() -> None:
+    for is_dark in (False, True):
+        told = said_by(picture(solve(recirculating()), "flow", Style("en", is_dark), [1]))
+        assert "recirculating power 1.000: 100.0% of the power in" in told
+        assert "set\n2.000" in told
 
 
-@pytest.mark.parametrize(
-    ("language", "words"),
-    [
-        ("en", "may be an artefact of the model: D7 and D8 share sun 1 and carrier"),
-        ("ru", "возможно, лишь в модели: у D7 и D8 общие sun 1 и carrier"),
-    ],
-)
-def test_a_loop_that_may_not_be_in_the_metal_says_so(
-    language: Literal["en", "ru"], words: str
-) -> None:
+def test_a_loop_that_may_not_be_in_the_metal_says_so() -> None:
     """Mechanisms that share planets, as the case says of itself."""
-    results = shipped_results("umdm-reduced.yaml")
-    figure = picture(results, "flow", Style(language), [5])
-    assert words in drawn(figure)
-    assert_readable(figure)
+    said: dict[Literal["en", "ru"], str] = {
+        "en": "may be an artefact of the model: D7 and D8 share sun 1 and carrier",
+        "ru": "возможно, лишь в модели: у D7 и D8 общие sun 1 и carrier",
+    }
+    for language, words in said.items():
+        figure = picture(shipped_results("umdm-reduced.yaml"), "flow", Style(language), [5])
+        assert words in said_by(figure)
+        assert_readable(figure)
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])
@@ -240,30 +217,27 @@ def test_what_a_convention_divides_is_marked_and_named(language: Literal["en", "
 def test_with_a_load_powers_are_in_kilowatts_too() -> None:
     """100 N*m at 955 rpm are 955 / 60 * 2 pi * 100 W = 10.0 kW."""
     figure = picture(solve(recirculating(Load(955.0, 100.0))), "flow", Style())
-    assert "set\n2.000\n20.0 kW" in drawn(figure)
-    assert "recirculating power 1.000, 10.0 kW" in drawn(figure)
+    assert "set\n2.000\n20.0 kW" in said_by(figure)
+    assert "recirculating power 1.000, 10.0 kW" in said_by(figure)
     assert_readable(figure)
 
 
-@pytest.mark.parametrize(
-    ("deck", "words"),
-    [
+def test_a_gear_without_power_says_so() -> None:
+    for deck, words in (
         (NEUTRAL, "no flow of power: torques do not balance"),
         (TIED_UP, "no flow of power: tied up"),
         (LOCKED, "self-locking; drawn without losses"),
-    ],
-)
-def test_a_gear_without_power_says_so(deck: str, words: str) -> None:
-    figure = picture(solve(read_yaml(deck.encode(), "case.yaml").case), "flow", Style(), [1])
-    assert words in drawn(figure)
-    assert_readable(figure)
+    ):
+        figure = picture(solve(read_yaml(deck.encode(), "case.yaml").case), "flow", Style(), [1])
+        assert words in said_by(figure)
+        assert_readable(figure)
 
 
 def test_one_gear_alone_is_as_large_as_it_needs_to_be() -> None:
     results = shipped_results("simpson.yaml")
     everything, reverse = (picture(results, "flow", Style(), gears) for gears in ([], [4]))
-    assert "gear R" in drawn(reverse)
-    assert "gear 1" not in drawn(reverse)
+    assert "gear R" in said_by(reverse)
+    assert "gear 1" not in said_by(reverse)
     assert reverse.get_figheight() < everything.get_figheight() / 2
 
 

@@ -11,10 +11,10 @@ from tests.commands import CASES, SHIPPED, json_answer
 from tests.pictures.drawn import texts, titled
 from tests.pictures.flow.test_flow import in_rows
 from tests.shipped import shipped_results
-from vstatics import Results, load, loads, solve
+from vstatics import load, loads, solve
 from vstatics.core.flow.power import flows
 from vstatics.pictures import pages, picture
-from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, WIDE_MARGIN, Style
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.flow.chain import is_chain
 from vstatics.pictures.flow.graph import graph
 
@@ -40,18 +40,6 @@ gears: {straight: {speeds: {FL: 1*FR, FR: 1*RL, RL: 1*RR}}}
 """
 
 
-@pytest.mark.parametrize(
-    "path",
-    [
-        pytest.param(path, marks=() if path == DRIVELINE else pytest.mark.slow, id=path.name)
-        for path in SHIPPED
-    ],
-)
-def test_every_gear_is_as_narrow_as_the_paper(path: Path) -> None:
-    for _, rows in in_rows(solve(load(path)), Style()):
-        assert max(row.width for row in rows) <= PAGE_WIDTH - 2 * WIDE_MARGIN
-
-
 def test_a_band_that_is_cut_goes_on_as_wide_in_another_row() -> None:
     found = 0
     for _, rows in in_rows(solve(load(DRIVELINE)), Style()):
@@ -63,27 +51,21 @@ def test_a_band_that_is_cut_goes_on_as_wide_in_another_row() -> None:
     assert found
 
 
-def test_pages_are_no_larger_than_the_paper() -> None:
-    """All gears are on one of them, by their names."""
+def test_all_gears_are_on_one_of_the_pages_by_their_names() -> None:
+    """Their sizes are measured by tests/pictures/test_pages.py."""
     results = solve(load(DRIVELINE))
     made = pages(results, "flow", "svg", Style(height=PAGE_HEIGHT))
     assert len(made) > 1
-    for svg in made:
-        size = [float(one) for one in re.findall(rb'(?:width|height)="([\d.]+)pt"', svg)[:2]]
-        assert size[0] <= PAGE_WIDTH + 0.01
-        assert size[1] <= PAGE_HEIGHT + 0.01
     assert all(">gear " in svg.decode() for svg in made)
     heads = re.findall(r">gear (\w+)</text>", b"".join(made).decode())
     assert heads == [gear.name for gear in results.case.gears]
 
 
-def chain_texts(results: Results, **style: bool) -> list[str]:
-    return texts(picture(results, "flow", Style(**style)))  # type: ignore[arg-type]
-
-
 def test_a_gear_without_branches_is_a_line_whose_losses_make_up_the_difference() -> None:
     """What enters less all losses is what leaves; nodes stand in the order of the power."""
-    said = chain_texts(solve(loads(CHAIN)))
+    results = solve(loads(CHAIN))
+    figure = picture(results, "flow", Style())
+    said = texts(figure)
     at = said.index("gear high")
     for name, device, words in (("low", "p1", said[:at]), ("high", "p2", said[at:])):
         order = [words.index(one) for one in (f"gear {name}", "in", device, "out")]
@@ -92,6 +74,9 @@ def test_a_gear_without_branches_is_a_line_whose_losses_make_up_the_difference()
         entering, *losses, leaving = numbers
         assert entering + sum(losses) == pytest.approx(leaving, abs=1.6e-3)
         assert min(losses) < 0
+    assert not any("→" in said for said, _ in titled(figure))
+    alone = picture(results, "flow", Style(), [1])  # with bands
+    assert any("→" in said for said, _ in titled(alone))
 
 
 TWO_SPEED_AXLE = """
@@ -112,14 +97,16 @@ gears: {'1': [T-L3], '2': [T-L2]}
     "source", [TWO_SPEED_AXLE, CHAIN, *SHIPPED], ids=lambda one: str(one)[-20:]
 )
 def test_a_line_gives_on_what_it_gets_and_ends_at_the_output(source: Path | str) -> None:
-    """What is behind the output, an open brake that drags, would be a branch."""
+    """What is behind the output would be a branch, as is an open brake of the axle's gear 2."""
     results = solve(loads(source) if isinstance(source, str) else load(source))
     for flow in flows(results):
         if flow.shown is None:
             continue
         drawn = graph(flow.shown)
         if not is_chain(flow, drawn):
+            assert source != CHAIN
             continue
+        assert source != TWO_SPEED_AXLE
         order = sorted(range(len(drawn.runs)), key=lambda place: drawn.layers[place])
         nodes = [node for place in order for node in drawn.runs[place]]
         assert [port.enters for port in drawn.ports[nodes[0]]] == [True]
@@ -129,20 +116,6 @@ def test_a_line_gives_on_what_it_gets_and_ends_at_the_output(source: Path | str)
             assert drawn.through(node) == pytest.approx(power, abs=1e-9)
             power -= drawn.losses.get(node, 0.0)
         assert power == pytest.approx(flow.shown.leaving, abs=1e-9)
-
-
-def test_a_brake_that_drags_behind_the_output_is_drawn() -> None:
-    """In gear 2 the first set drives the axle, and the second turns an open brake beside it."""
-    results = solve(loads(TWO_SPEED_AXLE))
-    drawn = [graph(flow.shown) for flow in flows(results) if flow.shown]
-    assert len(drawn) == 2
-    assert not any(map(is_chain, flows(results), drawn))
-
-
-def test_a_gear_by_itself_is_drawn() -> None:
-    alone = picture(solve(loads(CHAIN)), "flow", Style(), [1])
-    assert any("→" in said for said, _ in titled(alone))
-    assert not any("→" in said for said, _ in titled(picture(solve(loads(CHAIN)), "flow", Style())))
 
 
 def test_the_sum_of_what_circulates_is_told_where_there_are_several_loops() -> None:

@@ -34,39 +34,33 @@ def test_a_link_that_stands_in_a_gear_has_its_ray() -> None:
 
 def test_it_needs_no_case(tmp_path: Path) -> None:
     file = tmp_path / "plan.svg"
-    said = vstatics("plot", "--kind", "plan", "--ratios", "2.6,1.7,-4", "-o", file)
+    asked = ("plot", "--kind", "plan", "-o", file, "--ratios")
+    said = vstatics(*asked, "2.6,1.7,-4")
     assert (said.status, said.all) == (0, "")
     assert "Ratios 2.6, 1.7, -4" in file.read_text(encoding="utf-8")
-    assert (
-        vstatics("plot", "-k", "plan", "--ratios", "2.6,-4", "--lang", "ru", "-o", file).status == 0
-    )
+    assert vstatics(*asked, "2.6,-4", "--lang", "ru").status == 0
     russian = file.read_text(encoding="utf-8")
     assert "Передаточные отношения 2.6, -4" in russian
     assert not {"input", "output"} & {*re.findall(r">(\w+)<", russian)}
 
 
-@pytest.mark.parametrize(
-    ("options", "why"),
-    [
-        ("--kind plan --ratios 2,0", "read 0, expected a ratio from 1e-6 to 1e6 in size"),
-        ("--kind plan --ratios 2,-inf", "read -inf, expected a ratio from 1e-6 to 1e6 in size"),
-        ("--kind plan --ratios 2,3,2", "read 2 again, expected each ratio once"),
-        ("--kind plan --ratios 2,x", "read 'x', expected ratios of gears such as 2.6,1.7,-4"),
-        (f"{CASES / 'umdm.yaml'} --kind plan --ratios 2", "--ratios: expected no case"),
-        ("--kind lever --ratios 2", "--ratios: only a plan follows from ratios alone"),
-        ("--kind lever", "Missing argument 'CASE...'."),
-        ("--kind plan --ratios 2 --coast", "--from, --coast, --unloaded: only a case has them"),
-        (
-            "s.csv --kind curves --unloaded exact",
-            "--from, --coast, --unloaded: only a case has them",
-        ),
-        pytest.param(
-            f"{CASES / 'umdm.yaml'} --kind sawtooth --drive",
-            "--coast: a vehicle is drawn at full",
-            marks=needs("vehicle"),
-        ),
-    ],
-)
-def test_what_is_no_plan(options: str, why: str) -> None:
-    said = vstatics("plot", *options.split(), "-o", "plan.svg")
-    assert said.is_wrong_use(why)
+def test_what_is_no_plan() -> None:
+    umdm, of_a_case = CASES / "umdm.yaml", "--from, --coast, --unloaded: only a case has them"
+    for options, why in {
+        "-k plan --ratios 2,0": "read 0, expected a ratio from 1e-6 to 1e6 in size",
+        "-k plan --ratios 2,-inf": "read -inf, expected a ratio from 1e-6 to 1e6 in size",
+        "-k plan --ratios 2,3,2": "read 2 again, expected each ratio once",
+        "-k plan --ratios 2,x": "read 'x', expected ratios of gears such as 2.6,1.7,-4",
+        f"{umdm} -k plan --ratios 2": "--ratios: expected no case",
+        "-k lever --ratios 2": "--ratios: only a plan follows from ratios alone",
+        "-k lever": "Missing argument 'CASE...'.",
+        "-k plan --ratios 2 --coast": of_a_case,
+        "s.csv -k curves --unloaded exact": of_a_case,
+    }.items():
+        assert vstatics("plot", *options.split(), "-o", "plan.svg").is_wrong_use(why), options
+
+
+@needs("vehicle")
+def test_a_vehicle_is_drawn_at_full_load() -> None:
+    said = vstatics("plot", CASES / "umdm.yaml", "-k", "sawtooth", "--drive", "-o", "plan.svg")
+    assert said.is_wrong_use("--coast: a vehicle is drawn at full")

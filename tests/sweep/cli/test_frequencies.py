@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
-import openpyxl
 import pytest
 
-from tests.commands import Said, json_answer, vstatics
+from tests.commands import json_answer, vstatics
 
 CASE = """\
 links: [engine, disc, wheel]
@@ -26,56 +24,13 @@ def _case(folder: Path) -> None:
     (folder / "box.yaml").write_text(CASE, encoding="utf-8")
 
 
-def frequencies() -> list[float]:
-    """As `torsion modes` tells them."""
-    [gear] = json_answer("torsion", "modes", "box.yaml")["gears"]
-    return [mode["omega"] for mode in gear["modes"]]
-
-
 def test_the_numbers_are_those_of_torsion_modes() -> None:
-    low, high = frequencies()
-    said = vstatics(
-        "sweep", "box.yaml", "--vary", "damper.compliance=84e-5", "--out", OMEGA, "-f", "jsonl"
-    )
-    row = said.json
+    [gear] = json_answer("torsion", "modes", "box.yaml")["gears"]
+    low, high = (mode["omega"] for mode in gear["modes"])
+    asked = ("--vary", "damper.compliance=84e-5", "--out", OMEGA)
+    row = vstatics("sweep", "box.yaml", *asked, "-f", "jsonl").json
     assert row["omega[1,1]"] == pytest.approx(low, rel=1e-11)
     assert row["omega[2,1]/omega[1,1]"] == pytest.approx(high / low, rel=1e-11)
-
-
-@pytest.mark.parametrize("form", ["csv", "npz", "parquet", "xlsx", "md"])
-def test_every_format_with_any_number_of_jobs(form: str) -> None:
-    pytest.importorskip("pyarrow")
-    vary = "damper.stiffness=0:2000:5", "--vary", "disc.inertia=0,0.01"
-    for jobs in (1, 2):
-        said = vstatics(
-            "sweep",
-            "box.yaml",
-            "--vary",
-            *vary,
-            "--out",
-            OMEGA,
-            "--jobs",
-            jobs,
-            "-o",
-            f"{jobs}.{form}",
-        )
-        assert said.status == 0
-        assert "10 rows of 10 variants (2 invalid)" in said.err
-    if form != "xlsx":  # which has the time in it
-        assert Path(f"1.{form}").read_bytes() == Path(f"2.{form}").read_bytes()
-
-
-def test_npz_and_a_workbook_hold_the_numbers() -> None:
-    vary = ("sweep", "box.yaml", "--vary", "damper.stiffness=500,1000", "--out", "omega[1]")
-    assert vstatics(*vary, "-o", "out.npz").status == 0
-    assert vstatics(*vary, "-o", "out.xlsx").status == 0
-    with np.load("out.npz") as made:
-        assert made["damper.stiffness"].tolist() == [500, 1000]
-        omegas = made["omega[1,1]"].tolist()
-    sheet = openpyxl.load_workbook("out.xlsx").active
-    assert sheet is not None
-    rows = list(sheet.iter_rows(values_only=True))
-    assert [row[-1] for row in rows[-2:]] == pytest.approx(omegas)
 
 
 def test_a_table_of_variants_and_a_sweep_file() -> None:
@@ -94,16 +49,6 @@ def test_a_table_of_variants_and_a_sweep_file() -> None:
     assert wrong.fails("own.csv:1:7: error: read `inertai`, expected `inertia`")
 
 
-def test_the_best_and_a_condition() -> None:
-    """The ratio of the frequencies falls as the damper gets stiffer."""
-    said = vstatics(
-        "sweep", "box.yaml", "--vary", "damper.stiffness=200:2000:10", "--out", OMEGA,
-        "--where", "omega[1,1] > 60", "--max", "omega[2,1]/omega[1,1]", "--best", 1,
-    )  # fmt: skip
-    [row] = said.out.splitlines()[1:]
-    assert row.startswith("2,600,ok,64.")
-
-
 HELD = """\
 links: 3
 inertias: {1: 1, 3: 1}
@@ -114,19 +59,13 @@ mechanisms: {pair: {first: 1, second: 2, third: housing, ratio: -2}}
 """The brake B holds the second wheel, and so the input."""
 
 
-def swept(gear: str) -> Said:
-    Path("held.yaml").write_text(f"{HELD}gears: {{low: {gear}}}\n", encoding="utf-8")
-    return vstatics("sweep", "held.yaml", "--vary", "s.stiffness=1,4", "--out", "omega")
-
-
-def test_a_gear_whose_input_is_held_vibrates() -> None:
+def test_a_gear_whose_input_is_held_vibrates_and_one_without_motion_does_not() -> None:
     """One mass of 1 kg*m^2 on the spring: the square root of its stiffness."""
-    said = swept("[B]")
-    assert (said.status, said.out.splitlines()[1:]) == (0, ["0,1,ok,1", "1,4,ok,2"])
-
-
-def test_no_variant_can_move() -> None:
-    said = swept("[B, P]")
-    assert said.status == 1
-    assert said.out.splitlines()[1:] == ["0,1,tied up,", "1,4,tied up,"]
-    assert "no variant has a solution" in said.err
+    for gear, rows in (
+        ("[B]", ["0,1,ok,1", "1,4,ok,2"]),
+        ("[B, P]", ["0,1,tied up,", "1,4,tied up,"]),
+    ):
+        Path("held.yaml").write_text(f"{HELD}gears: {{low: {gear}}}\n", encoding="utf-8")
+        said = vstatics("sweep", "held.yaml", "--vary", "s.stiffness=1,4", "--out", "omega")
+        assert said.out.splitlines()[1:] == rows
+        assert said.status == ("no variant has a solution" in said.err) == (gear != "[B]")

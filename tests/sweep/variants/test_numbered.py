@@ -57,23 +57,16 @@ def problems_of(made: Any, *texts: str) -> list[Problem]:
     return caught.value.problems
 
 
-@pytest.mark.parametrize("made", [VariantGrid, Zip])
-def test_what_does_not_go_together(made: Any) -> None:
-    (problem,) = problems_of(made, "D1.ratio=1,2", "2.ratio=1,2", "#1.ratio=3,4")
-    assert problem.message == "D1.ratio is varied twice, expected each number once"
-    assert problem.place == Place("--vary", 1, 1, "#1.ratio=3,4")
-    (problem,) = problems_of(made, "D1.ratio=1,2", "2.ratio=1:2")
-    assert "such as 1:2:5 for five values, or --sample N" in problem.message
-    assert problem.place == Place("--vary", 1, 1, "2.ratio=1:2")
-
-
-def test_nothing_but_an_empty_list() -> None:
+def test_what_does_not_go_together() -> None:
     for made in (VariantGrid, Zip):
+        (problem,) = problems_of(made, "D1.ratio=1,2", "2.ratio=1,2", "#1.ratio=3,4")
+        assert problem.message == "D1.ratio is varied twice, expected each number once"
+        assert problem.place == Place("--vary", 1, 1, "#1.ratio=3,4")
+        (problem,) = problems_of(made, "D1.ratio=1,2", "2.ratio=1:2")
+        assert "such as 1:2:5 for five values, or --sample N" in problem.message
+        assert problem.place == Place("--vary", 1, 1, "2.ratio=1:2")
         with pytest.raises(ReadError, match=r"D2\.ratio has no values, expected at least one"):
             made(variations([1], []))
-
-
-def test_pairs_need_equally_many_values() -> None:
     first, second = problems_of(Zip, "D1.ratio=1,2", "2.ratio=1:2:3", "D1.efficiency=1")
     assert first.message == (
         "D.2=x.ratio has 3 values, but D1.ratio has 2: pairs need the same number of values"

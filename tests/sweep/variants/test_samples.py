@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.sweep.sweeps import in_parts, variations
-from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.errors import CaseError
 from vstatics.core.numerics.steps import Steps
 from vstatics.sweep.variants import samples
 from vstatics.sweep.variants.samples import METHODS, Method, Sample
@@ -34,11 +34,9 @@ def test_a_sample_is_the_same_in_any_blocks(
 def test_the_seed_decides(method: Method) -> None:
     sample = Sample(UNIT, 100, method, 1)
     whole = sample.block(0, 100)
-    assert np.array_equal(Sample(UNIT, 100, method, 1).block(0, 100), whole)
     assert not np.isin(Sample(UNIT, 100, method, 2).block(0, 100), whole).any()
-    assert np.array_equal(
-        Sample(UNIT, 9, method).block(0, 9), Sample(UNIT, 9, method, 0).block(0, 9)
-    )
+    unseeded, first = Sample(UNIT, 9, method), Sample(UNIT, 9, method, 0)
+    assert np.array_equal(unseeded.block(0, 9), first.block(0, 9))
     copy = pickle.loads(pickle.dumps(sample))  # noqa: S301
     assert np.array_equal(copy.block(50, 60), whole[50:60])
     assert whole.flags.f_contiguous
@@ -47,29 +45,16 @@ def test_the_seed_decides(method: Method) -> None:
 @pytest.mark.parametrize("seed", [0, 7])
 @pytest.mark.parametrize("dimensions", [1, 3, 40])
 def test_sobol_is_scipys(dimensions: int, seed: int) -> None:
-    """To the bit, from any point of the sequence on."""
-    sample = Sample(variations(*[Span(0.0, 1.0)] * dimensions), 2**20, "sobol", seed)
+    """To the bit, from any point of the sequence on, and at its end."""
+    spans = variations(*[Span(0.0, 1.0)] * dimensions)
+    sample = Sample(spans, 2**20, "sobol", seed)
     engine = qmc.Sobol(dimensions, rng=np.random.default_rng(seed))
     assert np.array_equal(sample.block(0, 2**14), engine.random(2**14))
     for start, stop in ((65_530, 65_541), (200_001, 300_000), (2**20 - 1, 2**20)):
         engine.reset().fast_forward(start)
         assert np.array_equal(sample.block(start, stop), engine.random(stop - start))
-
-
-def test_sobol_is_even_in_all_numbers_at_once() -> None:
-    """Its discrepancy is far below that of random numbers; both by scipy's measure."""
-    even, plain = (
-        qmc.discrepancy(Sample(UNIT, 1024, method, 1).block(0, 1024))
-        for method in ("sobol", "random")
-    )
-    assert even < plain / 10
-
-
-def test_the_end_of_sobols_sequence_is_reached_at_once() -> None:
-    sample = Sample(variations(Span(0.0, 1.0)), 2**20 + 2, "sobol")
-    engine = qmc.Sobol(1, rng=np.random.default_rng(0))
-    engine.fast_forward(2**20)
-    assert np.array_equal(sample.block(2**20, 2**20 + 2), engine.random(2))
+    longer = Sample(spans, 2**20 + 2, "sobol", seed)
+    assert np.array_equal(longer.block(2**20, 2**20 + 2), engine.random(2))
 
 
 @pytest.mark.parametrize("count", [1, 10, 1000])
@@ -86,12 +71,6 @@ def test_a_latin_hypercube_is_scipys_and_has_each_variant_in_a_stratum_of_its_ow
 def test_random_numbers_are_numpys_row_by_row() -> None:
     generator = np.random.Generator(np.random.PCG64(3))
     assert np.array_equal(Sample(UNIT, 50, "random", 3).block(0, 50), generator.random((50, 3)))
-
-
-@pytest.mark.parametrize("method", ["sobol", "random"])
-def test_a_larger_sample_begins_with_the_smaller(method: Method) -> None:
-    small, large = Sample(UNIT, 100, method, 1), Sample(UNIT, 10**6, method, 1)
-    assert np.array_equal(small.block(0, 100), large.block(0, 100))
 
 
 @given(methods, st.floats(-1e308, 1e308), st.floats(-1e308, 1e308), st.integers(0, 99))
@@ -114,9 +93,8 @@ def test_each_value_of_a_list_is_picked_as_often() -> None:
     assert np.unique(sample, return_counts=True)[1].tolist() == [16] * 4
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
+def test_what_cannot_be_sampled() -> None:
+    wrong: list[tuple[tuple[Any, ...], str]] = [
         ((UNIT, 0), "read a sample of 0 variants, expected at least 1"),
         ((UNIT, 2**63, "random"), "fewer than 2**63"),
         ((UNIT, 2**30 + 1, "sobol"), "has 1073741824 (2**30); use fewer, or the method `random`"),
@@ -124,22 +102,16 @@ def test_each_value_of_a_list_is_picked_as_often() -> None:
         ((UNIT, 5, "random", -1), "read the seed -1, expected 0 or above"),
         (([], 5, "random"), "nothing is varied"),
         ((variations(*[Span(0.0, 1.0)] * 21202), 5, "sobol"), "has 21201; use"),
-    ],
-)
-def test_what_cannot_be_sampled(arguments: tuple[Any, ...], words: str) -> None:
-    with pytest.raises(CaseError) as caught:
-        Sample(*arguments)
-    assert words in str(caught.value)
-
-
-def test_the_limits_themselves_are_allowed() -> None:
+        ((UNIT[:1] * 2, 5), "D1.ratio is varied twice"),
+    ]
+    for arguments, words in wrong:
+        with pytest.raises(CaseError) as caught:
+            Sample(*arguments)
+        assert words in str(caught.value)
     assert Sample(UNIT, 2**63 - 1, "random").block(2**63 - 2, 2**63 - 1).shape == (1, 3)
     assert Sample(UNIT, 2**30, "sobol").count == 2**30
-
-
-def test_nothing_is_sampled_twice() -> None:
-    with pytest.raises(ReadError, match=r"D1\.ratio is varied twice"):
-        Sample(UNIT[:1] * 2, 5)
+    with pytest.raises(CaseError, match="does not fit into memory"):
+        Sample(UNIT, 2**50, "lhs").block(0, 1)
 
 
 def test_without_scipy_random_numbers_are_left(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -147,8 +119,3 @@ def test_without_scipy_random_numbers_are_left(monkeypatch: pytest.MonkeyPatch) 
     with pytest.raises(CaseError, match="needs scipy: install it, or use the method `random`"):
         Sample(UNIT, 5)
     assert Sample(UNIT, 5, "random").block(0, 5).shape == (5, 3)
-
-
-def test_a_hypercube_that_memory_cannot_hold() -> None:
-    with pytest.raises(CaseError, match="does not fit into memory"):
-        Sample(UNIT, 2**50, "lhs").block(0, 1)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import io
-import multiprocessing
 import os
 import pickle
 import subprocess
@@ -42,11 +41,6 @@ def read(data: bytes | str, folder: Path | None = None) -> VariantTable:
         return read_table(io.BytesIO(encoded), "own.csv", CASE)
 
 
-def rows(data: bytes | str) -> list[list[float]]:
-    table = read(data)
-    return [list(row) for row in table.block(0, table.count).tolist()]
-
-
 def refusal(data: bytes | str) -> list[tuple[int, int, str]]:
     with pytest.raises(ReadError) as caught:
         read(data)
@@ -66,9 +60,9 @@ def spooled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
+def test_a_table_as_people_write_it() -> None:
+    """The same rows with other ends of lines, separators, quotes, blanks, and a note."""
+    for text in (
         "D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97\n",
         "D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97",
         "D1.ratio,D1.efficiency\r\n-2.5,.96\r\n-3,0.97\r\n",
@@ -81,30 +75,18 @@ def spooled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
         "D1.ratio,variant,D1.efficiency\n-2.5,first one,.96\n-3,,0.97\n",
         "D1.ratio,D1.efficiency\n\n-5/2,.96\n  \n-3,97/100\n\n",
         "D1.ratio,D1.efficiency\n-25E-1,96e-2\n-3,0.97\n",
-    ],
-)
-def test_a_table_as_people_write_it(text: str) -> None:
-    table = read(text)
-    assert [target.name for target in table.targets] == ["D1.ratio", "D1.efficiency"]
-    assert table.block(0, table.count).tolist() == [[-2.5, 0.96], [-3, 0.97]]
+    ):
+        table = read(text)
+        assert [target.name for target in table.targets] == ["D1.ratio", "D1.efficiency"]
+        assert table.block(0, table.count).tolist() == [[-2.5, 0.96], [-3, 0.97]], text
+    table = read('1.ratio,"D.2=x.ratio",D1.efficiency\n3,0,1\n')  # 0 is left to the result
+    assert [one.owner for one in table.targets if isinstance(one, Target)] == [2, 1, 0]
+    assert table.block(0, 1).tolist() == [[3, 0, 1]]
 
 
-def test_columns_stand_in_any_order_and_names_may_be_odd() -> None:
-    table = read('1.ratio,"D.2=x.ratio",D1.efficiency\n3,2,1\n')
-    owners = [one.owner for one in table.targets if isinstance(one, Target)]
-    assert owners == [2, 1, 0]
-    assert table.block(0, 1).tolist() == [[3, 2, 1]]
-    assert rows("D1.ratio\n-2\n-3\n") == [[-2], [-3]]
-
-
-def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
-    """A variant that is none becomes a row marked so; see STATUS in chunk.py."""
-    assert rows("D1.ratio\n0\n1\n") == [[0], [1]]
-
-
-@pytest.mark.parametrize(
-    ("text", "line", "column", "words"),
-    [
+def test_what_is_wrong_is_told_with_its_place() -> None:
+    unknown = "D1.ratio: read `x`, expected a number or a calculation such as -96/39"
+    for text, line, column, words in (
         ("", 1, 1, "read an empty line, expected names such as D1.ratio"),
         ("\n1\n", 2, 1, "expected a mechanism"),
         ("D1.ratio\n", 0, 0, "the table has no variant, expected a line of numbers"),
@@ -130,36 +112,28 @@ def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
         ("D1.ratio\n1\n1e999\n", 3, 1, "expected a smaller number"),
         ("D1.ratio\n1\r2\n", 2, 1, "expected a number"),
         ("D1.ratio\n# 1\n2\n", 2, 1, "read `# 1`"),
-        ("D1.ratio\n\n\n1\n\nx\n", 6, 1, "read `x`"),
-    ],
-)
-def test_what_is_wrong_is_told_with_its_place(
-    text: str, line: int, column: int, words: str
-) -> None:
-    ((found_line, found_column, message),) = refusal(text)
-    assert words in message
-    assert (found_line, found_column) == (line, column)
+        ("D1.ratio\n" + "".join(f"{n}\n\n" for n in range(500)) + "x\n", 1002, 1, unknown),
+        ("D1.ratio\n-2\n".encode("utf-16"), 1, 1, "not UTF-8; save the table as CSV in UTF-8"),
+        ("D1.ratio\n-2\n-3 é\n".encode("latin-1"), 3, 4, "the file is not UTF-8; save the table"),
+        (b"PK\3\4\x14\0\6\0" + b"\xff" * 100, 1, 1, "read a zero byte, so this is not a text"),
+    ):
+        ((found_line, found_column, message),) = refusal(text)
+        assert words in message, text
+        assert (found_line, found_column) == (line, column), text
 
 
-def test_all_that_is_wrong_is_told() -> None:
+def test_all_that_is_wrong_is_told_up_to_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     told = refusal("D1.ratio,1.ratio\nx,y\n1,2\n3\n")
     assert [place[:2] for place in told] == [(2, 1), (2, 3), (4, 2)]
     told = refusal("D9.ratio,D1.ratio,D8.ratio\n")
     assert [place[:2] for place in told] == [(1, 1), (1, 19)]
     assert len(refusal("D1.ratio\n" + "x\n" * 10_000)) == 100
     assert len(refusal("x," * 10_000 + "D1.ratio\n1\n")) == 100
-
-
-@pytest.mark.parametrize(
-    ("data", "place"),
-    [
-        ("D1.ratio\n-2\n".encode("utf-16"), (1, 1)),
-        ("D1.ratio\n-2\n-3 é\n".encode("latin-1"), (3, 4)),
-    ],
-)
-def test_other_encodings_are_refused(data: bytes, place: tuple[int, int]) -> None:
-    told = refusal(data)
-    assert told[0] == (*place, "the file is not UTF-8; save the table as CSV in UTF-8")
+    monkeypatch.setattr(tables, "_LONGEST", 1000)
+    monkeypatch.setattr(tables, "_PIECE", 64)
+    ((line, column, message),) = refusal("D1.ratio\n" + "1" * 5000)
+    assert (line, column) == (2, 1)
+    assert "longer than 1000 bytes" in message
 
 
 @pytest.mark.parametrize("suffix", ["csv", "parquet", "xlsx", "npz", "jsonl"])
@@ -192,29 +166,6 @@ def test_rows_that_pandas_numbers_and_a_note(tmp_path: Path) -> None:
         ReadError, match=r"read `note`.*leave out columns that are not numbers of the case"
     ):
         load_table(str(tmp_path / "own.parquet"), CASE)
-
-
-def test_a_workbook_is_no_table_and_not_shown() -> None:
-    told = refusal(b"PK\3\4\x14\0\6\0" + b"\xff" * 100)
-    assert told == [
-        (1, 1, "read a zero byte, so this is not a text; save the table as CSV in UTF-8")
-    ]
-
-
-def test_a_file_of_one_line_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tables, "_LONGEST", 1000)
-    monkeypatch.setattr(tables, "_PIECE", 64)
-    ((line, column, message),) = refusal("D1.ratio\n" + "1" * 5000)
-    assert (line, column) == (2, 1)
-    assert "longer than 1000 bytes" in message
-
-
-def test_the_line_is_right_in_any_piece(spooled: Path) -> None:
-    text = "D1.ratio\n" + "".join(f"{number}\n\n" for number in range(500))
-    assert refusal(text + "x\n") == [
-        (1002, 1, "D1.ratio: read `x`, expected a number or a calculation such as -96/39")
-    ]
-    assert not list(spooled.iterdir())
 
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
@@ -259,6 +210,10 @@ def test_a_large_table_lies_in_a_temporary_file(spooled: Path) -> None:
     assert not list(spooled.iterdir())
     with pytest.raises(ReadError, match="temporary copy of the table cannot be read: No such file"):
         table.block(0, 1)
+    table = read(BIG, spooled)
+    assert len(list(spooled.iterdir())) == 1
+    del table
+    assert not list(spooled.iterdir())
 
 
 def test_the_digest_is_that_of_the_numbers(spooled: Path) -> None:
@@ -279,25 +234,6 @@ def test_copies_read_the_same_file_and_leave_it(spooled: Path) -> None:
         assert len(list(spooled.iterdir())) == 1
         part = pickle.loads(pickle.dumps(VariantPart(table, 100, 110)))  # noqa: S301
     assert np.array_equal(part.block(102, 104), EXPECTED[102:104])
-
-
-@pytest.mark.parametrize("method", ["spawn", "forkserver"])
-def test_other_processes_read_it(spooled: Path, method: str) -> None:
-    if method not in multiprocessing.get_all_start_methods():
-        pytest.skip(f"there is no {method} here")
-    with contextlib.closing(read(BIG, spooled)) as table:
-        with multiprocessing.get_context(method).Pool(1) as pool:
-            assert np.array_equal(pool.apply(table.block, (3, 6)), EXPECTED[3:6])
-            pool.close()
-            pool.join()
-        assert np.array_equal(table.block(3, 6), EXPECTED[3:6])
-
-
-def test_the_file_goes_with_its_owner(spooled: Path) -> None:
-    table = read(BIG, spooled)
-    assert len(list(spooled.iterdir())) == 1
-    del table
-    assert not list(spooled.iterdir())
 
 
 def test_the_file_goes_with_the_process(tmp_path: Path) -> None:
@@ -323,15 +259,18 @@ def test_a_file_that_was_cut_off_is_noticed(spooled: Path) -> None:
             table.block(0, 200)
 
 
-def test_a_folder_that_cannot_be_written(spooled: Path) -> None:
-    with pytest.raises(ReadError) as caught:
+def test_tables_that_are_refused_leave_no_file(spooled: Path) -> None:
+    with pytest.raises(ReadError, match=r"own\.csv:202:3: error: D1\.ratio: read `x`"):
+        read(BIG + "0,x,1\n", spooled)
+    assert not list(spooled.iterdir())
+    cannot = r"temporary files: error: the temporary copy of the table cannot be written: No such"
+    with pytest.raises(ReadError, match=rf"{cannot}.*set TMPDIR to another folder"):
         read(BIG, spooled / "nowhere")
-    message = str(caught.value)
-    assert (
-        "temporary files: error: the temporary copy of the table cannot be written: No such"
-        in message
-    )
-    assert "set TMPDIR to another folder" in message
+    with pytest.raises(ReadError) as caught:
+        load_table(str(spooled / "other.csv"), CASE)
+    (problem,) = caught.value.problems
+    assert problem.message == "cannot be read: No such file or directory"
+    assert problem.place == Place(str(spooled / "other.csv"), 0, 0)
 
 
 def test_a_full_disk_leaves_no_file(spooled: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -344,20 +283,3 @@ def test_a_full_disk_leaves_no_file(spooled: Path, monkeypatch: pytest.MonkeyPat
     with pytest.raises(ReadError, match="cannot be written: No space left on device; make room"):
         spool.write(EXPECTED)
     assert not list(spooled.iterdir())
-
-
-def test_a_fault_far_down_leaves_no_file(spooled: Path) -> None:
-    with pytest.raises(ReadError, match=r"own\.csv:202:3: error: D1\.ratio: read `x`"):
-        read(BIG + "0,x,1\n", spooled)
-    assert not list(spooled.iterdir())
-
-
-def test_a_file_of_that_name(tmp_path: Path) -> None:
-    file = tmp_path / "own.csv"
-    file.write_text(BIG, encoding="utf-8")
-    assert load_table(str(file), CASE).count == 200
-    with pytest.raises(ReadError) as caught:
-        load_table(str(tmp_path / "other.csv"), CASE)
-    (problem,) = caught.value.problems
-    assert problem.message == "cannot be read: No such file or directory"
-    assert problem.place == Place(str(tmp_path / "other.csv"), 0, 0)

@@ -31,9 +31,8 @@ CASE = Transmission(
 ELASTIC = "C, 1, input shaft, tyre"
 
 
-@pytest.mark.parametrize(
-    ("text", "name", "owner", "quantity"),
-    [
+def test_a_number_is_named_as_the_case_names_it() -> None:
+    for text, name, owner, quantity in (
         ("C.stiffness", "C.stiffness", 0, "stiffness"),
         ("tyre.compliance", "tyre.compliance", 5, "compliance"),
         (' "input shaft".damping ', "input shaft.damping", 4, "damping"),
@@ -43,65 +42,67 @@ ELASTIC = "C, 1, input shaft, tyre"
         ("#5.stiffness", "input shaft.stiffness", 4, "stiffness"),
         ("#1.ratio", "P.ratio", 0, "ratio"),
         ("engine.inertia", "engine.inertia", 0, "inertia"),
-        ("ring.inertia", "ring.inertia", 2, "inertia"),
         ("P.x.inertia", "P.x.inertia", 3, "inertia"),
         ("2.inertia", "sun.inertia", 1, "inertia"),
         ("#4.inertia", "P.x.inertia", 3, "inertia"),
-    ],
-)
-def test_a_number_is_named_as_the_case_names_it(
-    text: str, name: str, owner: int, quantity: str
-) -> None:
-    assert target(text, CASE) == (name, owner, quantity)
+    ):
+        assert target(text, CASE) == (name, owner, quantity)
 
 
-@pytest.mark.parametrize(
-    ("text", "column", "words"),
-    [
+def assert_told(column: int, words: str, vary: str, out: str) -> None:
+    """Check the one problem of a sweep: its place in `vary`, or else in `out`, and its words."""
+    with pytest.raises(ReadError) as caught:
+        sweep(CASE, vary, out=out)
+    [problem] = caught.value.problems
+    assert words in problem.message
+    assert problem.place is not None
+    text = vary if problem.place.file == "vary" else out
+    assert (problem.place.column, problem.place.text) == (column, text)
+
+
+def test_what_is_wrong_is_told_with_its_column() -> None:
+    for text, column, words in (
         ("P.stiffness=1", 1, "`P` has no `stiffness` in the case: give it one, so that it can"),
         ("#2.damping=1", 1, "`#2` has no `stiffness`"),
         ("#7.stiffness=1", 1, "read `#7`, expected the number of a component, #1 to #6"),
-        (
-            "tire.stiffness=1",
-            1,
-            f"no elastic component `tire`, expected one of {ELASTIC}; did you mean",
-        ),
+        ("tire.stiffness=1", 1, f"no elastic component `tire`, expected one of {ELASTIC}; did you"),
         ("engin.inertia=1", 1, "there is no link `engin`, expected one of engine, sun, ring, P.x;"),
         ("#9.inertia=1", 1, "expected the number of a link, #1 to #4"),
         ("tyre.stifness=1", 6, "expected `stiffness`, `compliance` or `damping`; did you mean `st"),
         ("sun.inerta=1", 5, "read `inerta`, expected `inertia`; did you mean `inertia`?"),
         ("P.stifness=1", 3, "read `stifness`, expected `ratio` or `efficiency`"),
         ("tyre.damping=1", 1, "`tyre` is damped by a ratio or loss factor: give N*m*s/rad to vary"),
-        (
-            "tyre=1",
-            1,
-            "or an elastic component, then `.stiffness`, `.compliance` or `.damping`; or a",
-        ),
+        ("tyre=1", 1, "or an elastic component, then `.stiffness`, `.compliance` or `.damping`; o"),
         ("tyre=1", 1, "link, then `.inertia`; did you mean `tyre"),
         ("tyre.stiffness=0:x:3", 18, "read `x`, expected a number"),
-    ],
-)
-def test_what_is_wrong_is_told_with_its_column(text: str, column: int, words: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        sweep(CASE, text, out="omega[1,1]")
-    [problem] = caught.value.problems
-    assert words in problem.message
-    assert problem.place is not None
-    assert (problem.place.file, problem.place.column, problem.place.text) == (
-        "vary",
-        column,
-        text,
-    )
+    ):
+        assert_told(column, words, text, "omega[1,1]")
+    for out, column, words in (
+        ("omega[0,1]", 7, "read `0`, expected the number of a mode, 1 to 4"),
+        ("omega[tyre,1]", 7, "read `tyre`, expected the number of a mode"),
+        ("omega[5]", 7, "read `5`, expected the number of a mode, 1 to 4"),
+        ("omega[1,9]", 9, "there is no gear `9`"),
+        ("omega[1,1,1]", 11, "read too many parts, expected omega[mode, gear]"),
+        ("omga[1]", 1, "there is no table `omga`; did you mean `omega`?"),
+        ("omega*speeds", 6, "`omega` has one value per mode and `speeds` one per link"),
+    ):
+        assert_told(column, words, "tyre.stiffness=1", out)
+    with pytest.raises(ReadError, match="`omega > 1` has one value per mode and gear: pick a mode"):
+        sweep(CASE, "tyre.stiffness=1", where="omega > 1")
 
 
 def test_a_case_without_vibration_has_no_such_numbers() -> None:
     for text, words in (
         ("D.stiffness", "the case has nothing that is elastic, so there is no stiffness to vary"),
         ("1.inertia", "the case has no inertias, and nothing that is elastic, so there is no"),
-        ("D.ratoi", "expected `ratio` or `efficiency`; did you mean `ratio`?"),
     ):
         with pytest.raises(ReadError, match=words):
             target(text, DIFFERENTIAL)
+    with pytest.raises(ReadError, match="no natural mode in any gear, so `omega` does not exist"):
+        sweep(DIFFERENTIAL, "D.ratio=-2,-3", out="omega[1,1]")
+    text = "links: 2\ninertias: {1: 0.2}\nsprings: {s: {links: [1, 2], stiffness: 5}}\n"
+    with pytest.raises(ReadError, match="give inertias, and springs or a stiffness"):
+        sweep(loads(text), "s.stiffness=1", out="omega")
 
 
 def test_a_stiffness_and_its_compliance_are_one_number() -> None:
@@ -111,40 +112,6 @@ def test_a_stiffness_and_its_compliance_are_one_number() -> None:
         sweep(CASE, {"#6.stiffness": [1.0], "tyre.stiffness": [2.0]})
     (made,) = sweep(CASE, {"tyre.stiffness": [4.0]}, out="tyre.compliance, C.compliance*5e4")
     assert made.columns.tolist() == [[0.25, 1.0]]
-
-
-@pytest.mark.parametrize(
-    ("out", "column", "words"),
-    [
-        ("omega[0,1]", 7, "read `0`, expected the number of a mode, 1 to 4"),
-        ("omega[tyre,1]", 7, "read `tyre`, expected the number of a mode"),
-        ("omega[5]", 7, "read `5`, expected the number of a mode, 1 to 4"),
-        ("omega[1,9]", 9, "there is no gear `9`"),
-        ("omega[1,1,1]", 11, "read too many parts, expected omega[mode, gear]"),
-        ("omga[1]", 1, "there is no table `omga`; did you mean `omega`?"),
-        ("omega*speeds", 6, "`omega` has one value per mode and `speeds` one per link"),
-    ],
-)
-def test_wrong_frequencies_are_told_with_their_column(out: str, column: int, words: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        sweep(CASE, "tyre.stiffness=1", out=out)
-    [problem] = caught.value.problems
-    assert words in problem.message
-    assert problem.place is not None
-    assert (problem.place.file, problem.place.column) == ("out", column)
-
-
-def test_a_condition_has_one_value() -> None:
-    with pytest.raises(ReadError, match="`omega > 1` has one value per mode and gear: pick a mode"):
-        sweep(CASE, "tyre.stiffness=1", where="omega > 1")
-
-
-def test_a_case_without_modes_has_no_frequencies() -> None:
-    with pytest.raises(ReadError, match="no natural mode in any gear, so `omega` does not exist"):
-        sweep(DIFFERENTIAL, "D.ratio=-2,-3", out="omega[1,1]")
-    text = "links: 2\ninertias: {1: 0.2}\nsprings: {s: {links: [1, 2], stiffness: 5}}\n"
-    with pytest.raises(ReadError, match="give inertias, and springs or a stiffness"):
-        sweep(loads(text), "s.stiffness=1", out="omega")
 
 
 def test_each_path_of_a_case_is_its_number_whatever_its_names_are() -> None:

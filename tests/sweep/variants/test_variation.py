@@ -25,17 +25,6 @@ def read(text: str) -> Floats:
     return values[np.arange(len(values))]
 
 
-def test_a_value_may_be_calculated() -> None:
-    assert read("-96/39*1.02,(2+3)*-1").tolist() == [-96 / 39 * 1.02, -5.0]
-    assert read("-6/2:-4/2:step=1/4").tolist() == [-3, -2.75, -2.5, -2.25, -2]
-
-
-def test_a_million_mistakes_are_not_all_told() -> None:
-    with pytest.raises(ReadError) as caught:
-        read("a," * 10**6)
-    assert len(caught.value.problems) == MOST_PROBLEMS
-
-
 def refusal(text: str) -> tuple[int, str]:
     """The column of the first problem, and all messages."""
     with pytest.raises(ReadError) as caught:
@@ -47,9 +36,8 @@ def refusal(text: str) -> tuple[int, str]:
     return place.column, "\n".join(problem.message for problem in problems)
 
 
-@pytest.mark.parametrize(
-    ("text", "name", "index", "quantity"),
-    [
+def test_a_number_is_named_as_the_case_names_it() -> None:
+    for text, name, index, quantity in (
         ("D1.ratio", "D1.ratio", 0, "ratio"),
         (" #1.efficiency ", "D1.efficiency", 0, "efficiency"),
         ("2.ratio", "D.2=x.ratio", 1, "ratio"),
@@ -57,62 +45,50 @@ def refusal(text: str) -> tuple[int, str]:
         ("#3.ratio", "1.ratio", 2, "ratio"),
         ("D.2=x.ratio", "D.2=x.ratio", 1, "ratio"),
         ('"D.2=x".ratio', "D.2=x.ratio", 1, "ratio"),
-    ],
-)
-def test_a_number_is_named_as_the_case_names_it(
-    text: str, name: str, index: int, quantity: str
-) -> None:
-    assert target(text, CASE) == (name, index, quantity)
-    assert read_variation(f"{text}=1,2", CASE).target == target(text, CASE)
+    ):
+        assert target(text, CASE) == (name, index, quantity)
+        assert read_variation(f"{text}=1,2", CASE).target == target(text, CASE)
+    with pytest.raises(ReadError, match="has no mechanisms"):
+        target("D1.ratio", Transmission(2, [], [], [Gear()]))
 
 
-@pytest.mark.parametrize(
-    ("text", "values"),
-    [
-        (".95,.97,.98", [0.95, 0.97, 0.98]),
-        (" .95 , -96/39 ", [0.95, -96 / 39]),
-        ("-2.5", [-2.5]),
-        ("1:2:3", [1, 1.5, 2]),
-        ("2:1:3", [2, 1.5, 1]),
-        (" 1 : 2 : 3 ", [1, 1.5, 2]),
-        ("1:1:1", [1]),
-        ("1:1:3", [1, 1, 1]),
-        ("0:1/3:2", [0, 1 / 3]),
-        ("1:2:step=.25", [1, 1.25, 1.5, 1.75, 2]),
-        ("1:2:step=0.3", [1, 1.3, 1.6, 1.9]),
-        ("2:1: step = -0.5", [2, 1.5, 1]),
-        ("1:1:step=0.5", [1]),
-        ("0:1:step=1/3", [0, 1 / 3, 2 / 3, 1]),  # 1/3 is not a double; the end is hit
-        ("0:1:step=5", [0]),
-    ],
-)
-def test_values(text: str, values: list[float]) -> None:
-    assert read(text).tolist() == values
-
-
-def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
-    """A variant that is none becomes a row marked so; see STATUS in chunk.py."""
-    assert read("0,1,-inf,+INF").tolist() == [0, 1, -math.inf, math.inf]
+def test_values() -> None:
+    for text, values in {
+        ".95,.97,.98": [0.95, 0.97, 0.98],
+        " .95 , -96/39 ": [0.95, -96 / 39],
+        "-96/39*1.02,(2+3)*-1": [-96 / 39 * 1.02, -5.0],
+        "-2.5": [-2.5],
+        "1:2:3": [1, 1.5, 2],
+        "2:1:3": [2, 1.5, 1],
+        " 1 : 2 : 3 ": [1, 1.5, 2],
+        "1:1:1": [1],
+        "1:1:3": [1, 1, 1],
+        "0:1/3:2": [0, 1 / 3],
+        "1:2:step=.25": [1, 1.25, 1.5, 1.75, 2],
+        "1:2:step=0.3": [1, 1.3, 1.6, 1.9],
+        "2:1: step = -0.5": [2, 1.5, 1],
+        "1:1:step=0.5": [1],
+        "0:1:step=1/3": [0, 1 / 3, 2 / 3, 1],  # 1/3 is not a double; the end is hit
+        "0:1:step=5": [0],
+        "-6/2:-4/2:step=1/4": [-3, -2.75, -2.5, -2.25, -2],
+        "0,1,-inf,+INF": [0, 1, -math.inf, math.inf],  # no ratio: left to the result
+    }.items():
+        assert read(text).tolist() == values, text
     assert np.isnan(read("nan,-nan")).all()
-
-
-def test_a_range_without_a_count_is_for_samples() -> None:
-    for text in ("-0.9:-0.7", "-0.7:-0.9"):
+    for text in ("-0.9:-0.7", "-0.7:-0.9"):  # for samples
         assert read_variation(f"D1.ratio={text}", CASE).values == Span(-0.9, -0.7)
 
 
-@pytest.mark.parametrize(
-    ("text", "column", "words"),
-    [
+def test_what_is_wrong_is_told_with_its_column() -> None:
+    for text, column, words in (
         ("D9.ratio=1", 1, "no mechanism `D9`, expected one of D1, D.2=x, 1"),
         ("D11.ratio=1", 1, "expected one of D1, D.2=x, 1; did you mean `D1`?"),
         ("  #4.ratio=1", 3, "expected the number of a mechanism, #1 to #3"),
         ("#0.ratio=1", 1, "#1 to #3"),
-        ("D1.ratoi=1", 4, "read `ratoi`, expected `ratio` or `efficiency`; did you mean `ratio`?"),
-        ("D1ratio=1", 1, "expected a mechanism, then `.ratio`"),
+        ("D1.ratoi=1", 4, "expected `ratio` or `efficiency`; did you mean `ratio`?"),
         ("D1ratio=1", 1, "did you mean `D1.ratio`?"),
         (".ratio=1", 1, "expected a mechanism"),
-        ("=1", 1, "read nothing, expected a mechanism"),
+        ("=1", 1, "read nothing, expected a mechanism, then `.ratio`"),
         ("D1.ratio", 9, "read `D1.ratio` without values, expected D1.ratio= and then START:STOP"),
         ("D1.ratio=", 10, "read no values"),
         ("D1.ratio=1,x,3", 12, "read `x`, expected a number or a calculation"),
@@ -133,18 +109,19 @@ def test_a_range_without_a_count_is_for_samples() -> None:
         ("D1.ratio=2:1:step=.5", 19, "does not lead from 2 to 1, expected step=-0.5"),
         ("D1.ratio=1:2:step= x", 20, "read `x`, expected a number"),
         ("D1.ratio=0:1e300:step=1e-300", 23, "expected a larger step"),
-    ],
-)
-def test_what_is_wrong_is_told_with_its_column(text: str, column: int, words: str) -> None:
-    found, messages = refusal(text)
-    assert words in messages
-    assert found == column
+    ):
+        found, messages = refusal(text)
+        assert words in messages, text
+        assert found == column, text
 
 
-def test_every_wrong_number_of_a_list_is_told() -> None:
+def test_every_wrong_number_of_a_list_is_told_up_to_a_limit() -> None:
     _, messages = refusal("D1.ratio=a,1,b")
     assert [line.partition(",")[0] for line in messages.split("\n")] == ["read `a`", "read `b`"]
     assert len(refusal("D1.ratio=" + "x" * 1000)[1]) < 200
+    with pytest.raises(ReadError) as caught:
+        read("a," * 10**6)
+    assert len(caught.value.problems) == MOST_PROBLEMS
 
 
 def test_a_text_may_stand_elsewhere() -> None:
@@ -152,11 +129,6 @@ def test_a_text_may_stand_elsewhere() -> None:
     with pytest.raises(ReadError) as caught:
         read_variation("D1.ratio=1,x", CASE, Place("sweep.yaml", 7, 5, "  - D1.ratio=1,x"))
     assert caught.value.problems[0].place == Place("sweep.yaml", 7, 16, "  - D1.ratio=1,x")
-
-
-def test_a_case_without_mechanisms_has_nothing_to_vary() -> None:
-    with pytest.raises(ReadError, match="has no mechanisms"):
-        target("D1.ratio", Transmission(2, [], [], [Gear()]))
 
 
 @given(st.integers(-2000, 2000), st.integers(1, 50), st.integers(1, 300))

@@ -125,16 +125,6 @@ def test_headings_tell_the_unit_and_a_table_stands_once(page: Any) -> None:
     assert torque.text_content() == "lbf*ft"
 
 
-def test_units_follow_sliders(browser: Any, box: Path) -> None:
-    with served(browser, box) as here:
-        chosen(here.page, "si")
-        for ratio in (-3, -2.5):
-            here.type("P1.ratio", str(ratio))
-            here.has_ratio(1 - ratio)
-            speed = seen(here.page, "speeds")["-out", "low"]
-            assert speed == pytest.approx(3000 / (1 - ratio), abs=0.06)
-
-
 def test_powers_of_teeth_are_in_the_unit_of_their_column(page: Any, box: Path) -> None:
     """As the page has them in kW that does not calculate: `vstatics flow`."""
     powers = [

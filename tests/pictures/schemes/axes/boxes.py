@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import random
+import re
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
-from vstatics import Gear, ShiftElement, Transmission
+from vstatics import Gear, ShiftElement, Transmission, loads
 from vstatics.core.elements import Element
 from vstatics.core.elements.drawing import Drawing, transmission
 from vstatics.core.statics.solve import solve
@@ -77,24 +78,18 @@ def one_pair(kind: str) -> Transmission:
     )
 
 
+SIX_SPEED = """
+links: [engine, input, counter, output, w1, w2, w3, w4, w6, idler, wr, diff]
+output: diff
+shift_elements: {{K: [engine, input], {dogs}}}
+elements: {{{pairs}}}
+gears: {{{gears}}}
+"""
+
+
 def six_speed() -> Transmission:
     """A manual box: a constant pair, five for gears, two for reverse, a final drive."""
-    names = [
-        "engine",
-        "input",
-        "counter",
-        "output",
-        "w1",
-        "w2",
-        "w3",
-        "w4",
-        "w6",
-        "idler",
-        "wr",
-        "diff",
-    ]
-    number = {name: place for place, name in enumerate(names, 1)}
-    wheels = {
+    pairs = {
         "constant": ("input", "counter", 20, 43),
         "p1": ("counter", "w1", 15, 38),
         "p2": ("counter", "w2", 22, 34),
@@ -105,27 +100,19 @@ def six_speed() -> Transmission:
         "r2": ("idler", "wr", 20, 36),
         "final": ("output", "diff", 17, 67),
     }
-    elements = [
-        Element(
-            name,
-            "gear_pair",
-            {"first": number[one], "second": number[other]},
-            {"first": teeth, "second": others},
-        )
-        for name, (one, other, teeth, others) in wheels.items()
-    ]
-    dogs = [
-        ShiftElement(number[one], number["output"], f"s{place}", "dog_clutch")
-        for place, one in enumerate(("w1", "w2", "w3", "w4", "input", "w6", "wr"), 1)
-    ]
-    return transmission(
-        Drawing(len(names), elements),
-        shift_elements=[ShiftElement(1, 2, "K"), *dogs],
-        link_names=names,
-        gears=[Gear([1, place]) for place in range(2, 9)],
-        input=1,
-        output=number["diff"],
+    kind, dog = "kind: gear_pair", "kind: dog_clutch"
+    text = SIX_SPEED.format(
+        dogs=", ".join(
+            f"s{place}: {{{dog}, links: [{link}, output]}}"
+            for place, link in enumerate(("w1", "w2", "w3", "w4", "input", "w6", "wr"), 1)
+        ),
+        pairs=", ".join(
+            f"{name}: {{{kind}, first: {one}, second: {two}, teeth: {{first: {z}, second: {z2}}}}}"
+            for name, (one, two, z, z2) in pairs.items()
+        ),
+        gears=", ".join(f'"{place}": [K, s{place}]' for place in range(1, 8)),
     )
+    return loads(text)
 
 
 class PlacedWheel(NamedTuple):
@@ -146,22 +133,13 @@ def svg_of(case: Transmission, gears: tuple[int, ...] = ()) -> ET.Element:
 def points(path: ET.Element) -> list[tuple[float, float]]:
     """All points of a path of M and L, H and V."""
     found: list[tuple[float, float]] = []
-    word, numbers = "", list[float]()
-    text = path.attrib["d"]
-    for letter in "MLHVz":
-        text = text.replace(letter, f" {letter} ")
-    for one in text.split():
-        if one.isalpha():
-            word, numbers = one, []
-            continue
-        numbers.append(float(one))
-        if word in "ML" and len(numbers) == 2:
-            found.append((numbers[0], numbers[1]))
-            numbers = []
-        elif word == "H":
-            found.append((numbers.pop(), found[-1][1]))
-        elif word == "V":
-            found.append((found[-1][0], numbers.pop()))
+    for word, text in re.findall(r"([MLHV])([^MLHVz]*)", path.attrib["d"]):
+        numbers = [float(one) for one in text.split()]
+        if word in "ML":
+            found += zip(numbers[::2], numbers[1::2], strict=True)
+        for number in numbers if word in "HV" else ():
+            x, y = found[-1]
+            found.append((number, y) if word == "H" else (x, number))
     return found
 
 
@@ -176,12 +154,8 @@ def wheels(root: ET.Element) -> list[PlacedWheel]:
     for group in of_class(root, "wheel"):
         places = [at for path in group.iter(f"{SVG}path") for at in points(path)]
         xs, ys = zip(*places, strict=True)
-        x = (min(xs) + max(xs)) / 2
-        found.append(
-            PlacedWheel(
-                group.attrib["data-mechanism"], group.attrib["data-link"], x, min(ys), max(ys)
-            )
-        )
+        names = group.attrib["data-mechanism"], group.attrib["data-link"]
+        found.append(PlacedWheel(*names, (min(xs) + max(xs)) / 2, min(ys), max(ys)))
     return found
 
 

@@ -6,7 +6,6 @@ import json
 import random
 from dataclasses import replace
 from itertools import combinations, pairwise, permutations
-from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -27,7 +26,6 @@ from tests.pictures.schemes.axes.boxes import (
     svg_of,
     wheels,
 )
-from tests.pictures.schemes.test_schemes import overlaps
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.model.transmission import Transmission
 from vstatics.pictures import pages, picture
@@ -68,15 +66,15 @@ def shown(request: pytest.FixtureRequest) -> tuple[Transmission, ET.Element]:
     return case, svg_of(case)
 
 
-@pytest.mark.parametrize("name", KNOWN)
-def test_links_of_one_axis_are_those_that_turn_about_it(name: str) -> None:
-    case = load(name)
-    scheme = scheme_of(case)
-    axes = parallel_axes(scheme, case)
-    assert axes is not None
-    found = [{scheme.name(link) for link in axis} for axis in axes.axes]
-    assert found[0] == KNOWN[name][0]  # that of the input comes first
-    assert sorted(map(sorted, found)) == sorted(map(sorted, KNOWN[name]))
+def test_links_of_one_axis_are_those_that_turn_about_it() -> None:
+    for name, known in KNOWN.items():
+        case = load(name)
+        scheme = scheme_of(case)
+        axes = parallel_axes(scheme, case)
+        assert axes is not None
+        found = [{scheme.name(link) for link in axis} for axis in axes.axes]
+        assert found[0] == known[0]  # that of the input comes first
+        assert sorted(map(sorted, found)) == sorted(map(sorted, known))
 
 
 def test_a_bevel_pinion_and_the_casing_of_its_axle_are_of_two_axes() -> None:
@@ -89,10 +87,10 @@ def test_a_bevel_pinion_and_the_casing_of_its_axle_are_of_two_axes() -> None:
     assert number["axle casing"] == number["wheels"] == number["vehicle"]
 
 
-@pytest.mark.parametrize("path", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)
-def test_boxes_about_one_axis_have_no_rows(path: Path) -> None:
-    case = vstatics.load(path)
-    assert (parallel_axes(scheme_of(case), case) is not None) == (path.stem in WITH_AXES)
+def test_boxes_about_one_axis_have_no_rows() -> None:
+    for path in sorted(CASES.glob("*.yaml")):
+        case = vstatics.load(path)
+        assert (parallel_axes(scheme_of(case), case) is not None) == (path.stem in WITH_AXES), path
 
 
 def check_wheels(case: Transmission, root: ET.Element) -> None:
@@ -123,18 +121,27 @@ def check_apart(root: ET.Element) -> None:
             assert one.low > other.high - ROUNDED or other.low > one.high - ROUNDED
 
 
-def pieces(group: ET.Element) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+Piece = tuple[tuple[float, float], tuple[float, float]]
+"""The ends of a line. [pt]"""
+
+
+def pieces(group: ET.Element) -> list[Piece]:
     """The lines of the wires of a link."""
     wires = [one for one in group.iter(f"{SVG}path") if one.get("class") == "wire"]
     return [piece for wire in wires for piece in pairwise(points(wire))]
 
 
+def pieces_by_link(root: ET.Element) -> dict[str, list[Piece]]:
+    """The lines of the wires of all links."""
+    found: dict[str, list[Piece]] = {}
+    for group in of_class(root, "link"):
+        found.setdefault(group.attrib["data-name"], []).extend(pieces(group))
+    return found
+
+
 def check_joined(root: ET.Element) -> None:
     """From each piece of a link's wires one comes to all others."""
-    by_link: dict[str, list[tuple[tuple[float, float], tuple[float, float]]]] = {}
-    for group in of_class(root, "link"):
-        by_link.setdefault(group.attrib["data-name"], []).extend(pieces(group))
-    for name, own in by_link.items():
+    for name, own in pieces_by_link(root).items():
         reached, ahead = set(), [0]
         while ahead:
             at = ahead.pop()
@@ -144,10 +151,7 @@ def check_joined(root: ET.Element) -> None:
         assert len(reached) == len(own), name
 
 
-def touch(
-    one: tuple[tuple[float, float], tuple[float, float]],
-    other: tuple[tuple[float, float], tuple[float, float]],
-) -> bool:
+def touch(one: Piece, other: Piece) -> bool:
     """Whether two level or upright lines have a point in common."""
     return all(
         min(one[0][place], one[1][place]) <= max(other[0][place], other[1][place]) + ROUNDED
@@ -158,11 +162,7 @@ def touch(
 
 def check_bridged(root: ET.Element) -> int:
     """Wires of two links meet where a crossing bridges them, and nowhere else."""
-    own = [
-        (group.attrib["data-name"], piece)
-        for group in of_class(root, "link")
-        for piece in pieces(group)
-    ]
+    own = [(name, piece) for name, some in pieces_by_link(root).items() for piece in some]
     bridges = [points(one) for one in of_class(root, "crossing")]
     middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in bridges]
     met = set()
@@ -180,50 +180,44 @@ def check_bridged(root: ET.Element) -> int:
     return len(met)
 
 
-def test_wheels_of_a_pair_touch_in_one_plane(shown: tuple[Transmission, ET.Element]) -> None:
-    check_wheels(*shown)
-    check_apart(shown[1])
+def check_built(case: Transmission, root: ET.Element) -> int:
+    """Check wheels and wires as if the box were built; return how often links cross."""
+    check_wheels(case, root)
+    check_apart(root)
+    check_joined(root)
+    return check_bridged(root)
 
 
-def test_each_link_is_in_one_piece_and_crosses_no_other_unseen(
+def test_shipped_boxes_can_be_built_and_have_all_that_is_theirs(
     shown: tuple[Transmission, ET.Element],
 ) -> None:
-    check_joined(shown[1])
-    assert check_bridged(shown[1]) == 0
-
-
-def test_each_axis_is_one_level(shown: tuple[Transmission, ET.Element]) -> None:
-    root = shown[1]
-    heights = []
-    for one in of_class(root, "axis"):
-        assert len({y for _, y in points(one)}) == 1
-        heights.append(points(one)[0][1])
-    assert len(set(heights)) == len(heights)
-    assert float(root.attrib["width"].removesuffix("pt")) <= PAGE_WIDTH + 0.01
-
-
-def test_everything_that_a_case_has_is_in_its_picture(
-    shown: tuple[Transmission, ET.Element],
-) -> None:
+    """Each axis is one level; no link crosses another."""
     case, root = shown
+    assert check_built(case, root) == 0
+    axes = [{y for _, y in points(one)} for one in of_class(root, "axis")]
+    assert {len(levels) for levels in axes} == {1}
+    assert len({*map(frozenset, axes)}) == len(axes)
+    assert float(root.attrib["width"].removesuffix("pt")) <= PAGE_WIDTH + 0.01
     scheme = scheme_of(case)
-    named = {
-        one.get("data-name") for kind in ("element", "mechanism") for one in of_class(root, kind)
-    }
-    assert named == {device.name for device in scheme.devices}
+    devices = [*of_class(root, "element"), *of_class(root, "mechanism")]
+    assert {one.get("data-name") for one in devices} == {device.name for device in scheme.devices}
     assert {one.get("data-name") for one in of_class(root, "link")} == set(scheme.links)
-    roles = {one.get("data-port") for one in of_class(root, "port")}
-    assert roles == {"input", "output"}
+    assert {one.get("data-port") for one in of_class(root, "port")} == {"input", "output"}
+
+
+@pytest.mark.slow
+def test_a_driveline_is_drawn_from_the_engine_to_the_wheels() -> None:
+    case = load("driveline-8hp70")
+    root = svg_of(case)
+    check_built(case, root)
+    heights = axes_by_link(root)
+    assert heights["engine"] < heights["differential"] == heights["vehicle"]
 
 
 @pytest.mark.parametrize("seed", with_marked(range(6), range(100, 130), pytest.mark.slow))
 def test_boxes_made_by_chance_can_be_built(seed: int) -> None:
     case = countershaft_box(random.Random(seed))  # noqa: S311 - no secret
-    root = svg_of(case)
-    check_wheels(case, root)
-    check_apart(root)
-    check_joined(root)
-    check_bridged(root)
+    check_built(case, svg_of(case))
 
 
 def colors_of(name: str, *kinds: str) -> dict[str, set[str]]:
@@ -256,27 +250,6 @@ def test_a_dog_that_carries_nothing_is_marked_and_pale_behind() -> None:
     assert colors["p1 l1"] == {style.ink}
 
 
-@pytest.mark.parametrize("wheels", [False, True])
-@pytest.mark.parametrize("name", [*KNOWN, "moskvich412"])
-def test_letters_are_apart_on_the_width_of_a_page(name: str, wheels: bool) -> None:
-    figure = picture(vstatics.solve(load(name)), "stick", Style(wheels=wheels))
-    assert overlaps(figure) == []
-    assert all(float(text.get_fontsize()) >= 7 for text in figure.texts)
-    assert figure.get_figwidth() * 72 <= PAGE_WIDTH + 0.01
-
-
-@pytest.mark.slow
-def test_a_driveline_is_drawn_from_the_engine_to_the_wheels() -> None:
-    results = vstatics.solve(load("driveline-8hp70"))
-    root = svg_of(results.case)
-    check_wheels(results.case, root)
-    check_joined(root)
-    check_bridged(root)
-    heights = axes_by_link(root)
-    assert heights["engine"] < heights["differential"] == heights["vehicle"]
-    assert overlaps(picture(results, "stick", Style())) == []
-
-
 def test_wheels_have_their_teeth_on_request() -> None:
     results = vstatics.solve(load("dual-clutch-wheels"))
     bare, full = (
@@ -286,43 +259,28 @@ def test_wheels_have_their_teeth_on_request() -> None:
     assert sorted(full) == sorted([*bare, *map(str, teeth)])
 
 
-def road_wheels(root: ET.Element) -> dict[str, list[tuple[float, float]]]:
-    """The points of each road wheel, by its link."""
-    return {
-        group.attrib["data-link"]: [
-            at for path in group.iter(f"{SVG}path") if path.get("d") for at in points(path)
-        ]
-        for group in of_class(root, "road-wheel")
-    }
-
-
 @pytest.mark.parametrize(
     "name", ["power-split", "toyota-p410", pytest.param("driveline-8hp70", marks=pytest.mark.slow)]
 )
 def test_road_wheels_stand_at_the_ends_of_the_half_shafts(name: str) -> None:
     root = svg_of(load(name))
-    found = road_wheels(root)
-    assert set(found) == {"left wheel", "right wheel"}
     heights = axes_by_link(root)
     middles = {}
-    for link, places in found.items():
-        xs, ys = zip(*places, strict=True)
+    for group in of_class(root, "road-wheel"):
+        paths = [path for path in group.iter(f"{SVG}path") if path.get("d")]
+        xs, ys = zip(*(at for path in paths for at in points(path)), strict=True)
+        link = group.attrib["data-link"]
         middles[link] = (min(xs) + max(xs)) / 2
         assert (min(ys) + max(ys)) / 2 == pytest.approx(heights[link], abs=ROUNDED)
         for other in wheels(root):  # no gear wheel stands where they do
             is_beside = other.x < min(xs) - 2 or other.x > max(xs) + 2
             assert is_beside or other.high < min(ys) or other.low > max(ys)
+    assert set(middles) == {"left wheel", "right wheel"}
     low, high = sorted(middles.values())
     axis = [link for link, y in heights.items() if y == heights["left wheel"]]
-    for group in of_class(root, "link"):
-        if group.attrib["data-name"] in axis:
-            for piece in pieces(group):
-                assert all(low - ROUNDED <= x <= high + ROUNDED for x, _ in piece)
-
-
-@pytest.mark.parametrize("name", ["two-stage", "dual-clutch-wheels"])
-def test_what_has_no_axle_has_no_road_wheels(name: str) -> None:
-    assert road_wheels(svg_of(load(name))) == {}
+    for link, own in pieces_by_link(root).items():
+        for piece in own if link in axis else ():
+            assert all(low - ROUNDED <= x <= high + ROUNDED for x, _ in piece)
 
 
 def dots(root: ET.Element) -> set[tuple[str, float, float]]:
@@ -340,11 +298,8 @@ def dots(root: ET.Element) -> set[tuple[str, float, float]]:
 def branches(root: ET.Element) -> set[tuple[str, float, float]]:
     """Where an upright line of a link begins within a level one, but for those to its wheels."""
     webs = [(one.link, one.x) for one in wheels(root)]
-    lines: dict[str, list[tuple[tuple[float, float], tuple[float, float]]]] = {}
-    for group in of_class(root, "link"):
-        lines.setdefault(group.attrib["data-name"], []).extend(pieces(group))
     found = set()
-    for name, own in lines.items():
+    for name, own in pieces_by_link(root).items():
         for one, other in permutations(own, 2):
             left, right = sorted((other[0][0], other[1][0]))
             is_web = any(name == link and abs(one[0][0] - x) < 1 for link, x in webs)
@@ -363,14 +318,10 @@ def test_links_have_dots_where_they_branch_but_not_at_their_wheels(name: str) ->
     assert wanted <= drawn
     for link, x, y in drawn - wanted:  # where several signs hang on one upright line
         assert name == "moskvich412"
-        uprights = [
-            (one, other)
-            for group in of_class(root, "link")
-            if group.attrib["data-name"] == link
-            for one, other in pieces(group)
-            if one[0] == other[0] == x
-        ]
+        own = pieces_by_link(root)[link]
+        uprights = [(one, other) for one, other in own if one[0] == other[0] == x]
         assert any(min(a[1], b[1]) < y < max(a[1], b[1]) for a, b in uprights)
+    assert not of_class(root, "road-wheel")  # none of them has an axle
 
 
 @pytest.mark.parametrize("kind", PAIRS)
@@ -391,7 +342,7 @@ def test_a_pair_of_every_kind_stands_on_two_axes(kind: str) -> None:
     assert (gap > 10) == (kind in ("chain", "belt", "idler"))
 
 
-def strokes(group: ET.Element) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+def strokes(group: ET.Element) -> list[Piece]:
     """All straight pieces of a group."""
     paths = [one.attrib["d"] for one in group.iter(f"{SVG}path")]
     parts = [ET.Element("path", d=f"M{part}") for path in paths for part in path.split("M")[1:]]
@@ -438,10 +389,7 @@ def test_what_is_elastic_behind_a_gap_shows_it_until_it_is_engaged() -> None:
 def test_a_manual_box_has_its_idler_between_two_axes() -> None:
     case = six_speed()
     root = svg_of(case)
-    check_wheels(case, root)
-    check_apart(root)
-    check_joined(root)
-    assert check_bridged(root) == 0
+    assert check_built(case, root) == 0
     heights = axes_by_link(root)
     low, high = sorted((heights["counter"], heights["output"]))
     assert low < heights["idler"] < high

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -16,8 +17,8 @@ from vstatics.core.texts import Language
 from vstatics.pictures import render
 from vstatics.pictures.drawing.style import PAGE_WIDTH, Style
 
-QUICK = ("toyota-p410", "dual-clutch-wheels", "power-split")
-SLOW = ("two-stage", "moskvich412", "driveline-8hp70")
+NAMES = ("toyota-p410", "dual-clutch-wheels", "power-split", "two-stage", "moskvich412")
+QUICK = [(name, True, "en", (1,)) for name in NAMES[:3]]
 
 
 def load(name: str) -> Transmission:
@@ -42,9 +43,17 @@ def check(browser: Any, case: Transmission, style: Style, gears: tuple[int, ...]
     assert least >= LEAST
 
 
-@pytest.mark.parametrize("name", QUICK)
-def test_letters_stand_clear_of_letters_and_lines(browser: Any, name: str) -> None:
-    check(browser, load(name), Style(wheels=True), (1,))
+@pytest.mark.parametrize(
+    ("name", "wheels", "language", "gears"),
+    [
+        pytest.param(*one, marks=() if one in QUICK else pytest.mark.slow)
+        for one in product((*NAMES, "driveline-8hp70"), (False, True), ("en", "ru"), ((), (1,)))
+    ],
+)
+def test_letters_stand_clear_of_letters_and_lines(
+    browser: Any, name: str, wheels: bool, language: Language, gears: tuple[int, ...]
+) -> None:
+    check(browser, load(name), Style(wheels=wheels, language=language), gears)
 
 
 @pytest.mark.slow
@@ -66,17 +75,6 @@ def test_letters_stand_clear_of_pairs_of_every_kind(browser: Any, kind: str) -> 
 @pytest.mark.slow
 def test_a_driveline_fits_into_a_narrow_page(browser: Any) -> None:
     check(browser, load("driveline-8hp70"), Style(width=NARROW))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("gears", [(), (1,)])
-@pytest.mark.parametrize("language", ["en", "ru"])
-@pytest.mark.parametrize("wheels", [False, True])
-@pytest.mark.parametrize("name", [*QUICK, *SLOW])
-def test_letters_of_all_boxes_stand_clear(
-    browser: Any, name: str, wheels: bool, language: Language, gears: tuple[int, ...]
-) -> None:
-    check(browser, load(name), Style(wheels=wheels, language=language), gears)
 
 
 HOLLOW = """
