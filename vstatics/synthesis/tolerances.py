@@ -88,7 +88,7 @@ LEAST_SUM_OF_SQUARES = 1e-20
 LEAST_DIAGONAL = 1e-12
 """Addition to the diagonal, for ratios without influence on any gear. [-]"""
 FIRST_DAMPING = 1e-3
-"""Damping of the first step, which is nearly the step of linear equations. [-]"""
+"""Damping of the first step, so small that it is nearly an undamped Gauss-Newton step. [-]"""
 LEAST_BOX_DAMPING = 1e-12
 """Least damping of a fit. [-]"""
 LEAST_STIFFNESS = 1e-9

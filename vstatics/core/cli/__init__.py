@@ -54,7 +54,7 @@ class Commands(LazyGroup):
         return {name: (command.module, command.help) for name, command in ordered}
 
     def module(self, name: str) -> str:
-        """Return the module of a command; records of annexes are read only if needed."""
+        """Return the module of a command; annexes are asked only if the core does not have it."""
         return CORE.commands[name].module if name in CORE.commands else super().module(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:

@@ -44,8 +44,8 @@ def _closed(
 ) -> Iterator[int]:
     """Yield the numbers of the edges on cycles in the part of the graph that contains a node.
 
-    The walk continues from the last node found and numbers the nodes in `order`. From the nodes
-    behind a node, edges lead back to number `back` at the earliest.
+    The walk is depth-first and numbers the nodes in `order`. For each node, `back` is the smallest
+    number that an edge reaches from the node or from nodes found after it.
     """
     if root in order:
         return

@@ -135,7 +135,7 @@ class TransmissionFields:
 
     @cached_property
     def own_devices(self) -> Sequence[OwnDevice]:
-        """Mechanisms and gear sets under the names of the case."""
+        """Mechanisms and gear sets as the case names them, before gear sets become mechanisms."""
         if self.drawing is not None:
             return self.drawing.devices
         return [_own_device(number, mechanism) for number, mechanism in enumerate(self.mechanisms)]

@@ -98,7 +98,8 @@ def gears_grid(
 ) -> Grid:
     """Return the table of gears: engaged elements, ratio, efficiency and largest values.
 
-    The largest speed is a speed of a planet, else a slip, else a speed of a link.
+    The column of speeds shows the first quantity that the case has: speeds of planets, otherwise
+    slips, otherwise speeds of links.
 
     Parameters
     ----------

@@ -46,7 +46,7 @@ class LeverBlock(NamedTuple):
     """Index of the row of levers."""
     low: float
     high: float
-    """Extents of the row below (`low`) and above (`high`) the foot of the levers."""
+    """Heights of the lowest and highest point of the row, from the foot of the levers."""
     same: dict[int, str]
     """Name of an earlier gear in which a lever looks equal, by the index of the lever."""
     names: dict[int, str]

@@ -203,7 +203,7 @@ def _mechanisms(case: Transmission) -> list[Device]:
 
 
 def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
-    """Return the kind and the members of a mechanism without teeth."""
+    """Return the kind and the members of a mechanism that is given by its ratio, not by teeth."""
     if mechanism.second == mechanism.third == HOUSING:
         return "held", {"link": mechanism.first}
     links = mechanism.links if mechanism.third else mechanism.links[:2]

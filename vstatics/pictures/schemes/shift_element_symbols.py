@@ -42,7 +42,8 @@ class Coupled(NamedTuple):
     rod: str = ""
     """Colour of the line to the symbol; empty if it is the colour of the symbol."""
     housing: int = 0
-    """Side on which the housing is drawn at the end; 0 without a housing."""
+    """Direction of the strokes of the housing at `end`, 1 for up or -1 for down; 0 without a
+    housing."""
     title: str = ""
     is_backward: bool = False
     """True for a freewheel with the housing as the first link."""

@@ -67,7 +67,7 @@ class ModeSearch:
         yield from self._best(_WORTH_WHILE // max(1, len(self.choices)) ** 2)
 
     def _best(self, count: int) -> Iterator[States]:
-        """Yield up to `count` choices: waiting choices by rank, then the remaining choices."""
+        """Yield up to `count` choices that were not tried: first the waiting choices, by rank."""
         others = (changed for changed in self._all() if changed not in self.seen)
         for _ in range(count):
             changed = heappop(self.waiting)[-1] if self.waiting else next(others, None)

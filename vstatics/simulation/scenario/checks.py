@@ -450,7 +450,11 @@ def of_formula(
 
 
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
-    """Yield the problems of points: none or unpaired, infinite, or abscissas out of order."""
+    """Yield the problems of points.
+
+    These are missing points, unequal numbers of abscissas and ordinates, numbers that are not
+    finite, and abscissas out of order.
+    """
     if not points.x or len(points.x) != len(points.y):
         yield Problem("E651", "expected at least one point, each of two numbers", path)
     yield from of_finite([*points.x, *points.y], "a number", path)
@@ -458,7 +462,7 @@ def of_points(points: Points, path: Path) -> Iterator[Problem]:
 
 
 def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
-    """Yield the problems of times: none at all, infinite, or out of order."""
+    """Yield the problems of times: no times, times that are not finite, or times out of order."""
     if not times:
         yield Problem("E652", "read no times, expected at least one", path)
     yield from of_finite(times, "a time", path)

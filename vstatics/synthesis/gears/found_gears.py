@@ -100,7 +100,10 @@ def _gears(
     existing: Mapping[frozenset[str], Gear],
     engaged: Iterable[frozenset[str]],
 ) -> Iterator[Gear]:
-    """Yield gears with given engaged elements, existing or new, numbered as in `elements`."""
+    """Yield a gear for each set of engaged elements: the existing gear, otherwise a new one.
+
+    Elements are numbered by their place in `elements`.
+    """
     number = {element.name: place for place, element in enumerate(elements, 1)}
     old = {place: element.name for place, element in enumerate(case.shift_elements, 1)}
 

@@ -31,7 +31,10 @@ class SpeedForms(NamedTuple):
     values: Floats
     """Coefficients of the forms, shape (pairs, free speeds). [-]"""
     sizes: Floats
-    """Bounds for the rounding of each coefficient, of equal shape, see `numerics.entries`. [-]"""
+    """Sum of the magnitudes from which each coefficient was calculated, shape as of `values`.
+
+    The sums bound the rounding errors, see `core.numerics.elimination`. [-]
+    """
     doubtful: bool
     """True if too many digits were lost to recognise zeros."""
 

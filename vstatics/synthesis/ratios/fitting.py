@@ -261,7 +261,7 @@ def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str
         elif (
             old.planet_ratio is not None
             and new.planet_ratio is None
-            and not is_same(old.planet_ratio, (old.ratio + 1) / 2)  # ratio of a plain set
+            and not is_same(old.planet_ratio, (old.ratio + 1) / 2)  # planet ratio of a plain set
         ):
             plain.append(new.name)
     lost = []

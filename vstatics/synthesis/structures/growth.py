@@ -176,8 +176,9 @@ def counted_by(search: StructureSearch) -> StructureSearch:
 def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
     """Return the number of requested schemes that each class represents, shape (schemes,).
 
-    These are the orders of the sets, divided by the number of symmetries, or the choices of input
-    and output that differ under symmetries, by Burnside's lemma.
+    Without classes, these are the orders of the sets, divided by the number of symmetries, times
+    the pairs of input and output if ports are requested. With classes, the weight is 1, or with
+    ports the number of pairs that no symmetry makes equal (Burnside's lemma).
 
     Parameters
     ----------

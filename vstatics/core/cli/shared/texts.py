@@ -201,6 +201,6 @@ class Job(NamedTuple):
     finished: FinishedCases | None = None
     """Register of the output directory, if results go to a directory."""
     marked: bool = False
-    """True if each part of a stream is stored with the hashes of its case."""
+    """True if the output of each case is also stored for `--resume`, with hashes of its files."""
     folders: bool = False
     """True if JSON gives files with folders, because some names are equal."""

@@ -137,7 +137,7 @@ class HeadingLine(NamedTuple):
     separator: str
     headings: Sequence[Heading]
     width: int
-    """Number of cells with a heading."""
+    """Number of cells in the line of headings, including skipped columns."""
     skipped: Sequence[str]
     """Headings of columns that are not read."""
 

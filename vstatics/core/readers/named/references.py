@@ -65,7 +65,7 @@ class References:
         self._numbers[kind] = _numbered(names)
 
     def add_converters(self, names: Iterable[str]) -> None:
-        """Add converters behind the mechanisms, since converters have speed ratios, too."""
+        """Append names of converters to those of mechanisms; both have speed ratios."""
         self.set_numbers("mechanism", [*self._numbers["mechanism"], *names])
 
     def other(self, kind: str, text: str) -> int:

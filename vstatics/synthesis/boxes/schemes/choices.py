@@ -70,7 +70,7 @@ def _chosen(
             renamings_held = [
                 links for links in renamings_kept if held is None or links[held] == held
             ]
-            if len(renamings_held) == 1:  # most schemes have no symmetry, and the same choices
+            if len(renamings_held) == 1:  # no symmetry, so all pairs of ports count
                 ports = _all_ports(scheme.links, held, search.input, search.output)
             else:
                 ports = tuple(_ports(search, scheme, held, renamings_held))

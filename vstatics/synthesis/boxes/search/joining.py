@@ -31,12 +31,12 @@ class SetRoom(NamedTuple):
     lengths: Integers
     """Number of combinations that reach each target, shape (targets,)."""
     rows: Integers
-    """Last elements that reach a target with given other members, as bits, shape (rests,
-    targets)."""
+    """Elements that complete a combination of all other members (a rest) to a combination that
+    reaches a target, as bits, shape (rests, targets)."""
     often: Integers
     """Number of combinations with each ratio, shape (ratios,)."""
     seldom: Integers
-    """Last elements that give an uncommon ratio with given other members, as bits, shape
+    """Elements that complete a rest to a combination with an uncommon ratio, as bits, shape
     (rests,)."""
     levels: Integers
     """Elements that add at least as many uncommon ratios as the row number, as bits, shape
@@ -70,7 +70,8 @@ class SetRoom(NamedTuple):
     steps: Integers
     """Number of attempts to join, and the limit; shape (2,)."""
     listed: Integers
-    """Elements of each complete set, shape (most, size)."""
+    """Shift elements of each complete set that was found, shape (largest number of sets, elements
+    of a set)."""
 
 
 def set_room(table: Combinations, targets: int, most: int) -> SetRoom:

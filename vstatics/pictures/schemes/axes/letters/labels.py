@@ -31,7 +31,7 @@ CLEAR = 1.5
 ASIDE = (0, 3, 7, 12, 18, 26, 36)
 """Candidate sideways distances of a text from the named part. [pt]"""
 AWAY = (0, -1, 2, 4, 7, 10, 14, 18, 23, 30, 40, 52, 66)
-"""Candidate upright distances of a text from the named part. [pt]"""
+"""Candidate vertical distances of a text from the named part; -1 overlaps the part. [pt]"""
 UNDER, BESIDE = 5.0, 9.0
 """Costs of a text on the far side of the named part, and of a text next to it. [pt of distance]"""
 BESIDES = 8

@@ -41,7 +41,7 @@ def _link_name(scheme: Scheme, link: int) -> str:
 
 
 def _sizes(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[Point]:
-    """Return the widths of symbols with names, and the heights above the axis [pt]."""
+    """Return the width of each symbol's name or text, and its height above the axis [pt]."""
     sizes = []
     for index in chain.devices:
         if index in texts:

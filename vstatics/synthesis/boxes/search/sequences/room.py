@@ -101,9 +101,9 @@ class SequenceRoom(NamedTuple):
     high: Floats
     """Upper bounds, shape (cells, sets). [-]"""
     cell: ChoiceRoom
-    """Choices by the ranges in a cell."""
+    """Choices by the ranges of the ratios within a cell."""
     point: ChoiceRoom
-    """Choices by the numbers at a point."""
+    """Choices by the ratios for single values of the gear-set ratios."""
     sums: Floats
     """Bernstein coefficients of a step in a cell, shape (2, 3**sets)."""
     logs: Floats
