@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import compiled, put
+from vstatics.core.numerics.compiled import compiled_part, put
 from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, is_assigned
 from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes_leave
@@ -71,7 +71,7 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
     )
 
 
-@compiled
+@compiled_part
 def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, top: int) -> bool:
     """Reduce a cell by all targets; return False if nothing remains.
 
@@ -118,7 +118,7 @@ def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, to
     return True
 
 
-@compiled
+@compiled_part
 def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
     sets, shares = cells.low.shape[1], cells.shares
     width = asked.high - asked.low
@@ -142,7 +142,7 @@ def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
                         here[corner + bit] = value + last * slope
 
 
-@compiled
+@compiled_part
 def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
     """Remove targets that a gear ratio misses in the whole cell; return whether any was removed."""
     reach = cells.reach[top]
@@ -156,7 +156,7 @@ def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
     return is_any
 
 
-@compiled
+@compiled_part
 def _only_ratio(reach: Integers, target: int) -> int:
     """Return the index of the only gear ratio that can meet a target; -1 for none or several."""
     single = -1
@@ -168,7 +168,7 @@ def _only_ratio(reach: Integers, target: int) -> int:
     return single
 
 
-@compiled
+@compiled_part
 def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
     """Reduce `left` to the part of a cell where a gear can be within a range.
 
@@ -198,7 +198,7 @@ def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
     return True
 
 
-@compiled
+@compiled_part
 def _positive(slack: Floats, bit: int) -> tuple[float, float]:
     """Return the shares of an edge between which a polynomial can be non-negative, or 1 and 0."""
     here = there = -math.inf
@@ -226,7 +226,7 @@ def _positive(slack: Floats, bit: int) -> tuple[float, float]:
     return first, last
 
 
-@compiled
+@compiled_part
 def spread_in(cells: RatioCells, top: int) -> float:
     """Return the largest difference of ln(i) within a cell, over all gear ratios i with a target.
 
@@ -243,7 +243,7 @@ def spread_in(cells: RatioCells, top: int) -> float:
     return spread
 
 
-@compiled
+@compiled_part
 def longest(cells: RatioCells, top: int) -> int:
     """Return the gear set whose ratio changes the gear ratios most, or -1 in a narrow cell."""
     best = 0.0
@@ -260,7 +260,7 @@ def longest(cells: RatioCells, top: int) -> int:
     return longest_set
 
 
-@compiled
+@compiled_part
 def change_along(part: Floats, number: int) -> float:
     """Return the largest relative change of a quotient along a gear-set ratio, from 0 to 1."""
     most = 0.0
@@ -274,7 +274,7 @@ def change_along(part: Floats, number: int) -> float:
     return most
 
 
-@compiled
+@compiled_part
 def double(cells: RatioCells, top: int) -> None:
     """Push a copy of a cell onto the stack."""
     put(cells.low[top], cells.low[top + 1])
@@ -284,7 +284,7 @@ def double(cells: RatioCells, top: int) -> None:
     cells.known[top + 1] = cells.known[top]
 
 
-@compiled
+@compiled_part
 def halve(cells: RatioCells, top: int, number: int) -> None:
     """Halve a cell along the ratio of a gear set; push the upper half onto the stack."""
     double(cells, top)

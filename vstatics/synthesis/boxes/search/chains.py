@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Integers
-from vstatics.core.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled_part
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 
 
@@ -64,7 +64,7 @@ def chain_room(table: Combinations, targets: int, shifts: Integers) -> ChainRoom
     )
 
 
-@compiled
+@compiled_part
 def chained(ratio_of: Integers, chosen: Integers, room: ChainRoom) -> bool:
     """Assign combinations to the chosen ratios that use all elements and shift as required.
 

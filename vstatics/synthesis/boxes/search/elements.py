@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled, put
+from vstatics.core.numerics.compiled import compiled, compiled_part, put
 from vstatics.synthesis.boxes.box import SHAFT_ELEMENTS
 from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
 from vstatics.synthesis.boxes.search.joining import NO_END, ONE, SetRoom, choose, join
@@ -47,7 +47,7 @@ class PortGears(NamedTuple):
     """Smallest number of retained elements."""
 
 
-@compiled
+@compiled_part
 def element_sets(table: Combinations, port: PortGears, room: SetRoom) -> int:
     """List all sets of shift elements whose combinations can provide every target.
 
@@ -78,7 +78,7 @@ def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
     return True
 
 
-@compiled
+@compiled_part
 def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, last: int) -> int:
     """List further sets, up to the combination number `last`; return the number of sets.
 
@@ -113,7 +113,7 @@ def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, 
     return count
 
 
-@compiled
+@compiled_part
 def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
     every = (1 << len(room.lengths)) - 1
     for targets in port.reach:
@@ -142,7 +142,7 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
     return not is_empty
 
 
-@compiled
+@compiled_part
 def _find_commonest(port: PortGears, room: SetRoom) -> None:
     room.often[:] = 0
     for which in port.useful:
@@ -152,7 +152,7 @@ def _find_commonest(port: PortGears, room: SetRoom) -> None:
     room.commonest[0] = room.often.argmax()
 
 
-@compiled
+@compiled_part
 def _note_last(table: Combinations, targets: int, which: int, room: SetRoom) -> None:
     """Record each element of a combination as a possible last element of a set."""
     for place in range(table.members.shape[1]):
@@ -162,7 +162,7 @@ def _note_last(table: Combinations, targets: int, which: int, room: SetRoom) -> 
                 room.rows[others, target] |= bit
 
 
-@compiled
+@compiled_part
 def _find_members(room: SetRoom, depth: int) -> int:
     bits = room.sets[depth]
     element = count = 0
@@ -175,7 +175,7 @@ def _find_members(room: SetRoom, depth: int) -> int:
     return count
 
 
-@compiled
+@compiled_part
 def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
     """Return whether a partial set can still satisfy the limits on elements.
 
@@ -194,7 +194,7 @@ def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int)
     return bool((port.brakes >> brakes) & ((2 << others) - 1))
 
 
-@compiled
+@compiled_part
 def _count(bits: int) -> int:
     count = 0
     while bits:
@@ -203,7 +203,7 @@ def _count(bits: int) -> int:
     return count
 
 
-@compiled
+@compiled_part
 def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> int:
     """Return the targets that the chosen elements reach, as bits.
 
@@ -222,7 +222,7 @@ def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> 
     return held & ((1 << len(room.lengths)) - 1)
 
 
-@compiled
+@compiled_part
 def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
     """Find the different ratios of the chosen elements; return the number of ratios.
 

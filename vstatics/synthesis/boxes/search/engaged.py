@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled, compiled_part
 from vstatics.synthesis.boxes.box import HELD
 
 
@@ -73,7 +73,7 @@ def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
     return sorted(combinations(range(number), size), key=lambda choice: choice[::-1])
 
 
-@compiled
+@compiled_part
 def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
     """Return the number of a combination of places in a set with ascending elements."""
     number = 0
@@ -92,7 +92,7 @@ class GearSpeeds(NamedTuple):
     """Index of the speeds of each combination of elements, shape (combinations,)."""
 
 
-@compiled
+@compiled_part
 def cross_product(rows: Floats, minors: Floats, product: Floats) -> None:
     """Calculate the vector orthogonal to n rows of n + 1 numbers, from minors of the rows.
 

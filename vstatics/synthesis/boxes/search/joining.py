@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled_part
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
@@ -104,7 +104,7 @@ def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
     )
 
 
-@compiled
+@compiled_part
 def choose(table: Combinations, room: SetRoom, depth: int, held: int, there: int) -> None:
     """Choose the branch at a depth: a target, or the single elements to add.
 
@@ -137,7 +137,7 @@ def choose(table: Combinations, room: SetRoom, depth: int, held: int, there: int
                     room.branches[depth] = target
 
 
-@compiled
+@compiled_part
 def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int) -> int:
     count = 0
     for number in range(room.lengths[target]):
@@ -150,7 +150,7 @@ def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int)
     return count
 
 
-@compiled
+@compiled_part
 def _last_elements(table: Combinations, room: SetRoom, members: int, there: int, held: int) -> int:
     """Return the last elements that reach all missing targets with enough ratios, as bits.
 
@@ -176,7 +176,7 @@ def _last_elements(table: Combinations, room: SetRoom, members: int, there: int,
     return there
 
 
-@compiled
+@compiled_part
 def join(room: SetRoom, depth: int) -> bool:
     """Extend the set of a depth by the next candidate; return whether there is a candidate."""
     before, target = room.sets[depth], room.branches[depth]
@@ -201,7 +201,7 @@ def join(room: SetRoom, depth: int) -> bool:
     return False
 
 
-@compiled
+@compiled_part
 def _is_first(room: SetRoom, depth: int, joined: int) -> bool:
     """Return whether the set contains no candidate that was tried earlier at any depth."""
     for place in range(depth + 1):
@@ -215,7 +215,7 @@ def _is_first(room: SetRoom, depth: int, joined: int) -> bool:
     return True
 
 
-@compiled
+@compiled_part
 def room_left(room: SetRoom, depth: int) -> int:
     """Return the number of elements that can still join a set."""
     left = len(room.chosen)

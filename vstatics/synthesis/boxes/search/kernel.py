@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled, put
+from vstatics.core.numerics.compiled import compiled, compiled_part, put
 from vstatics.synthesis.boxes.search.elements import PortGears, element_sets, find_ratios
 from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom
@@ -103,7 +103,7 @@ def sequences_of_ports(
     return boxes, count, given_up
 
 
-@compiled
+@compiled_part
 def is_box(
     table: Combinations, port: PortGears, asked: Asked, room: Room, elements: Integers
 ) -> bool:
@@ -113,7 +113,7 @@ def is_box(
     return bool(solved(room.parts[:count], reach, asked, room.cells) < math.inf)
 
 
-@compiled
+@compiled_part
 def gears_besides(
     table: Combinations, port: PortGears, asked: Asked, room: Room, elements: Integers
 ) -> tuple[int, bool]:
@@ -145,7 +145,7 @@ def find_gears(
         port.useful[useful] = -1
 
 
-@compiled
+@compiled_part
 def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: Room) -> None:
     """Find the different ratios that reach a target within the bounds."""
     corners = speeds.shape[2] - 1
@@ -172,7 +172,7 @@ def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: R
         room.kinds[which] = same
 
 
-@compiled
+@compiled_part
 def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int) -> int:
     """Return the elements of a combination that carry torque, as bits.
 
@@ -201,7 +201,7 @@ def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int)
     return loaded
 
 
-@compiled
+@compiled_part
 def _different(table: Combinations, port: PortGears, elements: Integers, room: Room) -> int:
     """Find the different ratios of a set; return the number of ratios."""
     put(elements, room.sets.chosen)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled_part
 
 
 class MatchRoom(NamedTuple):
@@ -28,7 +28,7 @@ def match_room(targets: int) -> MatchRoom:
     return MatchRoom(*np.zeros((4, targets), np.int64))
 
 
-@compiled
+@compiled_part
 def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
     """Return whether each target can have a separate ratio; store a matching in `chosen`.
 
@@ -57,7 +57,7 @@ def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
     return spare >= 0
 
 
-@compiled
+@compiled_part
 def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
     """Assign a target to a ratio along a shortest augmenting path, if possible."""
     chosen, came_from, line = room.chosen, room.came_from, room.line
@@ -88,7 +88,7 @@ def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
     return False
 
 
-@compiled
+@compiled_part
 def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
     """Remove from each ratio the targets that it has in no complete matching.
 
@@ -135,7 +135,7 @@ def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
     return True
 
 
-@compiled
+@compiled_part
 def _free(reach: Integers, count: int, room: MatchRoom) -> int:
     """Return the targets that some unassigned ratio can have, as bits."""
     targets = 0

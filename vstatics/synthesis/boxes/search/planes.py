@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled_part
 from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.ranges import has_one_sign
 from vstatics.synthesis.tolerances import LEAST_STIFFNESS, PLANE_ROUNDING
@@ -52,7 +52,7 @@ def plane_room(targets: int, sets: int) -> PlaneRoom:
     )
 
 
-@compiled
+@compiled_part
 def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, left: Floats) -> bool:
     """Reduce a cell by all targets that only a single ratio can meet.
 
@@ -97,7 +97,7 @@ def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, le
     return _narrow(planes, room, left) and _may_meet(planes, room)
 
 
-@compiled
+@compiled_part
 def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
     count, sets = len(planes), len(left)
     for number in range(sets):
@@ -119,7 +119,7 @@ def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
     return True
 
 
-@compiled
+@compiled_part
 def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
     """Return whether the planes can have a point in common within the widths.
 
@@ -143,7 +143,7 @@ def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
     return apart <= within * (1 + PLANE_ROUNDING)
 
 
-@compiled
+@compiled_part
 def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int) -> bool:
     """Find the plane near a gear's equation; return False without a plane.
 
@@ -184,7 +184,7 @@ def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int
     return True
 
 
-@compiled
+@compiled_part
 def _find_system(planes: Floats, system: Floats) -> None:
     sets = len(system)
     largest = 0.0
@@ -200,7 +200,7 @@ def _find_system(planes: Floats, system: Floats) -> None:
         system[first, first] += LEAST_STIFFNESS * largest if largest > 0 else 1.0
 
 
-@compiled
+@compiled_part
 def _solve(planes: Floats, room: PlaneRoom) -> None:
     system, sets = room.system, len(room.system)
     for pivot in range(sets):  # positive definite, so pivoting is not needed

@@ -10,11 +10,11 @@ from __future__ import annotations
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled_part
 from vstatics.synthesis.tolerances import INDEPENDENT_RATIO
 
 
-@compiled
+@compiled_part
 def reached(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -> int:
     """Return the targets that the quotient reaches within the bounds, as bits.
 
@@ -34,13 +34,13 @@ def reached(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -
     '0b111'
     """
     if has_one_sign(denominator):
-        return _within(numerator, denominator, low, high)
+        return _within(numerator, denominator, low, high, 0)
     if has_one_sign(numerator):
-        return _within(denominator, numerator, 1.0 / high, 1.0 / low)
+        return _within(denominator, numerator, low, high, 1)
     return (1 << len(low)) - 1
 
 
-@compiled
+@compiled_part
 def has_one_sign(values: Floats) -> bool:
     """Return whether all numbers are positive, or all negative."""
     first = values[0]
@@ -50,7 +50,7 @@ def has_one_sign(values: Floats) -> bool:
     return bool(first != 0)
 
 
-@compiled
+@compiled_part
 def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
     """Return the smallest and the largest quotient of numbers given at the corners of a range."""
     least = most = numerator[0] / denominator[0]
@@ -61,17 +61,20 @@ def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
     return least, most
 
 
-@compiled
-def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -> int:
+@compiled_part
+def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats, inverse: int) -> int:
+    """Return the ranges, or with `inverse` the ranges of 1/ratio, that a quotient reaches."""
     least, most = extremes(numerator, denominator)
     targets = 0
     for target in range(len(low)):
-        if least <= high[target] and most >= low[target]:
+        first = 1.0 / high[target] if inverse else low[target]
+        last = 1.0 / low[target] if inverse else high[target]
+        if least <= last and most >= first:
             targets |= 1 << target
     return targets
 
 
-@compiled
+@compiled_part
 def divide(above: Floats, below: Floats, within: Floats) -> None:
     """Remove a common factor of numerator and denominator, in place.
 
@@ -112,7 +115,7 @@ def divide(above: Floats, below: Floats, within: Floats) -> None:
         below[corner] = below[(corner & ~factor) | best]
 
 
-@compiled
+@compiled_part
 def _independent(above: Floats, below: Floats, within: Floats) -> int:
     """Return the ratios that a quotient does not depend on, as bits."""
     corners, sets = within.shape

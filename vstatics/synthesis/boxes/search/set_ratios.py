@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled, put
+from vstatics.core.numerics.compiled import compiled_part, put
 from vstatics.synthesis.tolerances import (
     BEYOND_WIDTH,
     FIRST_DAMPING,
@@ -100,7 +100,7 @@ def fit_room(targets: int, sets: int) -> FitRoom:
     )
 
 
-@compiled
+@compiled_part
 def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> float:
     """Minimise the sum of squares near a point, with all gears within the widths.
 
@@ -159,7 +159,7 @@ def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) 
     return math.inf
 
 
-@compiled
+@compiled_part
 def farthest(errors: Floats) -> float:
     """Return the largest absolute error."""
     largest = 0.0
@@ -168,7 +168,7 @@ def farthest(errors: Floats) -> float:
     return largest
 
 
-@compiled
+@compiled_part
 def _squares(errors: Floats) -> float:
     total = 0.0
     for error in errors:
@@ -176,7 +176,7 @@ def _squares(errors: Floats) -> float:
     return total
 
 
-@compiled
+@compiled_part
 def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room: FitRoom) -> float:
     """Minimise the sum of squares of ln(i/target)/width near a point.
 
@@ -235,7 +235,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room
     return best
 
 
-@compiled
+@compiled_part
 def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
     total = 0.0
     if stiffness > 0:
@@ -244,7 +244,7 @@ def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
     return stiffness * total
 
 
-@compiled
+@compiled_part
 def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
     """Calculate the corner weights at a point, and the derivatives."""
     sets = len(logs)
@@ -265,7 +265,7 @@ def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
                     room.slopes[other, corner] *= slope if is_high else -slope
 
 
-@compiled
+@compiled_part
 def weighed(part: Floats, weights: Floats) -> tuple[float, float]:
     """Interpolate numerator and denominator between the corners."""
     above = below = 0.0
@@ -275,7 +275,7 @@ def weighed(part: Floats, weights: Floats) -> tuple[float, float]:
     return above, below
 
 
-@compiled
+@compiled_part
 def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, errors: Floats) -> float:
     """Calculate ln(i/target)/width of every gear; return the sum of squares.
 
@@ -292,7 +292,7 @@ def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, errors
     return total
 
 
-@compiled
+@compiled_part
 def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> None:
     for target in range(len(chosen)):
         part = parts[chosen[target]]
@@ -302,7 +302,7 @@ def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> Non
             room.jacobian[target, number] = (over / above - under / below) / asked.widths[target]
 
 
-@compiled
+@compiled_part
 def damped_step(room: FitRoom, least: float, most: float, damping: float) -> float:
     """Calculate a damped step from the weighted errors; return the largest component.
 
@@ -329,7 +329,7 @@ def damped_step(room: FitRoom, least: float, most: float, damping: float) -> flo
     return largest
 
 
-@compiled
+@compiled_part
 def _weigh_errors(room: FitRoom, stiffness: float) -> None:
     """Calculate half the derivatives of the sum of squares with respect to each error."""
     for target in range(len(room.errors)):
@@ -342,7 +342,7 @@ def _weigh_errors(room: FitRoom, stiffness: float) -> None:
             room.forces[target] += stiffness * math.copysign(beyond, error)
 
 
-@compiled
+@compiled_part
 def _find_system(room: FitRoom, least: float, most: float, damping: float) -> None:
     """Set up the damped normal equations; a ratio held by a bound does not move."""
     count, sets = room.jacobian.shape

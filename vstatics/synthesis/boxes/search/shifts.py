@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled_part
 from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.joining import SetRoom
 
@@ -39,7 +39,7 @@ def neighbours(targets: Sequence[float]) -> Integers:
     return np.array(pairs, np.int64).reshape(-1, 2)
 
 
-@compiled
+@compiled_part
 def shifts_singly(table: Combinations, shifts: Integers, room: SetRoom) -> bool:
     """Check that combinations of the chosen elements permit single shifts between neighbours.
 
@@ -72,7 +72,7 @@ def shifts_singly(table: Combinations, shifts: Integers, room: SetRoom) -> bool:
     return True
 
 
-@compiled
+@compiled_part
 def _exchanged(table: Combinations, combination: int, other: int) -> int:
     count = 0
     for place in table.places[combination]:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import compiled, put
+from vstatics.core.numerics.compiled import compiled_part, put
 from vstatics.synthesis.boxes.search.cells import (
     RatioCells,
     cells_room,
@@ -90,7 +90,7 @@ def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) ->
     )
 
 
-@compiled
+@compiled_part
 def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> float:
     """Minimise the sum of squares of ln(i/target)/width with all targets met.
 
@@ -145,7 +145,7 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
     return float(room.best[0])
 
 
-@compiled
+@compiled_part
 def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
     room.best[:] = math.inf
     put(asked.least, room.least)
@@ -159,7 +159,7 @@ def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
     cells.known[0] = False
 
 
-@compiled
+@compiled_part
 def _open_target(ratios: int, room: CellRoom, top: int) -> int:
     """Return the undecided target with the fewest ratios, or `EACH` or `NONE`.
 
@@ -183,7 +183,7 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
     return scarcest if matched(reach, ratios, room.match) else NONE
 
 
-@compiled
+@compiled_part
 def _give(target: int, cells: RatioCells, top: int) -> None:
     """Copy a cell: in the upper copy its first ratio has the target alone, in the lower never."""
     double(cells, top)
@@ -199,7 +199,7 @@ def _give(target: int, cells: RatioCells, top: int) -> None:
                 is_given = True
 
 
-@compiled
+@compiled_part
 def _has_elements(room: CellRoom, top: int) -> bool:
     if not room.cells.known[top]:
         if not chained(room.ratio_of, room.match.chosen, room.chains):
@@ -208,7 +208,7 @@ def _has_elements(room: CellRoom, top: int) -> bool:
     return True
 
 
-@compiled
+@compiled_part
 def _fit(parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
     """Fit the chosen ratios and record the best; return whether all targets are met."""
     cells, chosen = room.cells, room.match.chosen

@@ -11,13 +11,13 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled, fill
+from vstatics.core.numerics.compiled import compiled_part, fill
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.sequences.room import ChoiceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 
-@compiled
+@compiled_part
 def ends_of(part: Floats) -> tuple[float, float]:
     """Return the range of ln(i) in a cell, or infinity and -infinity if i is never positive.
 
@@ -46,7 +46,7 @@ def ends_of(part: Floats) -> tuple[float, float]:
     return low, high
 
 
-@compiled
+@compiled_part
 def find_bounds(cell: Floats, count: int, asked: Asked, room: ChoiceRoom, sums: Floats) -> int:
     """Calculate the targets and range of each ratio in a cell, and the range of each step.
 
@@ -90,24 +90,24 @@ def find_bounds(cell: Floats, count: int, asked: Asked, room: ChoiceRoom, sums: 
     return forward
 
 
-@compiled
+@compiled_part
 def _less(minuend: float, subtrahend: float, unknown: float) -> float:
     """Return the difference of two ends, or `unknown` if an end is infinite."""
     is_known = -math.inf < minuend < math.inf and -math.inf < subtrahend < math.inf
     return minuend - subtrahend if is_known else unknown
 
 
-@compiled
+@compiled_part
 def _is_forward(ratio: int, room: ChoiceRoom) -> bool:
     return bool(room.ends[ratio, 0] <= room.ends[ratio, 1])
 
 
-@compiled
+@compiled_part
 def _is_bounded(ratio: int, room: ChoiceRoom) -> bool:
     return bool(-math.inf < room.ends[ratio, 0] and room.ends[ratio, 1] < math.inf)
 
 
-@compiled
+@compiled_part
 def _step(dividend: Floats, divisor: Floats, sums: Floats) -> tuple[float, float]:
     """Return the range of ln(i/j) in a cell where neither ratio has a zero or a pole."""
     corners = dividend.shape[1]
@@ -125,7 +125,7 @@ def _step(dividend: Floats, divisor: Floats, sums: Floats) -> tuple[float, float
     return math.log(least), math.log(most)
 
 
-@compiled
+@compiled_part
 def _gap(corner: int) -> int:
     """Return the increment to the next corner when the bits of corners are read in base 3."""
     low, power = 0, 1

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.core.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled_part
 from vstatics.synthesis.boxes.search.chains import chained
 from vstatics.synthesis.boxes.search.sequences.room import ChoiceRoom, Sequence, SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
@@ -27,7 +27,7 @@ class Goal(NamedTuple):
     """Largest number of gears to put into choices before the search is aborted."""
 
 
-@compiled
+@compiled_part
 def begin_choices(room: ChoiceRoom) -> None:
     """Reset the room before the first choice."""
     for ratio in range(len(room.free)):
@@ -36,7 +36,7 @@ def begin_choices(room: ChoiceRoom) -> None:
     room.looks[0] = 0
 
 
-@compiled
+@compiled_part
 def next_choice(wanted: Sequence, goal: Goal, depth: int, room: ChoiceRoom) -> int:
     """Find the next choice that the ranges allow; each choice is met once.
 
@@ -82,7 +82,7 @@ def next_choice(wanted: Sequence, goal: Goal, depth: int, room: ChoiceRoom) -> i
     return 0
 
 
-@compiled
+@compiled_part
 def _may_be(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRoom) -> bool:
     if not room.free[ratio]:
         return False
@@ -105,7 +105,7 @@ def _may_be(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRo
     return bool(gears == 0 or room.steps[first, ratio, 1] + gears * further >= wanted.spread[0])
 
 
-@compiled
+@compiled_part
 def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> bool:
     """Assign elements to the chosen gears so that all elements are used.
 
@@ -148,7 +148,7 @@ def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> 
     return bool(turn == length and chained(room.ratio_of, room.point.chosen[:length], chains))
 
 
-@compiled
+@compiled_part
 def may_use_all(targets: int, length: int, singly: int, room: SequenceRoom) -> bool:
     """Return whether gears chosen by ranges in a cell may use all elements, as in `set_elements`.
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled, fill, put
+from vstatics.core.numerics.compiled import compiled_part, fill, put
 from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import (
     FIRST_TURNS,
@@ -38,7 +38,7 @@ WIDTH_WITHOUT_MIDDLE = 0.1
 """Half-width that is assumed for a range without a middle. [-]"""
 
 
-@compiled
+@compiled_part
 def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
     """Minimise the sum of squares near a point with all gears of a choice in range.
 
@@ -79,7 +79,7 @@ def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) 
     return math.inf
 
 
-@compiled
+@compiled_part
 def squares_at(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
     """Return the sum of squares of a choice at the current point, ignoring the ranges."""
     _find_rows(length, asked, room)
@@ -87,7 +87,7 @@ def squares_at(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> 
     return _errors(parts, length, asked, room, room.fit.trial)
 
 
-@compiled
+@compiled_part
 def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
     """Write the middle, half-width and range of each error to `rows`; count the valid rows."""
     wanted, targets, count = room.wanted, len(asked.targets), 0
@@ -113,7 +113,7 @@ def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
     return count
 
 
-@compiled
+@compiled_part
 def _pulled(error: float, row: int, room: SequenceRoom) -> float:
     """Return the signed excess of an error over the nearer end of the range, with the pull."""
     pull = room.fit.pulls[row]
@@ -123,7 +123,7 @@ def _pulled(error: float, row: int, room: SequenceRoom) -> float:
     return -float(max(below, 0.0))
 
 
-@compiled
+@compiled_part
 def _fitted(
     parts: Floats, length: int, asked: Asked, stiffness: float, room: SequenceRoom
 ) -> float:
@@ -161,7 +161,7 @@ def _fitted(
     return _squares(fit.errors, room) if best < math.inf else math.inf
 
 
-@compiled
+@compiled_part
 def _squares(errors: Floats, room: SequenceRoom) -> float:
     total = 0.0
     for row in range(len(errors)):
@@ -169,7 +169,7 @@ def _squares(errors: Floats, room: SequenceRoom) -> float:
     return total
 
 
-@compiled
+@compiled_part
 def _pull(errors: Floats, stiffness: float, room: SequenceRoom) -> float:
     total = 0.0
     if stiffness > 0:
@@ -178,7 +178,7 @@ def _pull(errors: Floats, stiffness: float, room: SequenceRoom) -> float:
     return stiffness * total
 
 
-@compiled
+@compiled_part
 def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> float:
     """Calculate all errors at the current corner weights; return the sum of squares.
 
@@ -198,7 +198,7 @@ def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors
     return _squares(errors, room)
 
 
-@compiled
+@compiled_part
 def _combine(logs: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> None:
     """Combine logarithms of ratios, or slopes, to spread and steps, per half-width."""
     targets = len(asked.targets)
@@ -217,7 +217,7 @@ def _combine(logs: Floats, length: int, asked: Asked, room: SequenceRoom, errors
         errors[row] /= room.rows[row, 1]
 
 
-@compiled
+@compiled_part
 def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> None:
     fit = room.fit
     weigh(fit.logs, asked, fit)
@@ -230,7 +230,7 @@ def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -
         _combine(room.gear_logs, length, asked, room, fit.jacobian[:, number])
 
 
-@compiled
+@compiled_part
 def _weigh_errors(stiffness: float, room: SequenceRoom) -> None:
     """Calculate half the derivatives of the sum of squares with respect to each error."""
     fit = room.fit

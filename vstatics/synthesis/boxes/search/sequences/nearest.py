@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled, put
+from vstatics.core.numerics.compiled import compiled_part, put
 from vstatics.synthesis.boxes.search.sequences.bounds import find_bounds
 from vstatics.synthesis.boxes.search.sequences.choosing import (
     Goal,
@@ -26,7 +26,7 @@ GRID = 3
 """Number of values of each gear-set ratio in the grid of starting points."""
 
 
-@compiled
+@compiled_part
 def find_nearest(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
     """Find the choice with the least sum of squares among equally good choices.
 
@@ -51,7 +51,7 @@ def find_nearest(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
                 _fit(parts, length, asked, room)
 
 
-@compiled
+@compiled_part
 def _fit(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> None:
     squares = fitted_choice(parts, length, asked, room)
     if squares < room.squares[0]:
@@ -59,7 +59,7 @@ def _fit(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> None:
         note(length, asked, room.best[1], squares, room)
 
 
-@compiled
+@compiled_part
 def _is_begun(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> bool:
     """Move to the grid point where the choice is nearest; return False without a grid point."""
     sets, best, least = len(room.best_logs), -1, math.inf

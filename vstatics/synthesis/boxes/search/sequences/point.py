@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled, put
+from vstatics.core.numerics.compiled import compiled_part, put
 from vstatics.synthesis.boxes.search.sequences.choosing import set_elements
 from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked, weigh, weighed
 
 
-@compiled
+@compiled_part
 def is_best(room: SequenceRoom) -> bool:
     """Return whether the best choice cannot be improved in the current phase."""
     if room.is_single_left[0]:
@@ -19,20 +19,20 @@ def is_best(room: SequenceRoom) -> bool:
     return bool(room.best[0] == room.wanted.most)
 
 
-@compiled
+@compiled_part
 def fewest(room: SequenceRoom) -> int:
     """Return the smallest number of gears of a better choice."""
     longer = 0 if room.is_single_left[0] else 1
     return int(max(room.wanted.least, room.best[0] + longer))
 
 
-@compiled
+@compiled_part
 def is_singly(room: SequenceRoom) -> int:
     """Return 1 if a better choice must shift singly, otherwise 0."""
     return 1 if room.wanted.singly or room.is_single_left[0] else 0
 
 
-@compiled
+@compiled_part
 def find_logs(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
     """Calculate ln(i) of all forward ratios at the current point."""
     weigh(room.fit.logs, asked, room.fit)
@@ -40,7 +40,7 @@ def find_logs(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
         _ratio_at(parts, ratio, room)
 
 
-@compiled
+@compiled_part
 def _ratio_at(parts: Floats, ratio: int, room: SequenceRoom) -> float:
     """Return a ratio at the current corner weights, and store the logarithm."""
     above, below = weighed(parts[ratio], room.fit.corner_weights)
@@ -49,7 +49,7 @@ def _ratio_at(parts: Floats, ratio: int, room: SequenceRoom) -> float:
     return float(value)
 
 
-@compiled
+@compiled_part
 def find_point(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
     """Calculate all ratios and steps at the current point, and sort the ratios."""
     point, logs, count = room.point, room.logs, len(parts)
@@ -76,7 +76,7 @@ def find_point(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
             point.steps[upper, lower, 1] = step if is_step else -math.inf
 
 
-@compiled
+@compiled_part
 def note(length: int, asked: Asked, singly: int, squares: float, room: SequenceRoom) -> bool:
     """Record a choice at the point if shift elements for the choice exist."""
     gears = length - len(asked.targets)

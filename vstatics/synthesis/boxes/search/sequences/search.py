@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled, fill, put
+from vstatics.core.numerics.compiled import compiled_part, fill, put
 from vstatics.synthesis.boxes.search.cells import change_along
 from vstatics.synthesis.boxes.search.matching import matched
 from vstatics.synthesis.boxes.search.sequences.bounds import find_bounds
@@ -53,7 +53,7 @@ MOST_CELL_FITS = 40
 """Largest number of choices to fit before a cell is halved."""
 
 
-@compiled
+@compiled_part
 def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int, bool]:
     """Return the number of gears of the best sequence, and whether the search is incomplete.
 
@@ -82,7 +82,7 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
     return best[0], bool(is_open and best[0] == 0)
 
 
-@compiled
+@compiled_part
 def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
     """Look for a better choice in at most `most` cells; return whether cells remain."""
     count, top, is_open = len(parts), 1, False
@@ -111,7 +111,7 @@ def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
     return bool(is_open or top > 0)
 
 
-@compiled
+@compiled_part
 def _may_be_better(count: int, top: int, asked: Asked, room: SequenceRoom) -> bool:
     """Return whether a cell can contain a better choice; True if deciding takes too long."""
     cell, targets = room.cell, len(asked.targets)
@@ -128,13 +128,13 @@ def _may_be_better(count: int, top: int, asked: Asked, room: SequenceRoom) -> bo
             return True
 
 
-@compiled
+@compiled_part
 def _find_middle(top: int, room: SequenceRoom) -> None:
     for number in range(room.low.shape[1]):
         room.fit.logs[number] = 0.5 * math.log(room.low[top, number] * room.high[top, number])
 
 
-@compiled
+@compiled_part
 def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
     """Record the best choice at the point; return True for an improvement."""
     find_point(parts, asked, room)
@@ -150,7 +150,7 @@ def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
     return is_better
 
 
-@compiled
+@compiled_part
 def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: SequenceRoom) -> bool:
     """Fit every possible choice in a small cell; return whether nothing better can remain.
 
@@ -177,7 +177,7 @@ def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: Sequen
     return is_best(room)
 
 
-@compiled
+@compiled_part
 def _widest(count: int, top: int, room: SequenceRoom) -> int:
     """Return the gear set whose ratio changes the forward gears most; -1 in a narrow cell."""
     widest, most = -1, 0.0
@@ -193,7 +193,7 @@ def _widest(count: int, top: int, room: SequenceRoom) -> int:
     return widest
 
 
-@compiled
+@compiled_part
 def _is_small(top: int, room: SequenceRoom) -> bool:
     for number in range(room.low.shape[1]):
         if room.high[top, number] > SMALL * room.low[top, number]:
@@ -201,7 +201,7 @@ def _is_small(top: int, room: SequenceRoom) -> bool:
     return True
 
 
-@compiled
+@compiled_part
 def _halve(room: SequenceRoom, count: int, top: int, number: int) -> None:
     low, high = room.low[top, number], room.high[top, number]
     middle = math.sqrt(low * high)
