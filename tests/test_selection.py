@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.changed import ALL, places
+from tests.installed import HERE, needs
 
 ROOT = Path(__file__).parents[1]
 
@@ -42,6 +43,7 @@ def test_the_first_case_that_is_not_skipped_stands_for_all(cases: str, taken: li
     assert re.findall(r"test_of_three_cases\[(\d)\]", done.stdout) == taken
 
 
+@needs("sweep", "simulation")
 def test_a_change_of_an_annex_concerns_it_and_the_annexes_that_need_it() -> None:
     found = places(["vstatics/sweep/variants/table.py"])
     assert found[:2] == ["tests/sweep", "vstatics/sweep"]
@@ -55,7 +57,7 @@ def test_a_change_of_the_core_concerns_the_rooms_above_it_and_all_annexes() -> N
     found = places(["vstatics/core/flow/paths.py", "README.md"])
     assert "tests/core/flow" in found
     assert "tests/core/cli" in found  # above
-    assert "tests/torsion" in found
+    assert {f"tests/{annex}" for annex in HERE} <= {*found}
     assert "tests/core/statics" not in found  # below
 
 

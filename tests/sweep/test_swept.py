@@ -140,7 +140,7 @@ def test_variables_of_a_dataset_have_the_units_that_those_of_results_have() -> N
     assert [parallel[one].attrs.get("units") for one in ("x", "max(speeds_rpm)")] == [None, "rpm"]
 
 
-@needs("simulation")
+@needs("simulation", "torsion")
 def test_what_swings_and_what_runs_has_units_too() -> None:
     from vstatics import load_varied
 

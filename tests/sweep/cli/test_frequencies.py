@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import json_answer, vstatics
+from tests.installed import needs
 
 CASE = """\
 links: [engine, disc, wheel]
@@ -33,6 +34,7 @@ def test_the_numbers_are_those_of_torsion_modes() -> None:
     assert row["omega[2,1]/omega[1,1]"] == pytest.approx(high / low, rel=1e-11)
 
 
+@needs("torsion")
 def test_a_table_of_variants_and_a_sweep_file() -> None:
     Path("own.csv").write_text("wheel.inertia,shaft.stiffness\n1.5,9e3\n2,1e4\n", encoding="utf-8")
     table = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
@@ -59,6 +61,7 @@ mechanisms: {pair: {first: 1, second: 2, third: housing, ratio: -2}}
 """The brake B holds the second wheel, and so the input."""
 
 
+@needs("torsion")
 def test_a_gear_whose_input_is_held_vibrates_and_one_without_motion_does_not() -> None:
     """One mass of 1 kg*m^2 on the spring: the square root of its stiffness."""
     for gear, rows in (

@@ -6,6 +6,7 @@ from itertools import permutations
 
 import pytest
 
+from tests.installed import needs
 from tests.sweep.sweeps import DIFFERENTIAL
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission, loads
 from vstatics.sweep import sweep
@@ -60,6 +61,7 @@ def assert_told(column: int, words: str, vary: str, out: str) -> None:
     assert (problem.place.column, problem.place.text) == (column, text)
 
 
+@needs("torsion")
 def test_what_is_wrong_is_told_with_its_column() -> None:
     for text, column, words in (
         ("P.stiffness=1", 1, "`P` has no `stiffness` in the case: give it one, so that it can"),
@@ -91,6 +93,7 @@ def test_what_is_wrong_is_told_with_its_column() -> None:
         sweep(CASE, "tyre.stiffness=1", where="omega > 1")
 
 
+@needs("torsion")
 def test_a_case_without_vibration_has_no_such_numbers() -> None:
     for text, words in (
         ("D.stiffness", "the case has nothing that is elastic, so there is no stiffness to vary"),
