@@ -9,8 +9,7 @@ from tests.core.statics.differential import SET, status, texts, train
 from vstatics import Gear, solve
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics import matrix
-from vstatics.core.statics.drag import NO_DRAG
-from vstatics.core.statics.torques import solve_sums, solve_torques
+from vstatics.core.statics.torques import NO_DRAG, solve_sums, solve_torques
 
 
 def test_two_clutches_that_lock_the_train_leave_only_the_split_open() -> None:

@@ -10,8 +10,8 @@ gear as an object.
 >>> results.ratio, results.gear(2).torques.on_first_link
 (array([1. , 3.5]), [0.0, -2.5, 1.0, 3.5])
 
-The modules follow docs/method.md: `matrix`, `speeds`, `drag`, `torques`, `ideal` (a gear
-without losses), `efficiency`, `losses`, `signs` (first without losses, then by a search),
+The modules follow docs/method.md: `matrix`, `speeds`, `torques` (also of drag), `ideal`
+(a gear without losses), `efficiency`, `losses`, `signs` (first without losses, then by a search),
 `freewheels`, `state` (a gear as one object and as numbers, with `power`, `bodies` and `status`),
 `variants` (arrays of states), `result_arrays`, `results`, `solution`. The room `points` lets any
 number vary, in SI units. `diagnosis`, `idle_by_coincidence` and `digits` find what a message should

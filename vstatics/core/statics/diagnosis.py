@@ -19,13 +19,13 @@ from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, is_nan, plain
 from vstatics.core.statics import carried, digits, freewheels, ideal, matrix, torques
-from vstatics.core.statics.drag import unknown_drag, without_load
 from vstatics.core.statics.idle_by_coincidence import coincidences
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
 from vstatics.core.statics.state import GearState
 from vstatics.core.statics.status import CONFLICT, DRAGGED, LOCKED, NEUTRAL, TIED_UP
+from vstatics.core.statics.torques import unknown_drag, without_load
 
 NOTHING_HOLDS = "nothing supports the input torque"
 

@@ -18,14 +18,13 @@ from vstatics.core.numerics.tape import Untraceable
 from vstatics.core.numerics.tolerances import NEAR_ONE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_traced, may_lie, plain, sign
 from vstatics.core.statics import matrix
-from vstatics.core.statics.drag import NO_DRAG
 from vstatics.core.statics.efficiency import Efficiency
 from vstatics.core.statics.ideal import IdealGear, direction_of, ideal_gear, is_nothing
 from vstatics.core.statics.matrix import Variant, variant_of
 from vstatics.core.statics.signs import find_signs
 from vstatics.core.statics.speeds import Speeds, is_tie, solve_speeds
 from vstatics.core.statics.state import GearState
-from vstatics.core.statics.torques import Torques
+from vstatics.core.statics.torques import NO_DRAG, Torques
 
 Losses = Sequence[Number | Efficiency]
 """Efficiency of each mechanism: forward only, or of both directions. [-]"""

@@ -10,10 +10,9 @@ from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute, is_nothing_beside
 from vstatics.core.statics import matrix
-from vstatics.core.statics.drag import NO_DRAG, Drag, drag_torques
 from vstatics.core.statics.matrix import Column, Variant
 from vstatics.core.statics.speeds import Speeds
-from vstatics.core.statics.torques import Torques, solve_torques, times
+from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques, times
 
 OUTSIDE = -1
 """Index that stands for external torques among the indices of devices."""

@@ -7,9 +7,8 @@ from typing import Literal, NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.core.numerics.traced import Number
-from vstatics.core.statics.drag import Drag
 from vstatics.core.statics.matrix import external_torques, held_links
-from vstatics.core.statics.torques import Torques, times
+from vstatics.core.statics.torques import Drag, Torques, times
 
 DeviceKind = Literal["element", "mechanism", "spring", "port", "drag"]
 """Kind of a device; `mechanism` covers drawn gear sets, `drag` is the drag of a link."""

@@ -24,14 +24,13 @@ from vstatics.core.numerics.traced import (
     where,
 )
 from vstatics.core.statics.bodies import turning_as_one
-from vstatics.core.statics.drag import NO_DRAG, Drag
 from vstatics.core.statics.efficiency import Signs, lossy_ratios
 from vstatics.core.statics.ideal import IdealGear
 from vstatics.core.statics.matrix import always_loaded, column_of, columns, value
 from vstatics.core.statics.power import LinkPower, device_powers, drag_powers, port_powers
 from vstatics.core.statics.signs import SignSearch
 from vstatics.core.statics.status import OK, Status, statuses
-from vstatics.core.statics.torques import Torques, solve_sums
+from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, solve_sums
 
 
 class GearState(NamedTuple):
