@@ -67,7 +67,8 @@ def _likeness(lines: list[str], part: list[str]) -> float:
 
 def _console(block: Block, folder: Path) -> str:
     examples = [*commands(block)]
-    outputs = iter(run_all([command for command, _ in examples if is_run(command)], folder))
+    run = [command for command, _ in examples if is_run(command)]
+    outputs = iter(run_all(run, folder, seconds=3600))  # a search for gearboxes also compiles
     text = block.text[: block.text.index("$ ")]
     for command, shown in examples:
         asked = "$ " + command.replace("\n", "\n> ").removesuffix("> ")
