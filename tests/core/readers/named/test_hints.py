@@ -34,6 +34,11 @@ def test_a_mistyped_key_of_links_causes_one_message(key: str) -> None:
     assert message == f"unknown key `{key}`; did you mean `shift_elements`?"
 
 
+@pytest.mark.parametrize("key", ["element", "gear_sets", "planetary"])
+def test_a_mistyped_key_of_gear_sets_causes_one_message(key: str) -> None:
+    assert errors("\nelements", f"\n{key}") == [f"unknown key `{key}`; did you mean `elements`?"]
+
+
 def test_a_decimal_comma_gets_advice() -> None:
     assert "write a decimal point, not a decimal comma" in errors("2000 rpm", "2000,5 rpm")[-1]
 
@@ -47,6 +52,8 @@ def test_a_missing_blank_after_a_colon_gets_advice() -> None:
 
 def test_a_ratio_instead_of_teeth_gets_advice() -> None:
     assert "is written under `mechanisms`" in errors("teeth: {sun: 30, ring: 70}", "ratio: -2")[1]
+    ravigneaux = errors("kind: planetary", "kind: ravigneaux, ratio: -2")
+    assert "elements.P: unknown key `ratio`; did you mean `ratios`?" in ravigneaux
 
 
 def warnings(text: str) -> list[str]:
