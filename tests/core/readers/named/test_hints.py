@@ -15,7 +15,7 @@ elements:
   P: {kind: planetary, sun: s, ring: r, carrier: c, teeth: {sun: 30, ring: 70}}
 shift_elements:
   B: [r, housing]
-  C: [s, c]
+  C: [r, c]
 load: {speed: 2000 rpm, torque: 160 N*m}
 gears: {low: [B], high: [C]}
 """
@@ -25,7 +25,7 @@ def errors(old: str, new: str) -> list[str]:
     assert old in CASE
     with pytest.raises(ReadError) as raised:
         read(CASE.replace(old, new).encode(), "case.yaml")
-    return [problem.message for problem in raised.value.problems if problem.severity == "error"]
+    return [problem.message for problem in raised.value.problems]
 
 
 @pytest.mark.parametrize("key", ["shift_element", "clutches", "brakes"])
@@ -67,7 +67,7 @@ def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
     assert warnings(once) == [
         f"link `ground` appears only once, so it is connected to nothing{hint}"
     ]
-    twice = once.replace("  C: [s, c]", "  C: [s, c]\n  D: [c, ground]")
+    twice = once.replace("  C: [r, c]", "  C: [r, c]\n  D: [c, ground]")
     assert warnings(twice) == [
         f"link `ground` appears only in shift elements, so nothing holds it{hint}"
     ]
