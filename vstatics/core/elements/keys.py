@@ -33,14 +33,14 @@ _WHEELS = (("suns", False), ("rings", True))
 _EFFICIENCY = {"exclusiveMinimum": 0, "maximum": 1}
 _NOT_NEGATIVE = {"minimum": 0}
 _MESHES = {
-    "external": "Two external wheels.",
-    "internal": "A wheel in a ring.",
-    "bevel": "Two bevel wheels.",
+    "external": "Mesh of two external gears.",
+    "internal": "Mesh of an external gear in a ring gear.",
+    "bevel": "Mesh of two bevel gears.",
 }
 
 MESH_EFFICIENCY = ByKey(
     "Efficiencies of meshes",
-    "Efficiency of a single mesh, both axes held.",
+    "Efficiency of a single mesh with both axes held.",
     (
         *(
             KeyShape(mesh, NUMBER, text, limits={**_EFFICIENCY, "default": default})
@@ -49,38 +49,43 @@ MESH_EFFICIENCY = ByKey(
         KeyShape(
             "friction",
             NUMBER,
-            "Coefficient of friction of the teeth: efficiencies that are not given follow from "
-            "the teeth, but of bevel wheels.",
+            "Coefficient of friction of the teeth, from which efficiencies that are not given "
+            "follow, except for bevel gears.",
             limits={"exclusiveMinimum": 0, "exclusiveMaximum": 1},
             examples=(0.06,),
         ),
     ),
 )
 
-_KIND = KeyShape("kind", TEXT, "What the element is.")
+_KIND = KeyShape("kind", TEXT, "Kind of the gear set.")
 _COMMON = (
     KeyShape(
-        "efficiency", EFFICIENCY, "As one mechanism, its third member held.", limits=_EFFICIENCY
+        "efficiency",
+        EFFICIENCY,
+        "Efficiency of the gear set as a single mechanism with its third member held.",
+        limits=_EFFICIENCY,
     ),
-    KeyShape("mesh_efficiency", MESH_EFFICIENCY, "Of this element's meshes."),
+    KeyShape("mesh_efficiency", MESH_EFFICIENCY, "Efficiencies of the meshes of this gear set."),
     *ELASTIC,
 )
 _PLANET_MASS = ByKey(
     "Planet",
-    "Inertia and mass of one planet, for vibration.",
+    "Inertia and mass of a single planet, for vibration.",
     (
         KeyShape(
             "inertia",
             Leaf("inertia"),
-            "About its own axis, in kg*m^2.",
+            "Moment of inertia about the axis of the planet, in kg*m^2.",
             default=0,
             limits=_NOT_NEGATIVE,
         ),
-        KeyShape("mass", Leaf("mass"), "In kg.", default=0, limits=_NOT_NEGATIVE),
+        KeyShape(
+            "mass", Leaf("mass"), "Mass of the planet, in kg.", default=0, limits=_NOT_NEGATIVE
+        ),
         KeyShape(
             "radius",
             Leaf("length"),
-            "Of its pin around the axis of the set, in m; needed with a mass.",
+            "Distance of the pin from the axis of the gear set, in m; required with a mass.",
             default=0,
             limits=_NOT_NEGATIVE,
         ),
@@ -91,15 +96,17 @@ _RATIOS = KeyShape(
     "ratios",
     ByKey(
         "Ratios of suns",
-        "Of each sun to the ring with the carrier held.",
+        "Basic ratios of each sun to the ring, with the carrier held.",
         (
-            KeyShape("small_sun", NUMBER, "Above 1.", required=True),
-            KeyShape("large_sun", NUMBER, "Below -1.", required=True),
+            KeyShape("small_sun", NUMBER, "Ratio of the small sun, above 1.", required=True),
+            KeyShape("large_sun", NUMBER, "Ratio of the large sun, below -1.", required=True),
         ),
     ),
-    "In place of teeth that are not known yet.",
+    "Ratios instead of `teeth`, while the tooth numbers are unknown.",
 )
-_PLANETS = KeyShape("planets", COUNT, "Planets, or sets of meshed planets, around the axis.")
+_PLANETS = KeyShape(
+    "planets", COUNT, "Number of planets, or of groups of meshed planets, around the axis."
+)
 
 
 def _record(name: str, kind: Kind) -> ByKey:
@@ -107,7 +114,7 @@ def _record(name: str, kind: Kind) -> ByKey:
         return _GROUP
     members = tuple(
         KeyShape(
-            member, LINK, f"Link of the member {member}.", required=member not in kind.optional
+            member, LINK, f"Link of the member `{member}`.", required=member not in kind.optional
         )
         for member in kind.members
     )
@@ -115,12 +122,22 @@ def _record(name: str, kind: Kind) -> ByKey:
         return ByKey(name, kind.description, (_KIND, *members, *_COMMON))
     if isinstance(kind, Simple):
         leaf = COUNT if kind.size == "teeth" else NUMBER
-        size = KeyShape(kind.size, _toothed(kind, leaf), "Of the wheels.", not kind.optional_teeth)
+        size = KeyShape(
+            kind.size,
+            _toothed(kind, leaf),
+            "Tooth numbers, or diameters, of the gears or pulleys.",
+            not kind.optional_teeth,
+        )
         common = (_WORM, *ELASTIC) if name == "worm" else _COMMON
         common = (_PLANETS, *common, _planet(("planet",))) if name == "bevel" else common
         return ByKey(name, kind.description, (_KIND, *members, size, *common))
     has_ratios = name == RAVIGNEAUX
-    size = KeyShape("teeth", _toothed(kind, COUNT), "Of wheels and planets.", not has_ratios)
+    size = KeyShape(
+        "teeth",
+        _toothed(kind, COUNT),
+        "Tooth numbers of central gears and planets.",
+        not has_ratios,
+    )
     ratios = (_RATIOS,) * has_ratios
     last = _planet(tuple(kind.planets))
     return ByKey(name, kind.description, (_KIND, *members, size, *ratios, _PLANETS, *_COMMON, last))
@@ -132,42 +149,46 @@ def _planet(names: Sequence[str] = ()) -> KeyShape:
     if len(names) == 1:
         shape = _PLANET_MASS
     elif names:
-        keys = tuple(KeyShape(name, _PLANET_MASS, f"One {name} planet.") for name in names)
-        shape = ByKey("Planets", "Masses of planets, by their names.", keys)
-    return KeyShape("planet", shape, "Of one of the `planets`.")
+        keys = tuple(
+            KeyShape(name, _PLANET_MASS, f"A single planet of the kind `{name}`.") for name in names
+        )
+        shape = ByKey("Planets", "Masses of planets, by name.", keys)
+    return KeyShape("planet", shape, "Inertia and mass of one of the `planets`.")
 
 
 def _toothed(kind: Kind, leaf: Leaf) -> ByKey:
-    keys = tuple(KeyShape(name, leaf, f"Of {name}.") for name in kind.toothed)
-    return ByKey("Sizes of wheels", "Teeth, or diameters, by wheel.", keys)
+    keys = tuple(KeyShape(name, leaf, f"Size of `{name}`.") for name in kind.toothed)
+    return ByKey("Sizes of wheels", "Tooth numbers or diameters, by member.", keys)
 
 
 _WORM = KeyShape(
     "efficiency",
     ByKey(
         "Efficiencies of a worm pair",
-        "Which of the two drives.",
+        "Efficiency for each of the two gears as the driving gear.",
         (
-            KeyShape("worm", NUMBER, "The worm drives.", required=True, limits=_EFFICIENCY),
+            KeyShape(
+                "worm", NUMBER, "Efficiency if the worm drives.", required=True, limits=_EFFICIENCY
+            ),
             KeyShape(
                 "wheel",
                 NUMBER,
-                "The wheel drives; 0 if the pair is self-locking.",
+                "Efficiency if the wheel drives; 0 if the pair is self-locking.",
                 required=True,
                 limits={"minimum": 0, "maximum": 1},
             ),
         ),
     ),
-    "With the worm driving, and with the wheel.",
+    "Efficiencies with the worm and with the wheel driving.",
     required=True,
 )
 _WHEEL = ByKey(
     "Central wheel",
-    "A sun or a ring of a group of planets.",
+    "Sun or ring gear of a group of planets.",
     (
-        KeyShape("link", LINK, "The link that it belongs to.", required=True),
-        KeyShape("teeth", COUNT, "Its teeth.", required=True),
-        KeyShape("rim", TEXT, "The rim that it meshes with.", required=True),
+        KeyShape("link", LINK, "Link to which the gear belongs.", required=True),
+        KeyShape("teeth", COUNT, "Number of teeth.", required=True),
+        KeyShape("rim", TEXT, "Planet gear with which the gear meshes.", required=True),
     ),
 )
 _GROUP = ByKey(
@@ -179,13 +200,13 @@ _GROUP = ByKey(
         KeyShape(
             "rims",
             ByName("planet", ByName("rim", COUNT)),
-            "Planets, each with its rims and their teeth.",
+            "Planets, each with the tooth numbers of its planet gears.",
             required=True,
             examples=({"A": {"A1": 18, "A2": 21}},),
         ),
-        KeyShape("suns", ListOf(_WHEEL), "Central wheels inside the planets."),
-        KeyShape("rings", ListOf(_WHEEL), "Central wheels around the planets."),
-        KeyShape("meshes", ListOf(Pair("rim")), "Pairs of rims of planets that mesh."),
+        KeyShape("suns", ListOf(_WHEEL), "Sun gears, inside the planets."),
+        KeyShape("rings", ListOf(_WHEEL), "Ring gears, around the planets."),
+        KeyShape("meshes", ListOf(Pair("rim")), "Pairs of meshing planet gears."),
         _PLANETS,
         *_COMMON,
         _planet(),
@@ -197,11 +218,17 @@ LOSSES = Leaf("choice", get_args(Losses))
 
 
 DRAWN = (
-    KeyShape("losses", LOSSES, "Where losses are calculated; `meshes` where planets are shared."),
-    KeyShape("mesh_efficiency", MESH_EFFICIENCY, "Of all elements that give none themselves."),
     KeyShape(
-        "elements", ByName("element", ELEMENT), "Typical elements in order, each under its name."
+        "losses",
+        LOSSES,
+        "Place of the losses; by default `meshes` in gear sets with shared planets.",
     ),
+    KeyShape(
+        "mesh_efficiency",
+        MESH_EFFICIENCY,
+        "Efficiencies of meshes in all gear sets that do not give their own.",
+    ),
+    KeyShape("elements", ByName("element", ELEMENT), "Gear sets in order, each under its name."),
 )
 
 

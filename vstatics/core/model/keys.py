@@ -53,7 +53,8 @@ from vstatics.core.model.torsional_keys import ABOVE_0, CONVERTER, ELASTIC, SPRI
 
 COEFFICIENTS = ByKey(
     "Coefficients",
-    "Coefficients of friction by slip and temperature, straight between, constant outside.",
+    "Coefficients of friction over slip and temperature, interpolated linearly and held constant "
+    "outside.",
     (
         KeyShape(
             "columns",
@@ -75,7 +76,7 @@ COEFFICIENTS = ByKey(
 
 FRICTION = ByKey(
     "Friction",
-    "The friction pack of a shift element, whose controls are then pressures; what warms it.",
+    "Friction pack of a shift element, whose controls are then pressures, and its heating.",
     (
         KeyShape(
             "radius",
@@ -106,8 +107,8 @@ FRICTION = ByKey(
         KeyShape(
             "coefficient",
             ByPoints(RowOf((Leaf("si_speed"), NUMBER), "slip, coefficient"), COEFFICIENTS),
-            "Coefficient of friction: a number, or points [slip in rad/s, coefficient] in "
-            "ascending order, straight between; or by temperature, too.",
+            "Coefficient of friction: a number, points [slip in rad/s, coefficient] in ascending "
+            "order, interpolated linearly, or a mapping with coefficients at several temperatures.",
             required=True,
             unless="heat_capacity",
             examples=(0.12, [[0, 0.12], [10, 0.1]]),
@@ -115,15 +116,22 @@ FRICTION = ByKey(
         KeyShape(
             "heat_capacity",
             Leaf("heat_capacity"),
-            "What its friction warms, in J/K; a scenario then knows its temperature.",
+            "Heat capacity of the parts that friction warms, in J/K; a scenario then calculates "
+            "their temperature.",
             limits=ABOVE_0,
             examples=(900,),
         ),
-        KeyShape("cooling", Leaf("cooling"), "In W/K.", default=0, limits={"minimum": 0}),
+        KeyShape(
+            "cooling",
+            Leaf("cooling"),
+            "Heat transfer to the surroundings, in W/K.",
+            default=0,
+            limits={"minimum": 0},
+        ),
         KeyShape(
             "ambient",
             NUMBER,
-            "Temperature at which it begins, and to which it is cooled, in degrees Celsius.",
+            "Temperature of the surroundings and at the start, in degrees Celsius.",
             default=0,
         ),
     ),
@@ -139,7 +147,7 @@ DRAG = ByLaw(
             KeyShape(
                 "file",
                 TEXT,
-                "Name of a CSV file, beside that of the case.",
+                "Name of a CSV file, relative to the case.",
                 required=True,
                 examples=("drag.csv",),
             ),
@@ -160,7 +168,7 @@ def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
     """Return the shape of an efficiency given by points over speed or torque."""
     return ByKey(
         f"Efficiency over {over}",
-        "Points, interpolated linearly between, constant outside.",
+        "Points, interpolated linearly and held constant outside.",
         (
             KeyShape("over", Leaf("choice", ("speed", "torque")), of, required=True),
             KeyShape(
@@ -199,21 +207,21 @@ ELEMENT = ByKey(
         KeyShape(
             "kind",
             Leaf("choice", ELEMENT_KINDS),
-            "What it is; with two links a clutch, with the housing a brake when not given. A "
-            "freewheel keeps its first link from turning backward against the second, and is "
-            "never engaged.",
+            "Kind of the shift element; by default a clutch between two links, and a brake between "
+            "a link and the housing. A freewheel keeps its first link from turning backward "
+            "against the second, and is never engaged.",
         ),
         KeyShape(
             "links",
             Ends(least=1),
-            "First and second link; one link alone is held against the housing.",
+            "First and second link; a single link is connected to the housing.",
             required=True,
             examples=(["carrier", "housing"],),
         ),
         KeyShape(
             "drag",
             DRAG,
-            "Torque with which it drags when open, relative to the input torque; or a formula of "
+            "Drag torque when disengaged, relative to the input torque, or a formula of "
             "w = |slip| in rad/s, or points [rad/s, N*m].",
             default=0,
             limits={"minimum": 0},
@@ -222,15 +230,15 @@ ELEMENT = ByKey(
         KeyShape(
             "capacity",
             TORQUE,
-            "Torque that it can carry, relative to the input torque of the case, or with a unit; "
-            "for the margins of `vstatics summary`.",
+            "Torque capacity, relative to the input torque of the case, or with a unit, for the "
+            "margins of `vstatics summary`.",
             limits=ABOVE_0,
             examples=("600 N*m",),
         ),
         KeyShape(
             "static",
             NUMBER,
-            "In a scenario it sticks up to this part of the torque with which it slips.",
+            "Static-to-dynamic friction ratio, for scenarios.",
             default=1,
             limits={"minimum": 1},
             examples=(1.2,),
@@ -238,7 +246,7 @@ ELEMENT = ByKey(
         KeyShape(
             "friction",
             FRICTION,
-            "Its friction pack: in a scenario its controls are then pressures.",
+            "Friction pack; in a scenario, controls are then pressures.",
         ),
         *ELASTIC,
     ),
@@ -247,21 +255,21 @@ ELEMENT = ByKey(
 
 MECHANISM = ByKey(
     "Mechanism",
-    "A three-link device of constant structure: planetary set, gear pair, shaft, support.",
+    "Mechanism with three links: planetary gear set, gear pair, shaft or support.",
     (
         KeyShape("first", LINK, "First link; the sun of a planetary set.", required=True),
         KeyShape("second", LINK, "Second link; the ring of a planetary set.", required=True),
         KeyShape(
             "third",
             LINK,
-            "Third link; the carrier of a planetary set. The housing: of one that is held for "
-            "good; without a third link it is a pair of wheels.",
+            "Third link; the carrier of a planetary set. `housing` means that it is always held; "
+            "without a third link, the mechanism is a gear pair.",
         ),
         KeyShape(
             "ratio",
             NUMBER,
-            "Internal ratio (w_first - w_third)/(w_second - w_third); not of a kind that has a "
-            "speed ratio.",
+            "Basic ratio (w_first - w_third)/(w_second - w_third); a variator or converter has a "
+            "speed ratio instead.",
             required=True,
             unless="kind",
             limits={"not": {"const": 0}},
@@ -275,7 +283,7 @@ MECHANISM = ByKey(
         KeyShape(
             "speed_ratio",
             NUMBER,
-            "Of a variator or converter: w_second/w_first, where a gear gives none.",
+            "Speed ratio w_second/w_first of a variator or converter, unless a gear gives it.",
             examples=(0.4,),
         ),
         KeyShape(
@@ -283,15 +291,16 @@ MECHANISM = ByKey(
             ListOf(
                 RowOf((NUMBER, NUMBER), "speed ratio, torque ratio", (Leaf("pump_factor"),)),
             ),
-            "Of a converter: [speed ratio, torque ratio M_second/M_first] in ascending order, "
-            "straight between; with a third number, lambda in N*m*s^2, it is one of `converters` "
-            "for vibration and motion.",
+            "Points [speed ratio, torque ratio M_second/M_first] of a converter in ascending "
+            "order, interpolated linearly. With a third number, lambda in N*m*s^2, vibration and "
+            "scenarios treat it like an entry of `converters`.",
             examples=([[0, 2.4], [0.8, 1]],),
         ),
         KeyShape(
             "efficiency",
             EFFICIENCY,
-            "Efficiency with the third link held, above 0 and up to 1; or over speed or torque.",
+            "Efficiency with the third link held, above 0 and up to 1, or points over speed or "
+            "torque.",
             default=1,
             limits={"exclusiveMinimum": 0, "maximum": 1},
             examples=(0.97,),
@@ -299,15 +308,16 @@ MECHANISM = ByKey(
         KeyShape(
             "back_efficiency",
             EFFICIENCY,
-            "Efficiency where power flows from the second link to the first, if it is another "
-            "one; 0 is self-locking.",
+            "Efficiency if power flows from the second link to the first; by default `efficiency`. "
+            "With 0 the mechanism is self-locking.",
             limits={"minimum": 0, "maximum": 1},
             examples=(0.7,),
         ),
         KeyShape(
             "planet_ratio",
             NUMBER,
-            "Ratio first link to planet, third link held; known by itself for a plain set.",
+            "Ratio of first link to planet with the third link held; by default the ratio of a "
+            "simple planetary set.",
             limits={"not": {"const": 0}},
         ),
         *ELASTIC,
@@ -326,7 +336,7 @@ LOAD = ByKey(
         KeyShape(
             "power",
             Leaf("power"),
-            "Power at the input, beside one of the two, which gives the other.",
+            "Power at the input, which together with speed or torque gives the other of the two.",
             examples=("120 kW",),
         ),
     ),
@@ -337,15 +347,15 @@ LOAD = ByKey(
 COAST = KeyShape(
     "coast",
     FLAG,
-    "Power enters at the output (engine braking): the torque of the load is turned against the "
-    "speed of the input, or along it if false; when not given the sign of its power says it.",
+    "True if power enters at the output (engine braking): the input torque then acts against the "
+    "input speed, otherwise along it. By default the sign of the input power decides.",
 )
 ENGAGED = ListOf(Leaf("element"), "shift elements")
 """Shape of the shift elements that a gear engages."""
 
 GEAR = ByKey(
     "Gear",
-    "A shift state: what is engaged, and what is given besides.",
+    "Engaged shift elements of a gear, and further given values.",
     (
         KeyShape(
             "engaged",
@@ -356,8 +366,8 @@ GEAR = ByKey(
         KeyShape(
             "speeds",
             Numbers("link", SPEED),
-            "Further given link speeds, relative to the input speed, with a unit, or by the speed "
-            "of another link.",
+            "Further given speeds of links, relative to the input speed, with a unit, or as a "
+            "multiple of the speed of another link.",
             examples=({"generator": 1.2}, {"FR": "1.05*FL"}),
         ),
         KeyShape(
@@ -374,7 +384,7 @@ GEAR = ByKey(
         KeyShape(
             "open_drag",
             Numbers("shift element", DRAG, {"minimum": 0}),
-            "Drag of shift elements in this gear when they are open, in place of their own.",
+            "Drag of disengaged shift elements in this gear, instead of their `drag`.",
         ),
         KeyShape(
             "speed_ratios",
@@ -382,20 +392,20 @@ GEAR = ByKey(
             "Speed ratios of variators and converters in this gear.",
             examples=({"hydro": -0.2},),
         ),
-        KeyShape("input", LINK, "This gear's own input link."),
+        KeyShape("input", LINK, "Input link of this gear."),
         KeyShape(
             "input_turns",
             Leaf("choice", DIRECTIONS),
-            "The way in which the input turns, if no load says it: freewheels depend on it.",
+            "Direction in which the input turns, for freewheels, if no operating point gives it.",
         ),
-        KeyShape("output", LINK, "This gear's own output link."),
-        KeyShape("load", LOAD, "This gear's own load."),
+        KeyShape("output", LINK, "Output link of this gear."),
+        KeyShape("load", LOAD, "Operating point of this gear."),
         COAST,
         KeyShape(
             "balance",
             Balances(Numbers("link", NUMBER, {"exclusiveMinimum": 0, "maximum": 1}), "battery"),
-            "Efficiencies of machines on links, and the power that charges the `battery`; the "
-            "torque of the one link without speed and torque follows.",
+            "Efficiencies of machines on links, and the power that charges the `battery`. The "
+            "torque of the only link without a given speed or torque follows.",
             examples=({"MG1": 0.92, "MG2": 0.9, "battery": "-2 kW"},),
         ),
         KeyShape(
@@ -411,11 +421,11 @@ GEAR = ByKey(
 
 CASE = ByKey(
     "Transmission",
-    "A vehicle transmission by its kinematic scheme.",
+    "A vehicle transmission, described by its stick diagram.",
     (
         KeyShape("name", TEXT, "Name of the transmission, on one line."),
-        KeyShape("description", TEXT, "What the transmission is, as long as you like."),
-        KeyShape("source", TEXT, "Where its data come from."),
+        KeyShape("description", TEXT, "Description of the transmission, of any length."),
+        KeyShape("source", TEXT, "Source of the data."),
         KeyShape(
             "links",
             Links(),
@@ -424,25 +434,25 @@ CASE = ByKey(
             examples=(6, ["sun", "ring", "carrier"]),
         ),
         KeyShape("input", LINK, "Input link.", default=1),
-        KeyShape("output", LINK, "Output link; the last one when not given."),
+        KeyShape("output", LINK, "Output link; by default the last link."),
         KeyShape(
             "outputs",
             ListOf(LINK, "links"),
-            "All output links where there are several: the first is `output`, the others have a "
-            "given speed or torque in every gear.",
+            "All output links, if there are several. The first is `output`; each other link needs "
+            "a given speed or torque in every gear.",
             examples=(["FL", "FR", "RL", "RR"],),
         ),
         KeyShape(
             "idle",
             Leaf("choice", ("exact", "published")),
-            "Sign of idle mechanisms: 0 (exact), or as in the published tables.",
+            "Power sign of unloaded mechanisms: 0 (exact), or as in the published tables.",
             default="exact",
         ),
-        KeyShape("load", LOAD, "Load of all gears that give none themselves."),
+        KeyShape("load", LOAD, "Operating point of all gears that do not give their own."),
         KeyShape(
             "drag",
             Numbers("link", DRAG, {"minimum": 0}),
-            "Drag of bearings and oil on links, in all gears that give none of that link.",
+            "Drag of bearings and oil on links, unless a gear gives the drag of the link.",
         ),
         COAST,
         KeyShape(
@@ -460,21 +470,21 @@ CASE = ByKey(
         KeyShape(
             "inertias",
             Numbers("link", Leaf("inertia"), {"minimum": 0}),
-            "Moments of inertia of links, in kg*m^2; those that are left out have none.",
+            "Moments of inertia of links, in kg*m^2; 0 for links that are not listed.",
             examples=({"engine": 0.15},),
         ),
         KeyShape(
             "masses",
             Numbers("link", Leaf("mass"), {"minimum": 0}),
-            "Masses of links that move straight, in kg: their ways are in m, springs between them "
-            "in N/m.",
+            "Masses of links that move straight, in kg; their displacements are in m, and springs "
+            "between them in N/m.",
             examples=({"body": "1140 kg"},),
         ),
         KeyShape(
             "springs",
             ByName("spring", SPRING),
-            "Elastic devices in order, each under its name; with them or with inertias a case may "
-            "go without mechanisms, links and gears.",
+            "Elastic components in order, each under its name. A case with springs or inertias "
+            "needs no mechanisms, links or gears.",
         ),
         KeyShape(
             "converters",
@@ -484,22 +494,22 @@ CASE = ByKey(
         KeyShape(
             "gears",
             ByName("gear", Either(ENGAGED, "engaged", GEAR)),
-            "Gears in order, each under its name: what is engaged, or a mapping. A case without "
-            "shift elements may go without: it has one gear.",
+            "Gears in order, each under its name: a list of engaged shift elements, or a mapping. "
+            "A case without shift elements can omit them: it has a single gear.",
             examples=({"low": ["C1", "B1"]},),
         ),
         KeyShape(
             "cylinders",
             COUNT,
-            "Cylinders of the four-stroke engine at the input, for pictures of vibration: half as "
-            "many fire in a revolution.",
+            "Number of cylinders of the four-stroke engine at the input, for pictures of "
+            "vibration; half of them fire in each revolution.",
             limits={"minimum": 1, "maximum": MOST_CYLINDERS},
             examples=(4,),
         ),
         KeyShape(
             "allow",
             ListOf(Leaf("text"), "messages"),
-            "Warnings and notes that are not told, by their ids.",
+            "Ids of warnings and notes that are not printed.",
             examples=(["W201"],),
         ),
     ),

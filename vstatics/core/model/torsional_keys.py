@@ -24,7 +24,7 @@ DAMPING = Either(
     "viscous",
     ByKey(
         "Damping",
-        "Viscous damping, or that of a material, which is a part of the elastic torque.",
+        "Viscous damping, or material damping, which is a share of the elastic torque.",
         (
             KeyShape(
                 "viscous",
@@ -61,8 +61,8 @@ ELASTIC = (
     KeyShape(
         "stiffness",
         Leaf("stiffness"),
-        "For vibration: torque on its first link divided by the twist of its own row, in N*m/rad; "
-        "rigid when not given.",
+        "Stiffness for vibration, in N*m/rad: torque on the first link divided by the twist of the "
+        "component; rigid when not given.",
         limits=ABOVE_0,
         examples=(9e4,),
     ),
@@ -75,7 +75,7 @@ LIMIT = Either(
     "base",
     ByKey(
         "Limit",
-        "A limit that follows the torque of another spring, as grip does the load of a wheel.",
+        "A limit that depends on the torque of another spring, as grip depends on wheel load.",
         (
             KeyShape(
                 "base",

@@ -366,8 +366,8 @@ def documents(name: str, title: str, content: Schema, definitions: Schema | None
     definitions : dict, optional
         Schemas to which `content` refers by ``#/$defs/...``.
     """
-    about = "The file of the case, without folders; with those of the path as found where"
-    file = {"type": "string", "description": f"{about} several of an output have one name."}
+    about = "Name of the file of the case, with folders only if several files have this name."
+    file = {"type": "string", "description": about}
     properties = {**content["properties"], "file": file}
     failure = {
         "title": "case in error",

@@ -45,7 +45,7 @@ def json_schema(of_case: Schema) -> Schema:
         },
     }
     properties |= {quantity.name: _table(quantity) for quantity in QUANTITIES}
-    properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
+    properties["messages"] = {**texts, "description": "Messages about the results, gear by gear."}
     sometimes = ["rows", *(quantity.name for quantity in QUANTITIES if not quantity.always)]
     content = {
         "description": "Tables of one case by name; null: no value.",

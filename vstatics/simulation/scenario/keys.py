@@ -329,7 +329,7 @@ def _sequence(when: Parsed, value: Parsed) -> ByForm:
         "Step",
         "Actions that follow when a condition becomes true.",
         (
-            KeyShape("when", when, "The condition; at once when not given."),
+            KeyShape("when", when, "Condition; without a condition, the step is due at once."),
             KeyShape(
                 "within", _TIME, "Time within which it must become true, in s.", limits=_ABOVE_0
             ),
@@ -435,7 +435,7 @@ def scenario_shape(words: Vocabulary) -> ByKey:
     """Return the keys of a scenario whose formulas can use the names of a vocabulary."""
     return ByKey(
         "Scenario",
-        "What happens to a case over time; bare numbers are in SI.",
+        "Events and controls of a case over time; numbers without a unit are in SI units.",
         (
             *_GENERAL_KEYS,
             *_keys_over_time(words),

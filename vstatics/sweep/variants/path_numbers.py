@@ -146,8 +146,8 @@ def no_path(text: str, case: Transmission) -> str:
     parts = plain_keys(text)
     paths = known_paths(case)
     if len(parts) > 1 and parts[0] in _FIXED and parts[0] not in {*case.link_names, *case.devices}:
-        message = f"numbers of {quoted(parts[0])} cannot vary in a sweep of a case, which is of"
-        return f"{message} tables of gears: expected one of those, such as `load.speed`"
+        message = f"numbers of {quoted(parts[0])} cannot vary in a sweep of a case, because they do"
+        return f"{message} not affect a table of gears: expected a number such as `load.speed`"
     known = [*map(plain_keys, paths)]
     depth = max(n for n in range(len(parts) + 1) if any(keys[:n] == parts[:n] for keys in known))
     if len(parts) == 1 or (len(parts) == 2 and parts[0] not in OWNERS and depth < 2):

@@ -64,7 +64,9 @@ class ListedBox(NamedTuple):
     """Two links of each named shift element; a brake has a link and the housing."""
     ratios: Mapping[str, float]
     gears: Mapping[str, ListedGear]
-    case: Annotated[Mapping[str, Any], Words(description="As vstatics convert has it.")]
+    case: Annotated[
+        Mapping[str, Any], Words(description="The case, as written by `vstatics convert`.")
+    ]
     known: str | None
     """Name of the shipped case with an equal gearbox."""
     ravigneaux: Mapping[str, tuple[str, ...]]

@@ -15,7 +15,7 @@ elements:
   P: {kind: planetary, sun: s, ring: r, carrier: c, teeth: {sun: 30, ring: 70}}
 shift_elements:
   B: [r, housing]
-  C: [s, c]
+  C: [r, c]
 load: {speed: 2000 rpm, torque: 160 N*m}
 gears: {low: [B], high: [C]}
 """
@@ -25,13 +25,18 @@ def errors(old: str, new: str) -> list[str]:
     assert old in CASE
     with pytest.raises(ReadError) as raised:
         read(CASE.replace(old, new).encode(), "case.yaml")
-    return [problem.message for problem in raised.value.problems if problem.severity == "error"]
+    return [problem.message for problem in raised.value.problems]
 
 
 @pytest.mark.parametrize("key", ["shift_element", "clutches", "brakes"])
 def test_a_mistyped_key_of_links_causes_one_message(key: str) -> None:
     [message] = errors("shift_elements", key)
     assert message == f"unknown key `{key}`; did you mean `shift_elements`?"
+
+
+@pytest.mark.parametrize("key", ["element", "gear_sets", "planetary"])
+def test_a_mistyped_key_of_gear_sets_causes_one_message(key: str) -> None:
+    assert errors("\nelements", f"\n{key}") == [f"unknown key `{key}`; did you mean `elements`?"]
 
 
 def test_a_decimal_comma_gets_advice() -> None:
@@ -47,6 +52,8 @@ def test_a_missing_blank_after_a_colon_gets_advice() -> None:
 
 def test_a_ratio_instead_of_teeth_gets_advice() -> None:
     assert "is written under `mechanisms`" in errors("teeth: {sun: 30, ring: 70}", "ratio: -2")[1]
+    ravigneaux = errors("kind: planetary", "kind: ravigneaux, ratio: -2")
+    assert "elements.P: unknown key `ratio`; did you mean `ratios`?" in ravigneaux
 
 
 def warnings(text: str) -> list[str]:
@@ -60,7 +67,7 @@ def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
     assert warnings(once) == [
         f"link `ground` appears only once, so it is connected to nothing{hint}"
     ]
-    twice = once.replace("  C: [s, c]", "  C: [s, c]\n  D: [c, ground]")
+    twice = once.replace("  C: [r, c]", "  C: [r, c]\n  D: [c, ground]")
     assert warnings(twice) == [
         f"link `ground` appears only in shift elements, so nothing holds it{hint}"
     ]

@@ -104,8 +104,12 @@ def expected(text: str) -> str:
     >>> expected("97 percent")
     'expected a number or a calculation such as -96/39 (write `%`, or 0.97 for 97 %)'
     """
-    hint = slip(text) or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
-    return f"expected a number or a calculation such as -96/39{hint}"
+    return f"expected a number or a calculation such as -96/39{slip_or_percent(text)}"
+
+
+def slip_or_percent(text: str) -> str:
+    """Return a hint as `slip` does, also for a percentage in words."""
+    return slip(text) or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
 
 
 def slip(text: str) -> str:

@@ -105,7 +105,7 @@ def _advice(key: str, known: Collection[str]) -> str:
         return f"; write a blank after the colon: `{shown(name)}: {shown(value)}`"
     if key in _MEMBERS and {"first", "second"} <= {*known}:
         return "; sun, ring, carrier and teeth are keys of gear sets under `elements`"
-    if key == "ratio" and "teeth" in known:
+    if key == "ratio" and "teeth" in known and "ratios" not in known:
         return "; a gear set with a ratio instead of teeth is written under `mechanisms`"
     return ""
 

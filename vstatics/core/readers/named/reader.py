@@ -10,6 +10,7 @@ from vstatics.core.model.carried import installed_keys
 from vstatics.core.model.keys import CASE, with_carried, with_masses
 from vstatics.core.model.shape import ByKey
 from vstatics.core.readers.named.arguments import arguments, read_with_stand_ins
+from vstatics.core.readers.named.compounds import meant_key
 from vstatics.core.readers.named.nodes import (
     DocumentText,
     Mapping,
@@ -26,7 +27,7 @@ from vstatics.core.readers.reading import Reading, finish
 if TYPE_CHECKING:
     from vstatics.core.readers import Format
 
-_CORE_KEYS = {*(key.name for key in CASE.keys), "elements", "losses", "mesh_efficiency"}
+_CORE_KEYS = (*(key.name for key in CASE.keys), "elements", "losses", "mesh_efficiency")
 """Keys of a case that the core declares."""
 
 
@@ -120,7 +121,12 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     )
     root, case = _with_annexes(root, document)
     shape = with_masses(case) if masses else case
-    if "elements" in given:
+    mistyped = given.difference(_CORE_KEYS, KEYS)
+    if "elements" in given or any(
+        "`elements`" in meant_key(document, key.text, _CORE_KEYS)
+        for key, value in root.entries
+        if key.text in mistyped and isinstance(value, Mapping)
+    ):
         from vstatics.core.readers.named.drawing import read_drawing  # not needed by every case
 
         return read_drawing(root, walk, shape)
@@ -145,7 +151,7 @@ def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey
     Keys of annexes that are not installed are omitted with a warning. Annexes are imported only for
     their keys, or for an unknown key, whose hint needs the names of all keys.
     """
-    unknown = {key.text for key, _ in root.entries} - _CORE_KEYS
+    unknown = {key.text for key, _ in root.entries}.difference(_CORE_KEYS)
     if not unknown:
         return root, CASE
     mistyped = not unknown <= KEYS.keys()

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from vstatics.core.readers.named.arithmetic import DIMENSIONLESS, dimensionless, slip
+from vstatics.core.readers.named.arithmetic import DIMENSIONLESS, dimensionless, slip_or_percent
 
 NUMBER = rf"^{DIMENSIONLESS}$"
 """Number or calculation, as a pattern for ECMAScript."""
@@ -90,7 +90,7 @@ def share(text: str) -> float:
     except ValueError:
         value = -1.0
     if value < 0:
-        raise ValueError(f"expected a share of 0 or more{slip(text)}")
+        raise ValueError(f"expected a share of 0 or more{slip_or_percent(text)}")
     return value
 
 
