@@ -5,6 +5,8 @@ The expected power ``sum(c(w) w)`` is from `tests.dragging`, which shares nothin
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import math
 import re
@@ -69,6 +71,20 @@ def ports_of_text(text: str, gears: list[str]) -> dict[str, Sums]:
     }
 
 
+def of_summary(text: str, gears: list[str]) -> dict[str, Sums]:
+    """By gear: the ports in the JSON of `summary`."""
+    found = {}
+    for table in json.loads(text)["ports"]:
+        power = {
+            way: math.fsum(_number(p["power_kW"]) for p in table["ports"] if p["way"] == way)
+            for way in ("in", "out")
+        }
+        lost = {one["in"]: _number(one["power_kW"]) for one in table["lost"]}
+        found[table["gear"]] = Sums(power["in"], power["out"], lost["meshes"], lost["drag"])
+    assert [*found] == gears
+    return found
+
+
 def _number(value: float | None) -> float:
     return math.nan if value is None else value
 
@@ -81,6 +97,17 @@ def of_json(text: str, gears: list[str]) -> dict[str, Sums]:
     meshes = [math.fsum(map(_number, column)) for column in zip(*data["losses_kW"], strict=True)]
     rows = gears, entering, leaving, meshes, drag
     return {gear: Sums(*row) for gear, *row in zip(*rows, strict=True)}
+
+
+def of_csv(text: str, gears: list[str]) -> dict[str, Sums]:
+    """By gear: what `run -f csv` says."""
+    by_key: dict[tuple[str, str], list[float]] = {}
+    for row in csv.DictReader(io.StringIO(text)):
+        if row["table"].endswith("_kW"):
+            number = float(row["value"]) if row["value"] else math.nan
+            by_key.setdefault((row["table"], row["gear"]), []).append(number)
+    keys = "input_power_kW", "output_power_kW", "losses_kW", "drag_losses_kW"
+    return {gear: Sums(*(math.fsum(by_key[key, gear]) for key in keys)) for gear in gears}
 
 
 def of_listing(text: str, gears: list[str]) -> dict[str, Sums]:
@@ -105,7 +132,9 @@ def of_listing(text: str, gears: list[str]) -> dict[str, Sums]:
 FORMATS: tuple[tuple[str, Callable[[str, list[str]], dict[str, Sums]]], ...] = (
     ("run --pretty", ports_of_text),
     ("summary", ports_of_text),
+    ("summary -f json", of_summary),
     ("run -f json", of_json),
+    ("run -f csv", of_csv),
     ("run --digits 9", of_listing),
     ("run", of_listing),
 )
