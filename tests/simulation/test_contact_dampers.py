@@ -225,6 +225,35 @@ def test_a_link_without_inertia_between_a_shaft_and_a_play_leaps_where_contact_b
     assert np.abs(motion.speeds[motion.time > begin][1, 1]) < 1  # it has leapt
 
 
+def test_a_limit_follows_a_spring_that_never_pulls() -> None:
+    """A block falls on a pad; its grip is 0.5 of the force of the pad with its damper, by DOP853."""
+    case = """links: [block, belt]
+masses: {block: 3}
+inertias: {belt: 0.2}
+springs:
+  pad: {links: [block], points: [[-1, -4000], [0, 0], [1, 0]], damping: 30}
+  grip: {links: [belt], stiffness: 5e4, limit: {base: 0, of: pad, times: -0.5}}
+"""
+    motion = simulated(
+        """duration: 0.25
+start: {speeds: {block: -1, belt: 60}, twists: {pad: 0.02}}
+torques: {block: -29.43}
+""",
+        case,
+    )
+
+    def change(_: float, state: Floats) -> list[float]:
+        rate, place, turning = state.tolist()
+        force = max(0.0, -4000 * place - 30 * rate) if place < 0 else 0.0
+        return [force / 3 - 9.81, rate, -0.5 * force / 0.2 * (turning > 0)]
+
+    exact = solve_ivp(change, (0, 0.25), [-1, 0.02, 60], rtol=1e-10, atol=1e-10, max_step=1e-4)
+    assert motion.speeds[-1] == pytest.approx(exact.y[[0, 2], -1], abs=2e-2)
+    pad = motion.torques[:, motion.devices.index("pad")]
+    assert pad.min() < -60
+    assert pad.max() <= 1e-9
+
+
 DAMPER = "links: [a, b]\ninertias: {a: %r, b: %r}\nsprings: {visc: {links: [a, b], %s}}\n"
 
 

@@ -84,12 +84,26 @@ def speed(motion: Motion, link: str) -> np.ndarray:
     return motion.speeds[:, motion.links.index(link)]
 
 
+SHIFTS = {
+    "8hp70-upshift": ["A slips", "C locks"],
+    "8hp70-downshift": ["C slips", "A locks"],
+    "8l90-shifts": ["A slips", "C locks", "C slips", "A locks"],
+    "gf4a-upshifts": [
+        *("one-way clutch 2 slips", "2-4 band locks", "2-4 band slips", "3-4 clutch locks"),
+    ],
+}
+"""First events of automatics: what is released slips, then what is engaged locks."""
+
+
 @pytest.mark.parametrize("name", with_marked(QUICK, sorted({*NAMES} - {*QUICK}), pytest.mark.slow))
 def test_a_scenario_runs_to_its_end_and_its_energy_closes(name: str) -> None:
     motion = run(name)
     assert closes(motion)
     assert motion.stopped is None
-    assert motion.events
+    events = [f"{one.element} {one.event}" for one in motion.events if one.event != "step"]
+    assert events
+    expected = SHIFTS.get(name, [])
+    assert events[: len(expected)] == expected
 
 
 @pytest.mark.slow
@@ -111,6 +125,19 @@ def test_the_truck_starts_as_the_source_has_it() -> None:
     assert speed(motion, "h1")[in_first] == pytest.approx(0, abs=1e-7)
     assert speed(motion, "b1")[in_first] == pytest.approx(-33 / 67 * driven)
     assert speed(motion, "b3")[in_first] == pytest.approx(3.04 / (-2.04 * -4) * driven)
+
+
+@pytest.mark.slow
+def test_the_truck_shifts_up_locks_its_converter_and_brakes_with_the_engine() -> None:
+    motion = run("tarasik-truck")
+    locked = [one.element for one in motion.events if one.event == "locks"]
+    assert locked == ["F1", "FB", "F2", "FH", "lock-up"]
+    late = motion.time > 11
+    assert (np.diff(speed(motion, "vehicle")[late]) <= 0).all()
+    assert (motion.torques[late][:, motion.devices.index("engine shaft")] < 0).all()
+    [slow, fast] = motion.reached
+    assert 0 < slow.time < fast.time < 9
+    assert fast.distance == pytest.approx(0.87 * fast.angle)
 
 
 @pytest.mark.slow

@@ -109,6 +109,15 @@ def test_a_sweep_takes_a_scenario() -> None:
     assert "heat[brake]" in said.out
 
 
+@pytest.mark.slow
+def test_two_processes_give_what_one_gives() -> None:
+    vary = ("--vary", "controls.brake.scale=.8:1.2:9", "--vary", "torques.sun=35,45,40")
+    swept = ("sweep", "lock.yaml", "-q", *vary, "--out", "heat[brake]")
+    one, two = (vstatics(*swept, "--jobs", jobs) for jobs in (1, 2))
+    assert (one.status, one.err, len(one.out.splitlines())) == (0, "", 28)
+    assert two == one
+
+
 @pytest.mark.parametrize(
     ("options", "status", "said"),
     [
