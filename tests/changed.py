@@ -20,21 +20,37 @@ ROOT = TESTS.parent
 ALL = ("tests", "vstatics", "website")
 PAGES = ("README.md", "CHANGELOG.md", "docs", "website")
 """Files that only tests of the whole program read; these always run."""
+SHARED = ("bad", "oracle", "published")
+"""Folders of `tests` with helpers and data that tests of other rooms use, too."""
 
 
 def lines_of(*command: str) -> list[str]:
-    """Return the lines that git prints, or none if it fails."""
-    done = subprocess.run(("git", *command), cwd=ROOT, capture_output=True, text=True, check=False)
-    return done.stdout.splitlines() if done.returncode == 0 else []
+    """Return the lines that git prints.
+
+    Raises
+    ------
+    subprocess.CalledProcessError
+        If git fails; its reason is on stderr.
+    """
+    done = subprocess.run(
+        ("git", *command), cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True
+    )
+    return done.stdout.splitlines()
 
 
 def changed_files(commit: str | None = None) -> list[str]:
-    """Return the files that differ from a commit, by their paths in the project."""
-    base = [commit] if commit else lines_of("merge-base", "HEAD", "origin/HEAD")
-    if not base:
-        return []
-    new = lines_of("ls-files", "--others", "--exclude-standard")
-    return [*lines_of("diff", "--name-only", base[0]), *new]
+    """Return the files that differ from a commit, by their paths in the project.
+
+    A file that was renamed is named by both paths.
+    """
+    if commit is None:
+        try:
+            [commit] = lines_of("merge-base", "HEAD", "origin/HEAD")
+        except (OSError, subprocess.CalledProcessError):
+            print("no main branch of origin found, so all tests run", file=sys.stderr)  # noqa: T201
+            return []
+    changed = lines_of("diff", "--name-only", "--no-renames", "--end-of-options", commit, "--")
+    return [*changed, *lines_of("ls-files", "--others", "--exclude-standard")]
 
 
 def places(files: Iterable[str]) -> list[str]:
@@ -50,17 +66,19 @@ def places(files: Iterable[str]) -> list[str]:
     >>> places(["Makefile"])
     ['tests', 'vstatics', 'website']
     """
-    rooms: dict[str, None] = {}
     names = [*files]
+    if not names:
+        return [*ALL]
+    rooms: dict[str, None] = {}
     for file in names:
         top, *inner = Path(file).with_suffix("").parts
         if Path(file).parts[0] in PAGES or file.startswith("tests/test_"):
             continue
         if top not in ("vstatics", "tests") or len(inner) < 2:
             return [*ALL]
+        if inner[0] in SHARED and not inner[-1].startswith("test_"):
+            return [*ALL]
         rooms.update(dict.fromkeys(_rooms(inner)))
-    if not names:
-        return [*ALL]
     found = [place for name in rooms for place in _of_room(name)]
     whole = (path.relative_to(ROOT).as_posix() for path in sorted(TESTS.glob("test_*.py")))
     return _outermost([*found, *whole])
@@ -104,4 +122,7 @@ def _outermost(names: list[str]) -> list[str]:
 
 
 if __name__ == "__main__":
-    print(*places(changed_files(*sys.argv[1:])))  # noqa: T201
+    try:
+        print(*places(changed_files(*sys.argv[1:])))  # noqa: T201
+    except subprocess.CalledProcessError as error:
+        sys.exit(error.returncode)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.changed import ALL, places
+from tests.changed import ALL, changed_files, places
 from tests.installed import HERE, needs
 
 ROOT = Path(__file__).parents[1]
@@ -66,4 +66,21 @@ def test_a_change_of_a_document_concerns_tests_of_the_whole_program_only() -> No
 
 
 def test_without_a_known_change_everything_is_tested() -> None:
-    assert places([]) == places(["pyproject.toml"]) == [*ALL]
+    assert places([]) == places(["pyproject.toml"]) == places(["tests/oracle/gears.py"]) == [*ALL]
+
+
+def test_a_renamed_file_is_named_by_both_paths_and_a_wrong_commit_is_an_error(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tests.changed.ROOT", folder)
+    (folder / "a b.txt").write_text("of some length\n" * 9)
+    person = ("-c", "user.name=x", "-c", "user.email=x")
+    for words in (["init", "-q"], ["add", "."], [*person, "commit", "-qm", "x"]):
+        subprocess.run(["git", *words], check=True)
+    subprocess.run(["git", "mv", "a b.txt", "c.txt"], check=True)
+    (folder / "new.txt").touch()
+    assert changed_files("HEAD") == ["a b.txt", "c.txt", "new.txt"]
+    for wrong in ("unknown", "new.txt", "--help"):
+        with pytest.raises(subprocess.CalledProcessError):
+            changed_files(wrong)
+    assert changed_files() == []  # of a repository without `origin`

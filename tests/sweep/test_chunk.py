@@ -90,6 +90,10 @@ def test_a_gear_that_is_tied_up_or_open_by_its_ratios_tells_so() -> None:
     sets = [Mechanism(1, 2, 3, -2, name="A"), Mechanism(1, 2, 3, -3, name="B")]
     case = Transmission(3, [], sets, [Gear()])
     assert statuses(case, {"B.ratio": [-3, -2]}, out="ratio") == ["ok", "open"]
+    # on two links of their own, where no torque is
+    sets = [Mechanism(3, 4, 0, -2, name="A"), Mechanism(3, 4, 0, -3, name="B")]
+    case = Transmission(4, [], [Mechanism(1, 2, 0, -2), *sets], [Gear()], output=2)
+    assert statuses(case, {"B.ratio": [-3, -2]}, out="ratio") == ["ok", "open"]
 
 
 def test_a_neutral_gear_of_the_case_is_no_reason() -> None:

@@ -87,7 +87,7 @@ def bands(figure: Figure) -> Iterator[tuple[str, PlotPath]]:
 def assert_readable(figure: Figure) -> None:
     """No text covers another or a band, none is cut off."""
     figure.set_dpi(150)
-    assert overlaps(figure) == []
+    assert overlaps(figure, rounded=0) == []
     canvas: Any = FigureCanvasAgg(figure)
     ink = canvas.get_renderer()
     boxes = [(text.get_text(), text.get_window_extent(ink)) for text in figure.texts]

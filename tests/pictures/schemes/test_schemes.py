@@ -52,8 +52,11 @@ gears:
 """
 
 
-def overlaps(figure: Figure) -> list[tuple[str, str]]:
-    """Pairs of texts whose bounding boxes have a common area, and texts that leave the paper."""
+def overlaps(figure: Figure, rounded: float = 0.5) -> list[tuple[str, str]]:
+    """Pairs of texts whose bounding boxes have a common area, and texts that leave the paper.
+
+    Boxes may meet by `rounded` pixels.
+    """
     canvas: Any = FigureCanvasAgg(figure)
     figure.draw_without_rendering()
     found: list[Any] = figure.findobj(Text)
@@ -69,7 +72,7 @@ def overlaps(figure: Figure) -> list[tuple[str, str]]:
     return outside + [
         (one, other)
         for (one, a), (other, b) in combinations(boxes, 2)
-        if min(a.x1, b.x1) - max(a.x0, b.x0) > 0.5 and min(a.y1, b.y1) - max(a.y0, b.y0) > 0.5
+        if min(min(a.x1, b.x1) - max(a.x0, b.x0), min(a.y1, b.y1) - max(a.y0, b.y0)) > rounded
     ]
 
 

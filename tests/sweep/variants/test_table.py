@@ -88,6 +88,7 @@ def test_what_is_wrong_is_told_with_its_place() -> None:
     unknown = "D1.ratio: read `x`, expected a number or a calculation such as -96/39"
     for text, line, column, words in (
         ("", 1, 1, "read an empty line, expected names such as D1.ratio"),
+        ("  ", 1, 1, "read an empty line, expected names such as D1.ratio"),
         ("\n1\n", 2, 1, "expected a mechanism"),
         ("D1.ratio\n", 0, 0, "the table has no variant, expected a line of numbers"),
         ("D1.ratio\n\n \n", 0, 0, "the table has no variant"),
