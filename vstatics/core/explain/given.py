@@ -237,7 +237,7 @@ def _idle(state: GearState) -> Grid:
 
 
 def told_signs(state: GearState) -> list[bool]:
-    """Return for each mechanism whether the sign is given, as not determined by the rule."""
+    """Return for each mechanism whether its sign is given, because no rule determines it."""
     return [
         idle or turned is True
         for idle, turned in zip(state.search.idle, state.search.turned, strict=True)

@@ -94,7 +94,7 @@ _DEFINED: dict[Any, str] = {}
 
 
 def document(form: str) -> Callable[[T], T]:
-    """Make a record a document of a format.
+    """Return a decorator that declares a record as a document of a format, such as `form`.
 
     >>> from typing import NamedTuple
     >>> @document("vstatics-steps")

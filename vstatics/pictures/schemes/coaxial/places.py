@@ -16,7 +16,7 @@ NAMED_PITCH = 9.5
 ROW_CLEARANCE = 9.0
 """Distance from the row of planets to the nearest bars. [pt]"""
 WHEEL_NAME = 13.0
-"""Height of the name of a gear, with half the height of a link name on a bar. [pt of letters]"""
+"""Height for the name of a gear and half the name of a link on the bar above. [pt of letters]"""
 HOUSING_BAND = 24.0
 """Distance from the outermost drum to the housing. [pt]"""
 ROOM_GAP = 5.0

@@ -30,7 +30,7 @@ class PortGears(NamedTuple):
     reach: Integers
     """Targets that each ratio reaches, as bits; 0 after the last; shape (combinations,)."""
     useful: Integers
-    """Combinations with a ratio, then -1, shape (combinations,)."""
+    """Numbers of the combinations that have a ratio, filled up with -1, shape (combinations,)."""
     brakes: int
     """Allowed numbers of brakes in a set, as bits."""
     shifts: Integers

@@ -79,7 +79,7 @@ class ChoiceRoom(NamedTuple):
     free: Booleans
     """True if a ratio is not assigned to a gear, shape (ratios,)."""
     looks: Integers
-    """Number of gears put into choices so far, shape (1,)."""
+    """Number of trial assignments of ratios to gears so far, shape (1,)."""
 
 
 class SequenceRoom(NamedTuple):
