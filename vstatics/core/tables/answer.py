@@ -222,7 +222,7 @@ def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, 
 
 
 text = json.JSONEncoder(ensure_ascii=False, allow_nan=False, indent=1).encode
-"""Formats plain data as JSON on several lines, without a final line end."""
+"""Function that formats plain data as JSON on several lines, without a final line end."""
 _line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 

@@ -22,7 +22,7 @@ def in_gear(kind: str, gear: str) -> str:
 
 
 def conventions(said: Mapping[str, str]) -> Markup:
-    """List the conventions of results; where JSON has null, tables have a dash.
+    """Return the list of conventions of results; the key `null` of JSON is a dash, as in tables.
 
     >>> conventions({"null": "does not exist"})
     '<dl><dt>-</dt><dd>does not exist</dd></dl>'

@@ -54,7 +54,7 @@ def plane_room(targets: int, sets: int) -> PlaneRoom:
 
 @compiled_part
 def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, left: Floats) -> bool:
-    """Reduce a cell by all targets that only a single ratio can meet.
+    """Cut off the parts of a cell in which targets with a single possible ratio cannot be met.
 
     Parameters
     ----------
