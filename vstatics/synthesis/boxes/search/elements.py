@@ -26,7 +26,7 @@ class PortGears(NamedTuple):
     elements: int
     """Available shift elements, as bits."""
     ratio_of: Integers
-    """Number of the ratio of each combination, negative without a ratio, shape (combinations,)."""
+    """Index of the ratio of each combination, negative without a ratio, shape (combinations,)."""
     reach: Integers
     """Targets that each ratio reaches, as bits; 0 after the last; shape (combinations,)."""
     useful: Integers

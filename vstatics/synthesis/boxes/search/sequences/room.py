@@ -21,7 +21,7 @@ NARROW_SEQUENCE_CELL = 1.01
 
 
 class Sequence(NamedTuple):
-    """Forward gears that a gearbox shall have; quotients of ratios as logarithms."""
+    """Number and spacing of the forward gears that a gearbox shall have."""
 
     least: int
     """Smallest number of gears."""
