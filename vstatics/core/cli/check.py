@@ -29,7 +29,7 @@ from vstatics.core.statics.status import CONFLICT, TIED_UP
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.answer import Words, as_json, line, plain_data
 from vstatics.core.tables.grid import Grid, grid_of
-from vstatics.core.tables.text import TABLE_WIDTH, lines
+from vstatics.core.tables.text import broken, lines
 
 
 class ProblemRecord(NamedTuple):
@@ -281,21 +281,10 @@ def _as_text(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
         files.show(once.first(_printed(file, problems, options.telling)))
         if grid is not None and (fails or not options.telling.quiet):
             head, *gears = lines(grid, indent="  ")
-            text += _broken(re.split("(?<=[,;]) ", head))
+            text += broken(re.split("(?<=[,;]) ", head))
             for gear in gears:
-                text += _broken(gear.split(" "))
+                text += broken(gear.split(" "))
     return "".join(f"{printed}\n" for printed in text), failed
-
-
-def _broken(parts: Sequence[str]) -> list[str]:
-    """Return the lines of a text that is broken only between its parts."""
-    broken = [parts[0]]
-    for part in parts[1:]:
-        if len(broken[-1]) + 1 + len(part) <= TABLE_WIDTH:
-            broken[-1] += f" {part}"
-        else:
-            broken.append(f"    {part}")
-    return broken
 
 
 def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tuple[str, bool]:
