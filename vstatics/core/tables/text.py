@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
 
 from vstatics.core.tables.grid import Grid
 
@@ -31,7 +32,11 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     1     3.500
     """
     parts = [list(titles)] if titles else []
-    parts += [list(lines(grid)) for grid in tables]
+    for grid in tables:
+        part = list(lines(grid))
+        if grid.title:  # can be a sentence
+            part[:1] = wrap(part[0], TABLE_WIDTH, break_long_words=False, break_on_hyphens=False)
+        parts.append(part)
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
 
 
@@ -76,6 +81,23 @@ def lines(
                 for column in columns
             )
             yield f"{indent}{gap.join(padded)}".rstrip()
+
+
+def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * INDENT) -> list[str]:
+    """Return the lines of a text that is broken only between its parts.
+
+    Examples
+    --------
+    >>> broken(["1 lock-up,", "2 forward,", "3 reverse"], width=22)
+    ['1 lock-up, 2 forward,', '    3 reverse']
+    """
+    fitting = [parts[0]]
+    for part in parts[1:]:
+        if len(fitting[-1]) + 1 + len(part) <= width:
+            fitting[-1] += f" {part}"
+        else:
+            fitting.append(f"{indent}{part}")
+    return fitting
 
 
 def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:
