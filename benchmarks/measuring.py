@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 CASES = Path(__file__).parents[1] / "cases"
 VSTATICS = str(Path(sys.executable).with_name("vstatics"))
 ROUNDS, MOST_ROUNDS = 3, 15
-ENOUGH = 5.0
+ENOUGH = 4.0
 """Time after which no round beyond the first `ROUNDS` begins. [s]"""
 HEADINGS = ("calculation", "time", "peer", "time of the peer", "ratio")
 

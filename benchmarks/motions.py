@@ -88,7 +88,7 @@ def _largest(agrees: Callable[[float], bool]) -> float:
 
 def swept_shifts(setting: Setting) -> Race:
     """Sweep a shift, whose document is read and checked for each variant."""
-    file, count = SCENARIOS / "tarasik-box.yaml", setting.some(200)
+    file, count = SCENARIOS / "tarasik-box.yaml", setting.some(100)
     varied = load_varied(str(file))
     vary: dict[str, str | list[float]] = {"controls.FB.2.1": f"2.05:2.4:{count}", "duration": [3.0]}
     scenario = load_scenario(file)._replace(duration=3.0)
