@@ -11,7 +11,7 @@ from vstatics.pictures.drawing.labels import Span, height, spread, widest, width
 from vstatics.pictures.drawing.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.drawing.tolerances import LEAST_POINT_DISTANCE
 from vstatics.pictures.drawing.words import word
-from vstatics.pictures.lever.gear import Spot, brakes_of, joins, spots_of
+from vstatics.pictures.lever.gear import brakes_of, joins, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of, middle_of
@@ -89,10 +89,6 @@ class LeverPage(NamedTuple):
         """Return the lowest and highest point of a row of levers."""
         spans = [row.span for n in self.bands[band] for row in self.cells[n].rows.values()]
         return min(low for low, _ in spans), max(high for _, high in spans)
-
-    def row(self, spot: Spot) -> LeverRow:
-        """Return the row of a point."""
-        return self.cells[spot[0]].rows[spot[1]]
 
 
 def page_of(case: Transmission, style: Style) -> LeverPage | None:

@@ -119,7 +119,7 @@ def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obst
     for stroke in glyph.strokes:
         yield from (Obstacle(about(at(*a), at(*b))) for a, b in pairwise(stroke.points))
     for tap in glyph.taps:
-        if tap.reach == "none":
+        if not tap.wire:
             end = tap.side * (glyph.half + 5)
             yield Obstacle(about(at(tap.x, tap.side * tap.depth), at(tap.x, end)))
             wall = tap.side * (glyph.half + 5 + GROUND)
