@@ -14,7 +14,7 @@ from vstatics.pictures.drawing.words import word
 from vstatics.pictures.lever.gear import brakes_of, joins, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
-from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of, middle_of
+from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of
 
 ARROW = 26.0
 """Length of the arrow of the largest torque."""
@@ -55,11 +55,6 @@ class LeverCell(NamedTuple):
         """Left and right end of the area of speeds; equal for a shaft, which has no such area."""
         end = self.right - NUMBER_WIDTH - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
-
-    @property
-    def middle(self) -> float:
-        """Height of the middle of the lever."""
-        return middle_of(self.rows)
 
 
 class LeverPage(NamedTuple):
