@@ -79,6 +79,14 @@ def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPai
     return pairs
 
 
+def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
+    """Return the places of eigenvalues that can have the largest part in a lightly damped mode."""
+    squares = np.abs(common.shapes[mode]) ** 2
+    order = np.argsort(-squares, kind="stable")[:MOST_CANDIDATES]
+    enough = 1 - np.cumsum(squares[order]) < REST / 2 * squares[order[0]]
+    return [int(place) for place in order[: int(np.argmax(enough)) + 1]]
+
+
 def _roots(pencils: Pencils, shapes: Complex) -> Complex:
     """Return initial eigenvalues: the complex root of each shape, or the smaller real root."""
     slow, fast = pencils.roots(shapes)
@@ -92,14 +100,6 @@ def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[C
     parts = np.abs(near.shapes[np.arange(len(modes)), modes])
     parts /= pencil.lengths(near.shapes.T, near.eigenvalues)
     return np.where(near.converged, values, np.nan), np.where(near.converged, parts, 0.0)
-
-
-def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
-    """Return the places of eigenvalues that can have the largest part in a lightly damped mode."""
-    squares = np.abs(common.shapes[mode]) ** 2
-    order = np.argsort(-squares, kind="stable")[:MOST_CANDIDATES]
-    enough = 1 - np.cumsum(squares[order]) < REST / 2 * squares[order[0]]
-    return [int(place) for place in order[: int(np.argmax(enough)) + 1]]
 
 
 def _are_all(values: Complex, parts: Floats) -> bool:
