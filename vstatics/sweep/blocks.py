@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from types import MappingProxyType
 from typing import NamedTuple, Protocol, TypeAlias, TypeVar
 
 import numpy as np
@@ -70,7 +69,7 @@ class BlockTables(NamedTuple):
 
     results: Results | None
     modes: Frequencies | None
-    numbers: Mapping[str, Floats] = MappingProxyType({})
+    numbers: Mapping[str, Floats]
     """Numbers of mechanisms by the table in `PART_NUMBERS`, shape (variants, 1, mechanisms). [-]"""
 
     def existing(self, name: str) -> Floats:
@@ -127,12 +126,13 @@ class OfCases(NamedTuple):
     @property
     def outside(self) -> tuple[str, ...]:
         """Names of laws that were evaluated outside their points."""
-        points = [part.results.points for part in self.parts if part.results]
-        return tuple(
-            dict.fromkeys(
-                name for part_points in points if part_points for name in part_points.outside
-            )
+        names = (
+            name
+            for part in self.parts
+            if part.results and part.results.points
+            for name in part.results.points.outside
         )
+        return tuple(dict.fromkeys(names))
 
 
 def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
@@ -144,25 +144,24 @@ def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
 
 
 def block_tables(
-    plan: SweepPlan, case: Transmission, values: Floats, cases: Sequence[Made] = ()
+    plan: SweepPlan, case: Transmission, values: Floats, cases: Sequence[Made]
 ) -> BlockTables:
     """Return the tables that a plan uses, for a case and possible varied numbers.
 
     `cases` replace the ratios and efficiencies of some variants.
     """
-    targets, asked = plan.targets, plan.modes
     results = modes = None
-    of_targets = values if len(targets) == values.shape[1] else values[:, plan.places]
     paths = _by_path(plan, values)
     if plan.asks_for_results and paths:
         results = solve(case, vary=paths)
     elif plan.asks_for_results:
         numbers = _of_mechanisms(case, plan, values, cases)
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
-    if asked:
+    if asked := plan.modes:
         first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
+        of_targets, first_of_targets = values[:, plan.places], first[:, plan.places]
         modes = higher("frequencies", OMEGA)(
-            case, targets, of_targets, asked, first[:, plan.places]
+            case, plan.targets, of_targets, asked, first_of_targets
         )
     numbers_by_table = {
         table: _numbers_of(case, plan, values, cases, quantity)[:, np.newaxis]
@@ -186,7 +185,7 @@ def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
 
 
 def _of_mechanisms(
-    case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made] = ()
+    case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made]
 ) -> dict[str, Floats]:
     """Return ratios and efficiencies if they vary, else ratios; shape (variants, mechanisms)."""
     varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
@@ -291,16 +290,19 @@ def _groups(
     """
     efficiencies = [mechanism.back_efficiency for mechanism in plan.case.mechanisms]
     of_each_case = plan.tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
-    if len(cases) == 1 or of_each_case or any(path.of for path in plan.paths):
-        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
-    elif all(
-        [m.back_efficiency for m in other_case.mechanisms] == efficiencies
-        for _, other_case in cases
-        if other_case
+    if (
+        len(cases) == 1
+        or of_each_case
+        or any(path.of for path in plan.paths)
+        or any(
+            [m.back_efficiency for m in other_case.mechanisms] != efficiencies
+            for _, other_case in cases
+            if other_case
+        )
     ):
-        yield slice(None), plan.case, cases
-    else:
         yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
+    else:
+        yield slice(None), plan.case, cases
 
 
 def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
@@ -358,13 +360,10 @@ def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, vari
             status[modes.conflict] = CONFLICT
         return status
     asked = plan.asked_gears
-    unlike = (
-        (results.missing > 0) & (unvaried.missing == 0),
-        ~results.balanced & unvaried.balanced,
-    )
     for code, affected in (
         (DRAGGED, results.dragged),
-        *((OPEN, wrong) for wrong in unlike),
+        (OPEN, (results.missing > 0) & (unvaried.missing == 0)),
+        (OPEN, ~results.balanced & unvaried.balanced),
         (UNDECIDED, results.undecided),
         (LOCKED, results.locked),
         (TIED_UP, results.tied_up),

@@ -28,13 +28,15 @@ Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
 STATUS = (
     "ok",
-    *(
-        gear_status.name
-        for gear_status in (status.DRAGGED, status.NEUTRAL, status.UNDECIDED, status.LOCKED)
-    ),
+    status.DRAGGED.name,
+    status.NEUTRAL.name,
+    status.UNDECIDED.name,
+    status.LOCKED.name,
     "not assembled",
-    *(gear_status.name for gear_status in (status.TIED_UP, status.CONFLICT)),
-    *("invalid", "stopped"),
+    status.TIED_UP.name,
+    status.CONFLICT.name,
+    "invalid",
+    "stopped",
 )
 """Statuses of a variant in ascending order of severity; the worst of the gears counts."""
 DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STOPPED = range(

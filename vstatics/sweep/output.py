@@ -31,11 +31,11 @@ class SweepReport(NamedTuple):
     rows: int
     counts: dict[str, int]
     """Number of variants, or of gears of variants, by status."""
-    removed: tuple[int, ...] = ()
+    removed: tuple[int, ...]
     """Numbers of variants that the parts of the condition removed, in the order of the parts."""
-    outside: tuple[str, ...] = ()
+    outside: tuple[str, ...]
     """Names of laws that were evaluated outside their points."""
-    noticed: tuple[Noticed, ...] = ()
+    noticed: tuple[Noticed, ...]
     """Messages of runs."""
 
     @property
@@ -133,7 +133,7 @@ class Output:
         OSError
             If the output cannot be written; the pieces stay.
         """
-        plan = self.task.plan
+        plan, form = self.task.plan, self.task.form
         accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
         counts_and_notes = (
             chunk.counted(accounts),
@@ -144,16 +144,15 @@ class Output:
         if plan.objectives:
             accounts = list(self._select(accounts))
         try:
-            if self.task.form in ("parquet", *MOST_ROWS):
+            if form in ("parquet", *MOST_ROWS):
                 from vstatics.sweep.formats import tables
 
-                rows = self.task.plan.output_headings, self._chunks(accounts)
+                rows = plan.output_headings, self._chunks(accounts)
                 with self.store.folder.writing(piece_file.ASSEMBLED) as file:
-                    if self.task.form == "parquet":
-                        tables.write_parquet(file, *rows, by_gear=self.task.plan.by_gear)
+                    if form == "parquet":
+                        tables.write_parquet(file, *rows, by_gear=plan.by_gear)
                     else:
-                        by_gear = self.task.plan.by_gear
-                        file.write(tables.text(self.task.form, *rows, by_gear=by_gear))
+                        file.write(tables.text(form, *rows, by_gear=plan.by_gear))
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
