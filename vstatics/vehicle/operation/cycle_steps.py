@@ -66,7 +66,7 @@ class CycleSteps(NamedTuple):
 
     The signs are such that the engine turns forward.
     """
-    guessed: Sequence[str] = ()
+    guessed: Sequence[str]
     """Names of gears that count as forward only because of their place in the order."""
 
     @classmethod

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -59,9 +58,9 @@ class DriveCycle(NamedTuple):
     """Gear of each step."""
     beyond: int
     """Number of steps with an engine torque above full load."""
-    messages: Sequence[Message] = ()
+    messages: Sequence[Message]
     """Warnings and notes."""
-    steps: Mapping[str, Floats] = MappingProxyType({})
+    steps: Mapping[str, Floats]
     """Columns of the steps by heading with unit, with values at mid-step."""
 
 
