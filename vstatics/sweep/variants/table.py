@@ -221,7 +221,7 @@ def _hinted(problems: Sequence[Problem], name: str) -> list[Problem]:
 def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
     if len(name) > LONGEST_HEADING:
         message = f"a heading has {len(name)} characters, expected the name of a number"
-        raise ReadError([Problem("E715", message, place=place)])
+        raise ReadError("E715", message, place=place)
     varied = target_of(name, subject, place)
     return _with_unit(varied, place) if isinstance(varied, CasePath) else varied
 
