@@ -186,9 +186,13 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
     rows: dict[str, Any] = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in OF_ROWS
     }
-    rows |= {"counts": counted(parts), "removed": removed_in(parts)}
-    rows |= {"outside": outside_in(parts), "noticed": noticed_in(parts)}
-    return parts[0]._replace(**rows)
+    return parts[0]._replace(
+        counts=counted(parts),
+        removed=removed_in(parts),
+        outside=outside_in(parts),
+        noticed=noticed_in(parts),
+        **rows,
+    )
 
 
 def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
