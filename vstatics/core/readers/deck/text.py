@@ -113,8 +113,8 @@ def head(line: str) -> str:
     >>> head("N ZD(I,1),I=1,K G : 1 1 4"), head("WSAT(K,I) ..."), head("W = 3"), head("number")
     ('NZD', 'WSAT', '', '')
     """
-    word, opened, start = _opening(line)
-    return word if _kind(line, word, opened, start) else ""
+    kind, word, _ = _opening(line)
+    return word if kind else ""
 
 
 def scan(source: Source) -> Scan:
@@ -152,8 +152,7 @@ def _read_line(line: str) -> tuple[str, Any]:
     ``broken`` field with its name, column and message; a ``name`` with its kind, number, text and
     column; an unknown ``word`` at the place of a field; and an empty text for other lines.
     """
-    word, opened, start = _opening(line)
-    kind = _kind(line, word, opened, start)
+    kind, word, start = _opening(line)
     if kind == "result":
         return kind, None
     if kind == "scalar":
@@ -180,23 +179,24 @@ def _only_report(result: Scan, first: int) -> None:
 
 
 def _opening(line: str) -> tuple[str, str, int]:
-    """Return the first word of a line, the sign behind the word, and the offset of the sign."""
+    """Return the kind of a line, the first word, and the offset of the sign behind the word.
+
+    The kinds are ``scalar``, ``list``, ``result`` and an empty text.
+    """
     start = len(line) - len(line.lstrip())
     start += line.startswith("(", start)
     ends = [end for end in (line.find("(", start), line.find("=", start)) if end >= 0]
     if not ends or min(ends) - start > 40:  # names are short, even with stray blanks
         return "", "", start
     end = min(ends)
-    return latin("".join(line[start:end].split())), line[end], end
-
-
-def _kind(line: str, word: str, opened: str, start: int) -> str:
-    """Return the kind of a line: ``scalar``, ``list``, ``result`` or an empty text."""
-    if opened == "(" and word in PRINTED and _is_index(line, start):
-        return "result"
-    if opened == "=" and word in SCALARS:
-        return "scalar"
-    return "list" if word in LISTS or (opened == "(" and word in GEAR_LISTS) else ""
+    word, opens = latin("".join(line[start:end].split())), line[end] == "("
+    if opens and word in PRINTED and _is_index(line, end):
+        kind = "result"
+    elif not opens and word in SCALARS:
+        kind = "scalar"
+    else:
+        kind = "list" if word in LISTS or (opens and word in GEAR_LISTS) else ""
+    return kind, word, end
 
 
 def _is_index(line: str, start: int) -> bool:
