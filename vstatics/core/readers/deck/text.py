@@ -84,6 +84,45 @@ def latin(text: str) -> str:
     return text.upper().translate(LATIN)
 
 
+def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
+    """Yield the text of a file in each possible encoding, the most likely first.
+
+    Raises
+    ------
+    ReadError
+        If the file contains no text.
+    """
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
+    if b"\0" in data:
+        raise _unreadable(
+            file, "the file is binary, expected a deck as text: save it as text in UTF-8"
+        )
+    data = data.rstrip(b"\x1a")  # end-of-file character of DOS
+    try:
+        yield with_plain_blanks(data.decode("utf-8-sig")), []
+    except UnicodeDecodeError as error:
+        from vstatics.core.readers.deck.encodings import in_each_encoding  # costs start-up time
+
+        for text in in_each_encoding(data):
+            yield with_plain_blanks(text), []
+        yield _damaged(data, error.start, file)
+
+
+def _unreadable(file: str, message: str) -> ReadError:
+    return ReadError("E103", message, place=Place(file, 1, 1))
+
+
+def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
+    """Decode the text as damaged UTF-8, so that a cut file does not become gibberish."""
+    before = Source(file, data[:start].decode("utf-8-sig")).lines
+    text = data.decode("utf-8-sig", errors="replace")
+    message = f"byte 0x{data[start]:02X} is not UTF-8 here: the file is damaged or cut off"
+    return text, [
+        Problem("E104", message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
+    ]
+
+
 def decode(data: bytes, file: str) -> str:
     """Decode a deck or a report, by the encoding in which most lines start with a field.
 
@@ -270,42 +309,3 @@ def _name_line(line: str) -> tuple[str, str, str] | None:
     if match is None or not (match[2] or match[1] == "T"):
         return None
     return match[1], match[2], name.strip()
-
-
-def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
-    """Yield the text of a file in each possible encoding, the most likely first.
-
-    Raises
-    ------
-    ReadError
-        If the file contains no text.
-    """
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
-    if b"\0" in data:
-        raise _unreadable(
-            file, "the file is binary, expected a deck as text: save it as text in UTF-8"
-        )
-    data = data.rstrip(b"\x1a")  # end-of-file character of DOS
-    try:
-        yield with_plain_blanks(data.decode("utf-8-sig")), []
-    except UnicodeDecodeError as error:
-        from vstatics.core.readers.deck.encodings import in_each_encoding  # costs start-up time
-
-        for text in in_each_encoding(data):
-            yield with_plain_blanks(text), []
-        yield _damaged(data, error.start, file)
-
-
-def _unreadable(file: str, message: str) -> ReadError:
-    return ReadError("E103", message, place=Place(file, 1, 1))
-
-
-def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
-    """Decode the text as damaged UTF-8, so that a cut file does not become gibberish."""
-    before = Source(file, data[:start].decode("utf-8-sig")).lines
-    text = data.decode("utf-8-sig", errors="replace")
-    message = f"byte 0x{data[start]:02X} is not UTF-8 here: the file is damaged or cut off"
-    return text, [
-        Problem("E104", message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
-    ]
