@@ -47,6 +47,11 @@ Made: TypeAlias = tuple[Chosen, Transmission | None]
 """Indices of variants in a block, and the case that they share; `None` for an impossible case."""
 Array = TypeVar("Array", Floats, Codes)
 
+MEASURED_RUNS = 8
+"""Number of runs from which the time of all runs is estimated."""
+BLOCK_BYTES = 32 * 2**20
+LEAST_BLOCK, MOST_BLOCK = 256, 16384
+
 
 class Frequencies(Protocol):
     """Natural frequencies of variants, which the annex of torsional vibration calculates."""
@@ -86,6 +91,85 @@ class BlockTables(NamedTuple):
         return self.results.existing(name)
 
 
+class OfCases(NamedTuple):
+    """Tables of a block of variants that are calculated as several groups."""
+
+    places: list[Chosen]
+    """Indices of the variants of each group."""
+    parts: list[BlockTables]
+
+    def existing(self, name: str) -> Floats:
+        """Return a table of all groups in the order of the variants."""
+        return _in_order(self.places, [part.existing(name) for part in self.parts])
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """Names of laws that were evaluated outside their points."""
+        names = (
+            name
+            for part in self.parts
+            if part.results and part.results.points
+            for name in part.results.points.outside
+        )
+        return tuple(dict.fromkeys(names))
+
+
+def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
+    """Calculate the variants from `start` up to `stop`, of a case or of a scenario.
+
+    Parameters
+    ----------
+    plan : SweepPlan
+    start, stop : int
+        Numbers of variants, from 0; `stop` is not included.
+
+    Returns
+    -------
+    Chunk
+        Chunk with a row for each variant that passed the condition of the plan.
+    """
+    if not isinstance(plan.subject, Transmission):
+        return runs.calculate(plan, plan.subject, start, stop)
+    unvaried = solve(plan.case) if plan.asks_for_results else None
+    return joined([_block(plan, unvaried, *ends) for ends in blocks(plan.case, start, stop)])
+
+
+def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
+    """Return the first variant and the end of each block of a part; sizes are nearly equal."""
+    most = min(max(BLOCK_BYTES // variant_bytes(case), LEAST_BLOCK), MOST_BLOCK)
+    number = -(-(stop - start) // most)
+    ends = [start + (stop - start) * block // number for block in range(number + 1)]
+    return pairwise(ends)
+
+
+def variant_bytes(case: Transmission) -> int:
+    """Return the approximate size of the results of a variant [bytes]."""
+    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
+    numbers = 3 * case.links + 3 * elements + 5 * mechanisms + 2 * len(case.springs) + 11
+    return len(case.gears) * (8 * numbers + elements + 2 * mechanisms + 6)
+
+
+def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> Chunk:
+    values = plan.variants.block(start, stop)
+    possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
+    cases = [*_cases(plan, possible)]
+    tables, statuses = OfCases([], []), []
+    for chosen, case, others in _groups(plan, cases):
+        of_group = block_tables(plan, case, possible[chosen], others)
+        tables.places.append(chosen)
+        tables.parts.append(of_group)
+        statuses.append(_status(of_group, unvaried, plan, len(possible[chosen])))
+    status = _in_order(tables.places, statuses)
+    parts = [path.part for path in plan.parts.values() if path.part]
+    for chosen, other_case in cases:
+        if other_case is None:
+            invalid[chosen] = True
+        elif not is_assembled(other_case, parts):
+            status[chosen] = np.maximum(status[chosen], NOT_ASSEMBLED)
+    status[invalid] = INVALID
+    return rows_of(plan, start, values, status, tables, invalid)._replace(outside=tables.outside)
+
+
 def possible_numbers(
     case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
@@ -112,35 +196,45 @@ def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans,
     return target.impossible(given), 1.0
 
 
-class OfCases(NamedTuple):
-    """Tables of a block of variants that are calculated as several groups."""
+def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
+    """Yield the case of each group of variants, or `None` for an impossible case."""
+    paths = plan.parts
+    if not paths:
+        yield slice(None), plan.case
+        return
+    in_si = np.column_stack([path.in_si(values[:, n]) for n, path in paths.items()])
+    parts = [path.part for path in paths.values() if path.part]
+    for places, row in alike_rows(in_si):
+        chosen = slice(None) if len(places) == len(values) else places
+        try:
+            yield chosen, with_part_numbers(plan.case, parts, row)
+        except CaseError:
+            yield chosen, None
 
-    places: list[Chosen]
-    """Indices of the variants of each group."""
-    parts: list[BlockTables]
 
-    def existing(self, name: str) -> Floats:
-        """Return a table of all groups in the order of the variants."""
-        return _in_order(self.places, [part.existing(name) for part in self.parts])
+def _groups(
+    plan: SweepPlan, cases: Sequence[Made]
+) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
+    """Yield groups of variants that are solved together.
 
-    @property
-    def outside(self) -> tuple[str, ...]:
-        """Names of laws that were evaluated outside their points."""
-        names = (
-            name
-            for part in self.parts
-            if part.results and part.results.points
-            for name in part.results.points.outside
+    Cases that differ only in ratios and efficiencies form a group, unless planet speeds or natural
+    frequencies are used, which depend on each case.
+    """
+    efficiencies = [mechanism.back_efficiency for mechanism in plan.case.mechanisms]
+    of_each_case = plan.tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
+    if (
+        len(cases) == 1
+        or of_each_case
+        or any(path.of for path in plan.paths)
+        or any(
+            [m.back_efficiency for m in other_case.mechanisms] != efficiencies
+            for _, other_case in cases
+            if other_case
         )
-        return tuple(dict.fromkeys(names))
-
-
-def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
-    if len(arrays) == 1:
-        return arrays[0]
-    order = np.argsort(np.concatenate([np.asarray(indices) for indices in places]))
-    whole: Array = np.concatenate(arrays)[order]
-    return whole
+    ):
+        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
+    else:
+        yield slice(None), plan.case, cases
 
 
 def block_tables(
@@ -209,142 +303,6 @@ def _numbers_of(
     return table.T
 
 
-MEASURED_RUNS = 8
-"""Number of runs from which the time of all runs is estimated."""
-BLOCK_BYTES = 32 * 2**20
-LEAST_BLOCK, MOST_BLOCK = 256, 16384
-
-
-def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
-    """Calculate the variants from `start` up to `stop`, of a case or of a scenario.
-
-    Parameters
-    ----------
-    plan : SweepPlan
-    start, stop : int
-        Numbers of variants, from 0; `stop` is not included.
-
-    Returns
-    -------
-    Chunk
-        Chunk with a row for each variant that passed the condition of the plan.
-    """
-    if not isinstance(plan.subject, Transmission):
-        return runs.calculate(plan, plan.subject, start, stop)
-    unvaried = solve(plan.case) if plan.asks_for_results else None
-    return joined([_block(plan, unvaried, *ends) for ends in blocks(plan.case, start, stop)])
-
-
-def middle(plan: SweepPlan) -> tuple[int, int]:
-    """Return the first variant and the end of a block in the middle of a sweep, for estimates."""
-    start, stop = plan.span(plan.pieces // 2)
-    if not isinstance(plan.subject, Transmission):
-        return start, min(stop, start + MEASURED_RUNS)
-    ends = list(blocks(plan.subject, start, stop))
-    return ends[len(ends) // 2]
-
-
-def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
-    """Return the first variant and the end of each block of a part; sizes are nearly equal."""
-    most = min(max(BLOCK_BYTES // variant_bytes(case), LEAST_BLOCK), MOST_BLOCK)
-    number = -(-(stop - start) // most)
-    ends = [start + (stop - start) * block // number for block in range(number + 1)]
-    return pairwise(ends)
-
-
-def variant_bytes(case: Transmission) -> int:
-    """Return the approximate size of the results of a variant [bytes]."""
-    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
-    numbers = 3 * case.links + 3 * elements + 5 * mechanisms + 2 * len(case.springs) + 11
-    return len(case.gears) * (8 * numbers + elements + 2 * mechanisms + 6)
-
-
-def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> Chunk:
-    values = plan.variants.block(start, stop)
-    possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
-    cases = [*_cases(plan, possible)]
-    tables, statuses = OfCases([], []), []
-    for chosen, case, others in _groups(plan, cases):
-        of_group = block_tables(plan, case, possible[chosen], others)
-        tables.places.append(chosen)
-        tables.parts.append(of_group)
-        statuses.append(_status(of_group, unvaried, plan, len(possible[chosen])))
-    status = _in_order(tables.places, statuses)
-    parts = [path.part for path in plan.parts.values() if path.part]
-    for chosen, other_case in cases:
-        if other_case is None:
-            invalid[chosen] = True
-        elif not is_assembled(other_case, parts):
-            status[chosen] = np.maximum(status[chosen], NOT_ASSEMBLED)
-    status[invalid] = INVALID
-    return rows_of(plan, start, values, status, tables, invalid)._replace(outside=tables.outside)
-
-
-def _groups(
-    plan: SweepPlan, cases: Sequence[Made]
-) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
-    """Yield groups of variants that are solved together.
-
-    Cases that differ only in ratios and efficiencies form a group, unless planet speeds or natural
-    frequencies are used, which depend on each case.
-    """
-    efficiencies = [mechanism.back_efficiency for mechanism in plan.case.mechanisms]
-    of_each_case = plan.tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
-    if (
-        len(cases) == 1
-        or of_each_case
-        or any(path.of for path in plan.paths)
-        or any(
-            [m.back_efficiency for m in other_case.mechanisms] != efficiencies
-            for _, other_case in cases
-            if other_case
-        )
-    ):
-        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
-    else:
-        yield slice(None), plan.case, cases
-
-
-def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
-    """Yield the case of each group of variants, or `None` for an impossible case."""
-    paths = plan.parts
-    if not paths:
-        yield slice(None), plan.case
-        return
-    in_si = np.column_stack([path.in_si(values[:, n]) for n, path in paths.items()])
-    parts = [path.part for path in paths.values() if path.part]
-    for places, row in alike_rows(in_si):
-        chosen = slice(None) if len(places) == len(values) else places
-        try:
-            yield chosen, with_part_numbers(plan.case, parts, row)
-        except CaseError:
-            yield chosen, None
-
-
-def reason(plan: SweepPlan) -> list[Problem]:
-    """Return the problems of the first variant if its case is impossible, otherwise none."""
-    values = plan.variants.block(0, 1)
-    for n, varied in enumerate(plan.variants.targets):
-        if isinstance(varied, Target) and varied.quantity == "ratio":
-            between = plan.case.ratio_range(varied.owner)
-            if impossible("ratio", values[:, n], between).any():
-                message = f"read {values[0, n]:g} in variant 0, expected {expected_ratio(between)}"
-                return [Problem("E415", message, (varied.name,))]
-    numbers: dict[PartNumber, float] = {}
-    for n, path in plan.parts.items():
-        given = path.in_si(values[:, n])
-        if path.part and path.part.impossible(given).any():
-            message = f"read {given[0]:g} in variant 0, expected {path.part.expected}"
-            return [Problem("E415", message, (path.path,))]
-        if path.part:
-            numbers[path.part] = float(given[0])
-    try:
-        with_part_numbers(plan.case, [*numbers], [*numbers.values()])
-    except CaseError as error:
-        return error.problems
-    return []
-
-
 def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, variants: int) -> Codes:
     """Return the worst status of each variant over the gears that the plan uses, or of each gear.
 
@@ -372,3 +330,44 @@ def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, vari
         if affected.any():
             status[affected if by_gear else affected[:, asked].any(axis=1)] = code
     return status
+
+
+def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
+    if len(arrays) == 1:
+        return arrays[0]
+    order = np.argsort(np.concatenate([np.asarray(indices) for indices in places]))
+    whole: Array = np.concatenate(arrays)[order]
+    return whole
+
+
+def middle(plan: SweepPlan) -> tuple[int, int]:
+    """Return the first variant and the end of a block in the middle of a sweep, for estimates."""
+    start, stop = plan.span(plan.pieces // 2)
+    if not isinstance(plan.subject, Transmission):
+        return start, min(stop, start + MEASURED_RUNS)
+    ends = list(blocks(plan.subject, start, stop))
+    return ends[len(ends) // 2]
+
+
+def reason(plan: SweepPlan) -> list[Problem]:
+    """Return the problems of the first variant if its case is impossible, otherwise none."""
+    values = plan.variants.block(0, 1)
+    for n, varied in enumerate(plan.variants.targets):
+        if isinstance(varied, Target) and varied.quantity == "ratio":
+            between = plan.case.ratio_range(varied.owner)
+            if impossible("ratio", values[:, n], between).any():
+                message = f"read {values[0, n]:g} in variant 0, expected {expected_ratio(between)}"
+                return [Problem("E415", message, (varied.name,))]
+    numbers: dict[PartNumber, float] = {}
+    for n, path in plan.parts.items():
+        given = path.in_si(values[:, n])
+        if path.part and path.part.impossible(given).any():
+            message = f"read {given[0]:g} in variant 0, expected {path.part.expected}"
+            return [Problem("E415", message, (path.path,))]
+        if path.part:
+            numbers[path.part] = float(given[0])
+    try:
+        with_part_numbers(plan.case, [*numbers], [*numbers.values()])
+    except CaseError as error:
+        return error.problems
+    return []

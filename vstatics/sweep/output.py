@@ -161,7 +161,7 @@ class Output:
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
-            self.store.discard(piece_file.ASSEMBLED)  # a large incomplete file is of no use
+            self.store.folder.remove(piece_file.ASSEMBLED)  # a large incomplete file is of no use
             raise
         self.store.finish()
         return report._replace(rows=sum(account.rows for account in accounts))

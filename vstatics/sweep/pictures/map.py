@@ -51,6 +51,8 @@ LEAST_FILLED = 0.5
 """Smallest fraction of filled places at which points count as a rectangular grid."""
 GRID_OF_POINTS = 121
 """Number of interpolated values in each direction, for points that do not form a grid."""
+PLACES_TRIED = 48
+"""Number of places on a line that are tried for its label."""
 
 
 class Surface(NamedTuple):
@@ -115,11 +117,6 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     return figures
 
 
-def _axis_scale(surfaces: Sequence[Surface], name: str) -> AxisScale:
-    values = np.concatenate([getattr(surface, name) for surface in surfaces])
-    return AxisScale(float(values.min()), float(values.max()))
-
-
 def _grid(x: Floats, y: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
     """Return points as the axes of a grid and the values on it, interpolated if necessary.
 
@@ -175,6 +172,11 @@ def contour_levels(values: Floats) -> list[float]:
             if before < level < after and level not in levels:
                 levels.append(level)
     return levels
+
+
+def _axis_scale(surfaces: Sequence[Surface], name: str) -> AxisScale:
+    values = np.concatenate([getattr(surface, name) for surface in surfaces])
+    return AxisScale(float(values.min()), float(values.max()))
 
 
 def _draw(pen: Pen, surface: Surface, levels: Sequence[float], names: tuple[str, str]) -> None:
@@ -249,10 +251,6 @@ def _label(
             centred: Look = {"ha": "center", "va": "center_baseline"}
             pen.text(x, y, text, size=SMALL_NUMBER, over=True, **centred)
             return
-
-
-PLACES_TRIED = 48
-"""Number of places on a line that are tried for its label."""
 
 
 def _places(lines: Sequence[Floats]) -> Iterator[Point]:
