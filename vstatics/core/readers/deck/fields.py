@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
 
-from vstatics.core.errors import Path, Problem
+from vstatics.core.errors import Path, Problem, count_of
 from vstatics.core.readers.deck.numbers import Number, Parse, Spot, integer, loose_count
 from vstatics.core.readers.deck.places import Places, label_in
 from vstatics.core.readers.deck.table import FIELDS
@@ -17,7 +17,6 @@ from vstatics.core.readers.deck.values import (
     stand_ins,
     take,
     take_rows,
-    values_in_words,
 )
 from vstatics.core.suggestions import nearest
 
@@ -110,7 +109,7 @@ class Fields:
             return [[] for _ in counts], set()
         else:
             values = stand_ins(None, need, parse)
-            self._missing(key, f"{values_in_words(need)} ({counted})")
+            self._missing(key, f"{count_of('value', need)} ({counted})")
         ends = [0, *accumulate(counts)]
         unreadable = {
             gear
@@ -132,7 +131,7 @@ class Fields:
         else:
             values = stand_ins(None, need, parse)
             if need:
-                self._missing(key, f"{values_in_words(need)} ({why})")
+                self._missing(key, f"{count_of('value', need)} ({why})")
         self.unreadable.update(map(label, values.unreadable))
         if key in FIELDS:
             part, member, *_ = FIELDS[key]

@@ -8,7 +8,7 @@ from contextlib import suppress
 from functools import lru_cache, partial
 from typing import Generic, NamedTuple
 
-from vstatics.core.errors import plural
+from vstatics.core.errors import count_of
 from vstatics.core.readers.deck.numbers import (
     DECIMAL_COMMA,
     NotANumberError,
@@ -118,11 +118,6 @@ def row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
     for gear, count in enumerate(counts, 1):
         for position in range(1, count + 1):
             yield f"{key}({position},{gear})"
-
-
-def values_in_words(count: int) -> str:
-    """Return a number of values in words."""
-    return f"{count} {plural('value', count)}"
 
 
 def stand_ins(field: Field | None, need: int, parse: Parse[Number]) -> Values[Number]:
@@ -318,7 +313,7 @@ class _ValueReader(Generic[Number]):
         expected = (
             f"expected {self.need} ({self.wanted.why})" if self.wanted.why else "expected one"
         )
-        read = f"read {values_in_words(self.total)}"
+        read = f"read {count_of('value', self.total)}"
         if self.surplus is None:
             label = self.wanted.label(self.total)
             end = self.ending(self.end[0] + 1)
