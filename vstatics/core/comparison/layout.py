@@ -14,6 +14,7 @@ from vstatics.core.errors import plural
 from vstatics.core.tables.markdown import escaped
 from vstatics.core.tables.numbers import fixed, rounded
 from vstatics.core.tables.text import INDENT, TABLE_WIDTH, broken
+from vstatics.core.texts import tr
 
 CASE_LINES = 20
 """Largest number of lines about a case, unless all lines are requested."""
@@ -137,7 +138,7 @@ def shown_values(old: Any, new: Any) -> tuple[str, str]:
     """Format two values of a case, shortened to `LONGEST_VALUE`; None is an absent key."""
     texts = [
         value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
-        for value in (NOT_THERE if value is None else value for value in (old, new))
+        for value in (tr(NOT_THERE) if value is None else value for value in (old, new))
     ]
     first, second = (
         text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 3] + "..." for text in texts
