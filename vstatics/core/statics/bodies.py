@@ -13,7 +13,7 @@ from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, absolute
-from vstatics.core.statics.matrix import row_of, value
+from vstatics.core.statics.matrix import column
 from vstatics.core.statics.speeds import is_tie
 
 
@@ -99,14 +99,13 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
     for first, *others in apart.values():
         for other in others:
             ours, theirs = (_torques_on_bodies(case.mechanisms[n], bodies) for n in (first, other))
-            left, right = ours[0] * theirs[1], ours[1] * theirs[0]
+            body, next_body, _ = sorted(ours)
+            left, right = ours[body] * theirs[next_body], ours[next_body] * theirs[body]
             if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
                 locked_up |= {first, other}
     return locked_up
 
 
-def _torques_on_bodies(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
-    """Return the torques of a mechanism on three bodies, sorted by body."""
+def _torques_on_bodies(mechanism: Mechanism, bodies: Sequence[int]) -> dict[int, float]:
     joined = (bodies[link] for link in mechanism.links)
-    torques = map(value, row_of(mechanism, mechanism.ratio))
-    return [torque for _, torque in sorted(zip(joined, torques, strict=True))]
+    return dict(zip(joined, column(mechanism.ratio), strict=True))

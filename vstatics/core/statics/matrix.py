@@ -175,19 +175,12 @@ def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Fl
         given = np.array([mechanism.ratio for mechanism in case.mechanisms], dtype=np.float64)
     else:
         given = by_mechanism("ratios", ratios, len(case.mechanisms))
-    elements = len(case.shift_elements)
-    matrix = np.zeros((*given.shape[:-1], 1 + case.links, len(case.devices)))
-    for number, element in enumerate(case.shift_elements):
-        for link, torque in zip((element.first, element.second), ON_ELEMENT, strict=True):
-            matrix[..., link, number] = torque
-    by_device = given.tolist() if given.ndim == 1 else np.moveaxis(given, -1, 0)
-    for number, (mechanism, u) in enumerate(zip(case.mechanisms, by_device, strict=True)):
-        for link, torques in zip(mechanism.links, column_of(mechanism, u), strict=True):
-            matrix[..., link, elements + number] = value(torques)
-    for number, spring in enumerate(case.springs, elements + len(case.mechanisms)):
-        for link, coefficient in spring.form.items():
-            matrix[..., link, number] = coefficient
-    return matrix[..., 1:, :]
+    matrix = np.zeros((1 + case.links, len(case.devices), *given.shape[:-1]))
+    by_device: Any = given.tolist() if given.ndim == 1 else np.moveaxis(given, -1, 0)
+    for number, torques in enumerate(columns(case, by_device)):
+        for link, torque in torques.items():
+            matrix[link, number] = value(torque)
+    return np.moveaxis(matrix[1:], (0, 1), (-2, -1))
 
 
 def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:

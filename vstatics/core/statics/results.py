@@ -213,7 +213,9 @@ class Results(PhysicalResults):
         array: Floats = getattr(self, name)
         if name not in ("idle", "consistent", "locked", "dragged"):
             return array
-        exists = self.calculable & ~(self.undecided & (name in ("locked", "dragged")))
+        exists = self.calculable
+        if name in ("locked", "dragged"):
+            exists = exists & ~self.undecided
         return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 
     def gear(self, gear: int | str) -> GearState:
