@@ -53,16 +53,6 @@ class SignSearch(NamedTuple):
     choices: int
 
 
-class Admissible(NamedTuple):
-    """Signs that agree with the power flow they cause; of several sets, the most efficient."""
-
-    lossy: LossyTorques | None = None
-    """Torques for these signs; None if the gear is self-locking or the search was cut short."""
-    choices: int = 0
-    """Number of admissible sets of signs."""
-    cut_short: bool = False
-
-
 def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     """Find the signs that agree with the resulting power flow.
 
@@ -108,43 +98,69 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     )
 
 
+class IdealSigns(NamedTuple):
+    """Sign of the flow without losses through each mechanism, and the reasons for no flow."""
+
+    signs: Signs
+    """Signs of the flows: +1, -1 or 0; NaN if torque or motion is indeterminate."""
+    unloaded: Sequence[bool]
+    """Marks of mechanisms without torque."""
+    still: Sequence[bool]
+    """Marks of mechanisms that are locked up."""
+
+    @property
+    def idle(self) -> list[bool]:
+        """Marks of mechanisms without a flow that gives a sign."""
+        return [a or b for a, b in zip(self.unloaded, self.still, strict=True)]
+
+
+def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
+    """Return the signs by the closed form, equation (5); idle mechanisms follow a convention.
+
+    Parameters
+    ----------
+    moving : bool
+        True if speeds, and torques without losses, exist.
+    """
+    if not moving:
+        nowhere = [False] * len(ideal.variant.ratios)
+        return IdealSigns((math.nan,) * len(nowhere), nowhere, nowhere)
+    torques = mechanism_torques(ideal, ideal.variant.columns, ideal.torques_with_drag)
+    relative_speeds = ideal.speeds.relative_speeds
+    unloaded = [bool(torque == 0) for torque in torques]
+    still = [bool(speed == 0) for speed in relative_speeds]
+    signs = [
+        _sign_of_idle(ideal, place, is_unloaded=unloaded[place])
+        if unloaded[place] or still[place]
+        else sign(power(torques[place], relative_speeds[place])) * ideal.direction
+        for place in range(len(torques))
+    ]
+    return IdealSigns(tuple(signs), unloaded, still)
+
+
+def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
+    if ideal.case.idle == "exact":
+        return 0.0
+    published = 1.0 if is_unloaded else sign(ideal.variant.ratios[place])
+    return 0.0 if ideal.variant.efficiencies[place].back == 0 and published < 0 else published
+
+
+class Admissible(NamedTuple):
+    """Signs that agree with the power flow they cause; of several sets, the most efficient."""
+
+    lossy: LossyTorques | None = None
+    """Torques for these signs; None if the gear is self-locking or the search was cut short."""
+    choices: int = 0
+    """Number of admissible sets of signs."""
+    cut_short: bool = False
+
+
 def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
     """Return the signs without losses if admissible, else the best admissible signs."""
     first = _follow_unloaded(ideal, start)
     if first.admissible:
         return Admissible(first._replace(admissible=True), 1)
     return _search(ideal, start)
-
-
-def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """Return the signs of a gear whose output may overcome drag.
-
-    Without drag the gear must have admissible signs; otherwise friction alone locks it.
-    """
-    bare = ideal.without_drag._replace(overcome=False)
-    without_drag = _admissible(bare, ideal_signs(bare, moving=True))
-    return _admissible(ideal, start) if without_drag.lossy else without_drag
-
-
-def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
-    """Return whether power enters at the output to overcome drag, without leaving at the input."""
-    if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
-        return False
-    case, gear, direction = ideal.case, ideal.gear, ideal.direction
-    at_input = ideal.external[case.gear_input(gear)]
-    output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
-    entering = -power(lossy.torques.on_first_link[-1], output_speed)
-    taken = lossy.drag_losses * direction
-    return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
-
-
-def _indeterminate(ideal: IdealGear, start: IdealSigns) -> list[int]:
-    """Return the mechanisms with losses whose direction of power is indeterminate."""
-    return [
-        place
-        for place, x in enumerate(start.signs)
-        if is_nan(x) and ideal.variant.efficiencies[place].lossy
-    ]
 
 
 def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
@@ -196,6 +212,37 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
     return Admissible()
 
 
+def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
+    """Yield the torques for all possible sets of signs of the `free` mechanisms.
+
+    Fractions take long, so sets of signs that floats refuse with certainty are left out.
+    """
+    rough = _in_floats(ideal)
+    for signs_of_free in product((1.0, -1.0), repeat=len(free)):
+        signs: list[Number] = list(start.signs)
+        for place, x in zip(free, signs_of_free, strict=True):
+            signs[place] = x
+        possible = is_possible(ideal.variant.efficiencies, tuple(signs))
+        if possible and not (rough and _is_refused(rough, tuple(signs))):
+            yield torques_for_signs(ideal, tuple(signs))
+
+
+def _in_floats(ideal: IdealGear) -> IdealGear | None:
+    if not any(map(is_exact, ideal.variant.ratios)):
+        return None
+    from vstatics.core.numerics.exact import rounded  # fractions cost start-up time
+
+    in_floats: IdealGear = rounded(ideal)
+    return in_floats
+
+
+def _is_refused(rough: IdealGear, signs: Signs) -> bool:
+    """Return whether signs contradict the flow beyond any doubt by rounding."""
+    lossy = torques_for_signs(rough, signs)
+    known = not any(map(is_nan, lossy.torques.on_first_link))
+    return known and lossy.torques.certain and not lossy.admissible
+
+
 def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
     """Return the admissible signs that give the largest efficiency.
 
@@ -245,35 +292,83 @@ def _better(first: LossyTorques, second: LossyTorques) -> LossyTorques:
     )
 
 
-def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
-    """Yield the torques for all possible sets of signs of the `free` mechanisms.
+def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
+    """Let the signs follow the flow until both agree.
 
-    Fractions take long, so sets of signs that floats refuse with certainty are left out.
+    When the iteration repeats itself, only the sign with the largest gain of power is reversed.
     """
-    rough = _in_floats(ideal)
-    for signs_of_free in product((1.0, -1.0), repeat=len(free)):
-        signs: list[Number] = list(start.signs)
-        for place, x in zip(free, signs_of_free, strict=True):
-            signs[place] = x
-        possible = is_possible(ideal.variant.efficiencies, tuple(signs))
-        if possible and not (rough and _is_refused(rough, tuple(signs))):
-            yield torques_for_signs(ideal, tuple(signs))
+    signs = _possible(ideal, start.signs)
+    seen: set[Signs] = set()
+    for _ in range(SIGN_ROUNDS):
+        lossy = torques_for_signs(ideal, signs)
+        if lossy.admissible:
+            return Admissible(lossy, 1)
+        turned = _possible(ideal, _turned(signs, lossy.directions, moving))
+        if turned == signs:
+            break
+        if turned in seen:
+            turned = _worst_turned(ideal, signs, turned, lossy)
+        if turned in seen:
+            break
+        seen.add(turned)
+        signs = turned
+    return Admissible(cut_short=True)
 
 
-def _in_floats(ideal: IdealGear) -> IdealGear | None:
-    if not any(map(is_exact, ideal.variant.ratios)):
-        return None
-    from vstatics.core.numerics.exact import rounded  # fractions cost start-up time
+def _possible(ideal: IdealGear, signs: Signs) -> Signs:
+    """Return the signs with +1 for self-locking mechanisms, which cannot be driven back."""
+    return tuple(
+        1.0 if efficiency.back == 0 and x < 0 else _decided(x)
+        for x, efficiency in zip(signs, ideal.variant.efficiencies, strict=True)
+    )
 
-    in_floats: IdealGear = rounded(ideal)
-    return in_floats
+
+def _decided(x: Number) -> float:
+    """Return a sign as a float; the sign of the first variant if traced."""
+    if is_traced(x):
+        return 1.0 if x > 0 else -1.0
+    return plain(x)
 
 
-def _is_refused(rough: IdealGear, signs: Signs) -> bool:
-    """Return whether signs contradict the flow beyond any doubt by rounding."""
-    lossy = torques_for_signs(rough, signs)
-    known = not any(map(is_nan, lossy.torques.on_first_link))
-    return known and lossy.torques.certain and not lossy.admissible
+def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
+    """Return the signs, reversed only for the mechanism that gains most power."""
+    gains = [
+        -loss * ideal.direction if x != y else -math.inf
+        for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
+    ]
+    worst = max(range(len(gains)), key=gains.__getitem__)
+    return tuple(-x if place == worst else x for place, x in enumerate(signs))
+
+
+def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
+    """Return the signs of a gear whose output may overcome drag.
+
+    Without drag the gear must have admissible signs; otherwise friction alone locks it.
+    """
+    bare = ideal.without_drag._replace(overcome=False)
+    without_drag = _admissible(bare, ideal_signs(bare, moving=True))
+    return _admissible(ideal, start) if without_drag.lossy else without_drag
+
+
+def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
+    """Return whether power enters at the output to overcome drag, without leaving at the input."""
+    if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
+        return False
+    case, gear, direction = ideal.case, ideal.gear, ideal.direction
+    at_input = ideal.external[case.gear_input(gear)]
+    output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
+    entering = -power(lossy.torques.on_first_link[-1], output_speed)
+    taken = lossy.drag_losses * direction
+    return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
+
+
+def _indeterminate(ideal: IdealGear, start: IdealSigns) -> list[int]:
+    """Return the mechanisms with losses whose direction of power is indeterminate."""
+    return [
+        place
+        for place, x in enumerate(start.signs)
+        if is_nan(x) and ideal.variant.efficiencies[place].lossy
+    ]
 
 
 def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
@@ -329,98 +424,3 @@ def _common_number(values: Sequence[Number | Residual]) -> Number:
 def _common_sign(values: Sequence[Number]) -> float:
     signs = [_decided(value) for value in values]
     return signs[0] if len(set(signs)) == 1 else math.nan
-
-
-def _decided(x: Number) -> float:
-    """Return a sign as a float; the sign of the first variant if traced."""
-    if is_traced(x):
-        return 1.0 if x > 0 else -1.0
-    return plain(x)
-
-
-def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
-    """Let the signs follow the flow until both agree.
-
-    When the iteration repeats itself, only the sign with the largest gain of power is reversed.
-    """
-    signs = _possible(ideal, start.signs)
-    seen: set[Signs] = set()
-    for _ in range(SIGN_ROUNDS):
-        lossy = torques_for_signs(ideal, signs)
-        if lossy.admissible:
-            return Admissible(lossy, 1)
-        turned = _possible(ideal, _turned(signs, lossy.directions, moving))
-        if turned == signs:
-            break
-        if turned in seen:
-            turned = _worst_turned(ideal, signs, turned, lossy)
-        if turned in seen:
-            break
-        seen.add(turned)
-        signs = turned
-    return Admissible(cut_short=True)
-
-
-def _possible(ideal: IdealGear, signs: Signs) -> Signs:
-    """Return the signs with +1 for self-locking mechanisms, which cannot be driven back."""
-    return tuple(
-        1.0 if efficiency.back == 0 and x < 0 else _decided(x)
-        for x, efficiency in zip(signs, ideal.variant.efficiencies, strict=True)
-    )
-
-
-def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
-    """Return the signs, reversed only for the mechanism that gains most power."""
-    gains = [
-        -loss * ideal.direction if x != y else -math.inf
-        for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
-    ]
-    worst = max(range(len(gains)), key=gains.__getitem__)
-    return tuple(-x if place == worst else x for place, x in enumerate(signs))
-
-
-class IdealSigns(NamedTuple):
-    """Sign of the flow without losses through each mechanism, and the reasons for no flow."""
-
-    signs: Signs
-    """Signs of the flows: +1, -1 or 0; NaN if torque or motion is indeterminate."""
-    unloaded: Sequence[bool]
-    """Marks of mechanisms without torque."""
-    still: Sequence[bool]
-    """Marks of mechanisms that are locked up."""
-
-    @property
-    def idle(self) -> list[bool]:
-        """Marks of mechanisms without a flow that gives a sign."""
-        return [a or b for a, b in zip(self.unloaded, self.still, strict=True)]
-
-
-def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
-    """Return the signs by the closed form, equation (5); idle mechanisms follow a convention.
-
-    Parameters
-    ----------
-    moving : bool
-        True if speeds, and torques without losses, exist.
-    """
-    if not moving:
-        nowhere = [False] * len(ideal.variant.ratios)
-        return IdealSigns((math.nan,) * len(nowhere), nowhere, nowhere)
-    torques = mechanism_torques(ideal, ideal.variant.columns, ideal.torques_with_drag)
-    relative_speeds = ideal.speeds.relative_speeds
-    unloaded = [bool(torque == 0) for torque in torques]
-    still = [bool(speed == 0) for speed in relative_speeds]
-    signs = [
-        _sign_of_idle(ideal, place, is_unloaded=unloaded[place])
-        if unloaded[place] or still[place]
-        else sign(power(torques[place], relative_speeds[place])) * ideal.direction
-        for place in range(len(torques))
-    ]
-    return IdealSigns(tuple(signs), unloaded, still)
-
-
-def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
-    if ideal.case.idle == "exact":
-        return 0.0
-    published = 1.0 if is_unloaded else sign(ideal.variant.ratios[place])
-    return 0.0 if ideal.variant.efficiencies[place].back == 0 and published < 0 else published
