@@ -205,7 +205,8 @@ def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Fl
     for number, torques in enumerate(columns(case, by_device)):
         for link, torque in torques.items():
             matrix[link, number] = value(torque)
-    return np.moveaxis(matrix[1:], (0, 1), (-2, -1))
+    without_housing = matrix[1:]
+    return without_housing if given.ndim == 1 else np.moveaxis(without_housing, (0, 1), (-2, -1))
 
 
 def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[Equation]:

@@ -303,7 +303,7 @@ class Results(PhysicalResults):
     @property
     def failed(self) -> bool:
         """True if a gear is tied up or has a freewheel conflict, so that the case fails."""
-        return bool(self.tied_up.any() or self.conflict.any())
+        return bool(np.count_nonzero(self.tied_up) or np.count_nonzero(self.conflict))
 
 
 class _CaseAtPoints:
