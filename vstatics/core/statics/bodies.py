@@ -36,9 +36,7 @@ def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> 
 def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
     """Return whether all members of a device rotate at equal speeds."""
     with_housing = [0.0, *speeds]
-    first, *others = (with_housing[link] for link in _links(device))
-    size = absolute(first)
-    return all(is_tie(absolute(first - other), size, absolute(other)) for other in others)
+    return _are_equal([with_housing[link] for link in _links(device)])
 
 
 def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
@@ -50,10 +48,14 @@ def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
     """
     if spring.is_damper:
         return False
-    first, *others = (speeds[link - 1] for link in spring.form)
     parts = list(spring.form.values())
     if abs(sum(parts)) > TIE * max(map(abs, parts)):
         return False
+    return _are_equal([speeds[link - 1] for link in spring.form])
+
+
+def _are_equal(speeds: Sequence[Number]) -> bool:
+    first, *others = speeds
     size = absolute(first)
     return all(is_tie(absolute(first - other), size, absolute(other)) for other in others)
 

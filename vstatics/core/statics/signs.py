@@ -7,7 +7,7 @@ agree with the flow with losses, other signs are searched for.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import reduce
 from itertools import product
 from operator import or_
@@ -385,29 +385,30 @@ def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
         return none
     torques = [lossy.torques for lossy in tried]
     return LossyTorques(
-        signs=tuple(map(_common_sign, zip(*(lossy.signs for lossy in tried), strict=True))),
+        signs=tuple(_common(_common_sign, (lossy.signs for lossy in tried))),
         torques=Torques(
-            list(
-                map(_common_number, zip(*(lossy.on_first_link for lossy in torques), strict=True))
-            ),
+            _common(_common_number, (lossy.on_first_link for lossy in torques)),
             {
                 link: _common_number([lossy.holding[link] for lossy in torques])
                 for link in none.torques.holding
             },
             consistent=True,
-            of_columns=list(
-                map(_common_number, zip(*(lossy.factors for lossy in torques), strict=True))
-            ),
+            of_columns=_common(_common_number, (lossy.factors for lossy in torques)),
         ),
-        directions=tuple(
-            map(_common_sign, zip(*(lossy.directions for lossy in tried), strict=True))
-        ),
-        losses=list(map(_common_number, zip(*(lossy.losses for lossy in tried), strict=True))),
+        directions=tuple(_common(_common_sign, (lossy.directions for lossy in tried))),
+        losses=_common(_common_number, (lossy.losses for lossy in tried)),
         efficiency=_common_number([power_ratio(ideal, lossy) for lossy in tried]),
         drag_losses=tried[0].drag_losses,
         balance=_common_number([lossy.balance for lossy in tried]),
         admissible=False,
     )
+
+
+def _common(
+    value_of: Callable[[Sequence[Number]], Number], rows: Iterable[Sequence[Number]]
+) -> list[Number]:
+    """Return the common value of each place in several sequences."""
+    return [value_of(column) for column in zip(*rows, strict=True)]
 
 
 def _common_number(values: Sequence[Number | Residual]) -> Number:

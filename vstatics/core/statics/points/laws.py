@@ -80,10 +80,10 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
 def laws_of(case: Transmission) -> Laws:
     """Return all laws of a case, by the number that each determines."""
     numbers: dict[CaseNumber, Any] = {}
-    for index, gear in enumerate(case.gears):
-        for n, torque in case.gear_open_drag(gear).items():
+    for index, gear in enumerate(case.gears_with_drag):
+        for n, torque in gear.open_drag.items():
             numbers[CaseNumber(index, "open_drag", n)] = torque
-        for link, torque in case.gear_drag(gear).items():
+        for link, torque in gear.drag.items():
             numbers[CaseNumber(index, "drag", link)] = torque
         for owner, mechanism in enumerate(case.mechanisms):
             numbers[CaseNumber(index, "efficiency", owner)] = mechanism.efficiency
