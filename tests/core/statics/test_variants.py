@@ -347,7 +347,7 @@ def with_field(part: type, name: str) -> Transmission:
 
 
 def key(case: Transmission) -> tuple[object, ...]:
-    gear = case.with_all_drag(case.gears[0])
+    gear = case.gears_with_drag[0]
     return (*variants._case_key(case), *variants._gear_key(case, gear))
 
 

@@ -121,21 +121,25 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
         yield from doubtful(mechanism, ("mechanisms", number))
     for key in carried_keys(case):
         yield from key.doubts(case)
-    yield from _bare_drags(case)
+    yield from case.derived(_bare_drags)
 
 
-def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
+def _bare_drags(case: TransmissionFields) -> list[Problem]:
     """Warn about unitless drags that are probably in N*m: large, or next to drags with a unit."""
     elements = {number: element.drag for number, element in enumerate(case.shift_elements, 1)}
     paths = {number: ("shift_elements", number, "drag") for number in elements}
     torque = case.load.torque if case.load else None
-    yield from _bare(case, {link: ("drag", link) for link in case.drag}, case.drag, torque)
-    yield from _bare(case, paths, elements, torque)
+    of_case: dict[int, Path] = {link: ("drag", link) for link in case.drag}
+    problems = [
+        *_bare(case, of_case, case.drag, torque),
+        *_bare(case, paths, elements, torque),
+    ]
     for number, gear in enumerate(case.gears, 1):
         for key, drags in (("drag", gear.drag), ("open_drag", gear.open_drag)):
             if drags:
                 of_gear = {part: ("gears", number, key, part) for part in drags}
-                yield from _bare(case, of_gear, drags, case.gear_load(gear).torque)
+                problems += _bare(case, of_gear, drags, case.gear_load(gear).torque)
+    return problems
 
 
 def _bare(

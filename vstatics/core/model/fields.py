@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, runtime_checkable
+from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, TypeVar, runtime_checkable
 
 from vstatics.core.errors import Problem, listed, typed_number
 from vstatics.core.model.bodies import Bodies, join
@@ -31,6 +31,7 @@ from vstatics.core.suggestions import nearest
 if TYPE_CHECKING:  # cases without converters must not import them
     from vstatics.core.model.converters import Converter
 
+Value = TypeVar("Value")
 IdleConvention = Literal["published", "exact"]
 """Convention for the sign of idle mechanisms; see docs/method.md."""
 
@@ -108,6 +109,25 @@ class TransmissionFields:
 
     def __post_init__(self) -> None:
         """Leave all checks to `Transmission`."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields, without derived values, for a copy or another process."""
+        return {name: getattr(self, name) for name in self.__dataclass_fields__}
+
+    @cached_property
+    def _derived(self) -> dict[Callable[[Any], Any], Any]:
+        return {}
+
+    def derived(self, derive: Callable[[Self], Value]) -> Value:
+        """Return the value that a function derives from a case, calculated once.
+
+        Cases that differ only in ratios, efficiencies and planet ratios share the value, so the
+        function must not read these numbers.
+        """
+        if derive not in self._derived:
+            self._derived[derive] = derive(self)
+        value: Value = self._derived[derive]
+        return value
 
     @property
     def untold(self) -> Sequence[str]:
@@ -243,7 +263,7 @@ class TransmissionFields:
         """Return the relative input torque of a gear: 1, or 0 if the input is unloaded."""
         return 0.0 if self.gear_load(gear).torque == 0 else 1.0
 
-    @property
+    @cached_property
     def unloaded(self) -> list[int]:
         """Indices of gears with an input torque of 0, whose torques are relative to 1 N*m."""
         return [n for n, gear in enumerate(self.gears) if not self.input_torque(gear)]
@@ -256,7 +276,7 @@ class TransmissionFields:
         said = load.speed or load.torque
         return "" if not said else "forward" if said > 0 else "backward"
 
-    @property
+    @cached_property
     def has_converter(self) -> bool:
         """True if a converter makes the torque ratio of a gear differ from its speed ratio."""
         return any(mechanism.kind == "converter" for mechanism in self.mechanisms)
@@ -344,7 +364,7 @@ class TransmissionFields:
         name = f"link {name}" if name.isdigit() else name
         return name if speed.factor == 1 else f"{speed.factor:g}*{name}"
 
-    @property
+    @cached_property
     def freewheels(self) -> list[int]:
         """Numbers of the shift elements that are freewheels."""
         return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
@@ -370,9 +390,13 @@ class TransmissionFields:
             **gear.open_drag,
         }
 
-    def with_all_drag(self, gear: Gear) -> Gear:
-        """Return a gear completed with the drag torques of the case and the shift elements."""
-        return gear._replace(drag=self.gear_drag(gear), open_drag=self.gear_open_drag(gear))
+    @cached_property
+    def gears_with_drag(self) -> Sequence[Gear]:
+        """Gears completed with the drag torques of the case and the shift elements."""
+        return [
+            gear._replace(drag=self.gear_drag(gear), open_drag=self.gear_open_drag(gear))
+            for gear in self.gears
+        ]
 
     def _in_gear(self, gear: Gear, torques: Mapping[int, float]) -> dict[int, float]:
         """Relate torques that were given with a unit to the input torque of a gear."""
@@ -381,15 +405,14 @@ class TransmissionFields:
         unit = abs(self.torque_unit(gear))
         return {part: related(torque, unit) for part, torque in torques.items()}
 
-    @property
+    @cached_property
     def has_drag(self) -> bool:
         """True if any gear has a drag torque."""
         return any(
-            any(self.gear_drag(gear).values()) or any(self.gear_open_drag(gear).values())
-            for gear in self.gears
+            any(gear.drag.values()) or any(gear.open_drag.values()) for gear in self.gears_with_drag
         )
 
-    @property
+    @cached_property
     def laws(self) -> list[Law]:
         """Drag torques and efficiencies that depend on speed or torque."""
         numbers = [*self.drag.values(), *(element.drag for element in self.shift_elements)]

@@ -59,7 +59,7 @@ class TwistCurve(NamedTuple):
     @property
     def has_gap(self) -> bool:
         """True if a piece of the curve has no torque: a gap or play."""
-        pieces = [self.piece(number) for number in range(len(self.twists) - 1)]
+        pieces = self._pieces
         return (0.0, 0.0) in pieces and len({*pieces}) > 1
 
     @property
@@ -70,7 +70,7 @@ class TwistCurve(NamedTuple):
     @property
     def steepest(self) -> float:
         """Largest slope [N*m/rad]."""
-        return max(self.piece(number)[1] for number in range(len(self.twists) - 1))
+        return max(slope for _, slope in self._pieces)
 
     def at(self, twist: float) -> float:
         """Return the torque at a twist [N*m]."""
@@ -117,6 +117,10 @@ class TwistCurve(NamedTuple):
         if behind > first + 1:
             return 0.0
         return self.piece(self._piece((behind if torque > 0 else first) - 1))[1]
+
+    @property
+    def _pieces(self) -> list[tuple[float, float]]:
+        return [self.piece(number) for number in range(len(self.twists) - 1)]
 
     def _piece(self, number: int) -> int:
         return min(max(number, 0), len(self.twists) - 2)

@@ -140,8 +140,10 @@ class Transmission(TransmissionFields):
 
     def with_coast(self, coast: bool | None) -> Transmission:  # noqa: FBT001
         """Return the transmission with `coast` set for all gears; unchanged for None."""
+        if coast is None:
+            return self
         gears = [gear._replace(coast=None) for gear in self.gears]
-        unlike = coast is not None and (coast != self.coast or gears != list(self.gears))
+        unlike = coast != self.coast or gears != list(self.gears)
         return replace(self, coast=coast, gears=gears) if unlike else self
 
     def with_torque(self, torque: float | None) -> Transmission:
@@ -202,8 +204,9 @@ class Transmission(TransmissionFields):
         if errors:
             raise CaseError(errors)
         case = object.__new__(type(self))
-        fields = {field: getattr(self, field) for field in self.__dataclass_fields__}
-        case._set(**fields | {"mechanisms": others})
+        derived = {"_derived": self._derived, **vars(self)}
+        derived.pop("laws", None)  # alone among the cached values, they depend on the numbers
+        case._set(**derived | {"mechanisms": others})
         return case
 
     @staticmethod
@@ -236,6 +239,8 @@ class Transmission(TransmissionFields):
             if errors := list(problems(self)):
                 raise CaseError(errors)
             self._set(**_completed(self))
+            for name in vars(self).keys() - self.__dataclass_fields__.keys():
+                del vars(self)[name]  # derived from incomplete fields
         except (AttributeError, TypeError):
             types = {key.shape.name: key.type for key in carried_keys(self)}
             refuse_fields("Transmission", self, types, **_CLASSES)

@@ -58,6 +58,20 @@ from vstatics.core.numerics.traced import (
     plain,
 )
 
+Entry = tuple[Number, Any]
+"""Value and size, a float; see `SIGNED` for numbers of any sign."""
+Row = dict[int, Entry]
+"""Entries of an equation by column."""
+Coefficient = Number | tuple[Number, ...]
+"""Number, or terms to be summed."""
+Equation = Mapping[int, Coefficient]
+"""Coefficients of ``sum(a_j x_j) = b`` by column; b has the column `RIGHT`."""
+RIGHT = -1
+"""Column of the right-hand side."""
+NOTHING: Entry = (0.0, 0.0)
+EXACTLY_ONE: Entry = (1.0, 0.0)
+"""Factor that adds no rounding error."""
+
 
 class Solution(NamedTuple):
     """Values that a system determines."""
@@ -122,6 +136,15 @@ def solve_with_certainty(
         decisive += entries
     solution = Solution(values, consistent, unknowns - len(run.pivots), len(run.left))
     return solution, arithmetic is EXACT or all(map(_has_digits, decisive))
+
+
+def _has_digits(entry: Entry) -> bool:
+    """Return whether rounding leaves digits of a number, according to the size.
+
+    A number that does not exist (NaN) counts as certain.
+    """
+    value, size = _of_first_variant(entry)
+    return not EPSILON * size > UNCERTAIN * abs(value)
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
@@ -239,18 +262,6 @@ class _Elimination:
         ]
 
 
-NOTHING: Entry = (0.0, 0.0)
-
-
-def _has_digits(entry: Entry) -> bool:
-    """Return whether rounding leaves digits of a number, according to the size.
-
-    A number that does not exist (NaN) counts as certain.
-    """
-    value, size = _of_first_variant(entry)
-    return not EPSILON * size > UNCERTAIN * abs(value)
-
-
 def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
     """Return the row and column of the next pivot.
 
@@ -278,35 +289,6 @@ def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
     return candidates[0], max(candidates[0])  # only reached if an overflow left no number
 
 
-Entry = tuple[Number, Any]
-"""Value and size, a float; see `SIGNED` for numbers of any sign."""
-Row = dict[int, Entry]
-"""Entries of an equation by column."""
-Coefficient = Number | tuple[Number, ...]
-"""Number, or terms to be summed."""
-Equation = Mapping[int, Coefficient]
-"""Coefficients of ``sum(a_j x_j) = b`` by column; b has the column `RIGHT`."""
-
-RIGHT = -1
-"""Column of the right-hand side."""
-EXACTLY_ONE: Entry = (1.0, 0.0)
-"""Factor that adds no rounding error."""
-
-
-class Arithmetic(NamedTuple):
-    """Operations of an elimination on entries."""
-
-    entry: Callable[[Number], Entry]
-    """Return a given number as an entry."""
-    quotient: Callable[[Entry, Entry], Entry]
-    less: Callable[[Entry, Entry, Entry], Entry]
-    """Return a - b * c from (a, b, c); exactly 0 if the difference is rounding only."""
-    enough: Callable[[Number, Number], bool]
-    """Return whether a number is a sufficiently large pivot in a row with a second number."""
-    remains: Callable[[Number], bool]
-    """Return whether a number is nonzero in some variant."""
-
-
 def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
     """Return an equation as entries of a system.
 
@@ -327,6 +309,20 @@ def _sum_of_terms(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
     for term in terms[1:]:
         total = arithmetic.less(total, EXACTLY_ONE, arithmetic.entry(-term))
     return total
+
+
+class Arithmetic(NamedTuple):
+    """Operations of an elimination on entries."""
+
+    entry: Callable[[Number], Entry]
+    """Return a given number as an entry."""
+    quotient: Callable[[Entry, Entry], Entry]
+    less: Callable[[Entry, Entry, Entry], Entry]
+    """Return a - b * c from (a, b, c); exactly 0 if the difference is rounding only."""
+    enough: Callable[[Number, Number], bool]
+    """Return whether a number is a sufficiently large pivot in a row with a second number."""
+    remains: Callable[[Number], bool]
+    """Return whether a number is nonzero in some variant."""
 
 
 FloatEntry = tuple[float, float]
@@ -402,6 +398,13 @@ def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     return difference(larger, smaller, least), size
 
 
+def _of_first_variant(entry: Entry) -> FloatEntry:
+    number, size = entry
+    if number.__class__ is size.__class__ is float:
+        return entry  # type: ignore[return-value]
+    return operand_of(number)[2], size.first if isinstance(size, LaterSize) else size
+
+
 TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough, _remains)
 """Arithmetic of numbers of fixed sign; sizes belong to the first variant."""
 
@@ -411,20 +414,6 @@ class LaterSize(NamedTuple):
 
     first: float
     of_all: Callable[[], Either]
-
-
-def _of_first_variant(entry: Entry) -> FloatEntry:
-    number, size = entry
-    if number.__class__ is size.__class__ is float:
-        return entry  # type: ignore[return-value]
-    return operand_of(number)[2], size.first if isinstance(size, LaterSize) else size
-
-
-def _of_all_variants(entry: Entry) -> tuple[Either, Callable[[], Either]]:
-    """Return the magnitude of an entry, and a function for the size, in all variants."""
-    number, size = entry
-    later = size.of_all if isinstance(size, LaterSize) else lambda: size
-    return size_of(of_any_sign(number)), later
 
 
 def _signed_entry(number: Number) -> Entry:
@@ -482,13 +471,20 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     return guarded_sum(minuend, negated_product, max(min(most, part / 16), 1.5 * TRACED_REAL)), size
 
 
-def _is_given(number: Either) -> bool:
-    """Return whether a number has no rounding error: a plain number or an input."""
-    return not isinstance(number, Signed) or number.slot < number.tape.inputs
+def _of_all_variants(entry: Entry) -> tuple[Either, Callable[[], Either]]:
+    """Return the magnitude of an entry, and a function for the size, in all variants."""
+    number, size = entry
+    later = size.of_all if isinstance(size, LaterSize) else lambda: size
+    return size_of(of_any_sign(number)), later
 
 
 def _sum_of_sizes(a: Either, b: Either) -> Either:
     return b if a == 0 else a if b == 0 else a + b
+
+
+def _is_given(number: Either) -> bool:
+    """Return whether a number has no rounding error: a plain number or an input."""
+    return not isinstance(number, Signed) or number.slot < number.tape.inputs
 
 
 def _signed_enough(pivot: Number, other: Number) -> bool:

@@ -15,8 +15,8 @@ from vstatics.core.numerics.signed import Signed, Truth, upright
 from vstatics.core.numerics.tape import GUARDS, Operand, Plain, Residual, Tape
 from vstatics.core.numerics.traced import Number, Traced
 
-CHUNK = 8192
-"""Number of variants that pass the steps together, few enough for the cache."""
+CHUNK = 20480
+"""Number of variants that pass the steps together: calls are few, and arrays stay in the cache."""
 
 
 def _absolute(operand: Floats, _: Floats, result: Floats) -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vstatics.core.annexes import DOCUMENTS, document_kind, module, not_installed
 from vstatics.core.errors import ReadError, of_file
-from vstatics.core.readers.named import nodes
-from vstatics.core.readers.named.nodes import Node
+
+if TYPE_CHECKING:  # the modules that read YAML cost start-up time
+    from vstatics.core.readers.named.nodes import Node
 
 KEYS: Mapping[str, str] = {
     "scenario": "duration start shifts controls",
@@ -21,6 +22,8 @@ KEYS: Mapping[str, str] = {
 
 def kind_of(root: Node) -> str | None:
     """Return the kind of a document in YAML or JSON, or `None` if all keys are unknown."""
+    from vstatics.core.readers.named import nodes
+
     keys = {key.text for key, _ in root.entries} if isinstance(root, nodes.Mapping) else set()
     return next((kind for kind, words in KEYS.items() if not keys.isdisjoint(words.split())), None)
 
@@ -52,10 +55,11 @@ def is_of_kind(kind: str, data: bytes, file: str) -> bool:
     has_key = any(key.encode() in data for key in KEYS[kind].split())
     if not has_key or format_of(file, data) in ("deck", "xlsx"):
         return False
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+    from vstatics.core.readers.named.nodes import decode
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree
 
     try:
-        return kind_of(yaml_tree(nodes.decode(data, file))) == kind
+        return kind_of(yaml_tree(decode(data, file))) == kind
     except ReadError:
         return False
 

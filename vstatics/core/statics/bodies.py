@@ -13,7 +13,7 @@ from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, absolute
-from vstatics.core.statics.matrix import row_of, value
+from vstatics.core.statics.matrix import column
 from vstatics.core.statics.speeds import is_tie
 
 
@@ -36,9 +36,7 @@ def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> 
 def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
     """Return whether all members of a device rotate at equal speeds."""
     with_housing = [0.0, *speeds]
-    first, *others = (with_housing[link] for link in _links(device))
-    size = absolute(first)
-    return all(is_tie(absolute(first - other), size, absolute(other)) for other in others)
+    return _are_equal([with_housing[link] for link in _links(device)])
 
 
 def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
@@ -50,10 +48,14 @@ def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
     """
     if spring.is_damper:
         return False
-    first, *others = (speeds[link - 1] for link in spring.form)
     parts = list(spring.form.values())
     if abs(sum(parts)) > TIE * max(map(abs, parts)):
         return False
+    return _are_equal([speeds[link - 1] for link in spring.form])
+
+
+def _are_equal(speeds: Sequence[Number]) -> bool:
+    first, *others = speeds
     size = absolute(first)
     return all(is_tie(absolute(first - other), size, absolute(other)) for other in others)
 
@@ -99,14 +101,13 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
     for first, *others in apart.values():
         for other in others:
             ours, theirs = (_torques_on_bodies(case.mechanisms[n], bodies) for n in (first, other))
-            left, right = ours[0] * theirs[1], ours[1] * theirs[0]
+            body, next_body, _ = sorted(ours)
+            left, right = ours[body] * theirs[next_body], ours[next_body] * theirs[body]
             if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
                 locked_up |= {first, other}
     return locked_up
 
 
-def _torques_on_bodies(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
-    """Return the torques of a mechanism on three bodies, sorted by body."""
+def _torques_on_bodies(mechanism: Mechanism, bodies: Sequence[int]) -> dict[int, float]:
     joined = (bodies[link] for link in mechanism.links)
-    torques = map(value, row_of(mechanism, mechanism.ratio))
-    return [torque for _, torque in sorted(zip(joined, torques, strict=True))]
+    return dict(zip(joined, column(mechanism.ratio), strict=True))

@@ -130,6 +130,8 @@ def outside_message(names: Sequence[str]) -> Message:
 
 def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     case = results.case
+    if not (case.has_converter or results.points):
+        return
     names = [
         mechanism.name
         for mechanism, ratio in _converters(case, gear)

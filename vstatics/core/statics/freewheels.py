@@ -65,7 +65,7 @@ def _is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
     return any(
         mechanism.third
         and may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE)
-        and bool(0 < absolute(ratio - 1) < NEAR_ONE)
+        and bool(absolute(ratio - 1) < NEAR_ONE and ratio != 1)
         for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
     )
 

@@ -41,15 +41,14 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
 def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
     """Yield the indices of mechanisms that could be idle under torque, judging by the arrays."""
     case, is_idle = results.case, results.idle[number].tolist()
-    if case.drawing is None and True not in is_idle:
+    if case.drawing is None:
+        first = len(case.shift_elements)
+        for index, idle in enumerate(is_idle):
+            if idle and results.lossy_torques[number, first + index] != 0:
+                yield index
         return
     behind = len(case.springs) + 1
-    carried = results.lossy_torques[number, len(case.shift_elements) : -behind].tolist()
-    if case.drawing is None:
-        marks = enumerate(zip(is_idle, carried, strict=True))
-        yield from (index for index, (idle, torque) in marks if idle and torque != 0)
-        return
-    torques = iter(carried)
+    torques = iter(results.lossy_torques[number, len(case.shift_elements) : -behind].tolist())
     meshes = zip(
         results.mesh_losses[number].tolist(),
         results.lossy_mesh_torques[number].tolist(),

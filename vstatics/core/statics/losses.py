@@ -141,15 +141,7 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
         numerator, denominator = (lossy, lossless) if ideal.direction > 0 else (lossless, lossy)
         return math.nan if denominator == 0 else numerator / denominator
-    received: Number = 0.0
-    given: Number = 0.0
-    for flow, actual in zip(_entering(ideal, ideal.torques), entering, strict=True):
-        if is_nan(flow):
-            return math.nan
-        side = flow * ideal.direction
-        received = received + chosen(side > 0, actual, 0.0)
-        given = given - chosen(side < 0, actual, 0.0)
-    return math.nan if received == 0 else given / received
+    return _output_by_input(ideal, _entering(ideal, ideal.torques), entering)
 
 
 def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
@@ -160,14 +152,28 @@ def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
     """
     if not ideal.gear.speeds and not ideal.gear.torques:
         return lossy.efficiency
+    entering = _entering(ideal, lossy.torques)
+    return _output_by_input(ideal, entering, entering)
+
+
+def _output_by_input(
+    ideal: IdealGear, flows: Sequence[Number], entering: Sequence[Number]
+) -> Number:
+    """Return the output power divided by the input power; the side of a port is that of its flow.
+
+    Parameters
+    ----------
+    flows, entering : sequence of Number
+        Power that enters by each port: for the sides, and for the sums. [-]
+    """
     received: Number = 0.0
     given: Number = 0.0
-    for entering in _entering(ideal, lossy.torques):
-        if is_nan(entering):
+    for flow, actual in zip(flows, entering, strict=True):
+        if is_nan(flow):
             return math.nan
-        flow = entering * ideal.direction
-        received = received + chosen(flow > 0, flow, 0.0)
-        given = given + chosen(flow < 0, -flow, 0.0)
+        side = flow * ideal.direction
+        received = received + chosen(side > 0, actual, 0.0)
+        given = given - chosen(side < 0, actual, 0.0)
     return math.nan if received == 0 else given / received
 
 

@@ -38,13 +38,93 @@ if TYPE_CHECKING:
 Column = Mapping[int, Coefficient]
 """Torque on each link, by link number, when the torque on the first link is 1."""
 
+
+class Variant(NamedTuple):
+    """Transmission with numbers of mechanisms: floats, or traced for many variants."""
+
+    case: Transmission
+    ratios: Sequence[Number]
+    """Basic ratio u of each mechanism. [-]"""
+    efficiencies: Sequence[Efficiency]
+    """Efficiency of each mechanism in both directions. [-]"""
+    columns: Sequence[Column]
+    """Columns of the structural-distribution matrix without losses."""
+    rows: Sequence[Column]
+    """Speed equations of the devices."""
+
+
+def variant_of(
+    case: Transmission,
+    ratios: Sequence[Number] | None = None,
+    efficiencies: Sequence[Number | Efficiency] | None = None,
+) -> Variant:
+    """Return a variant; the case provides default ratios and efficiencies."""
+    if ratios is None:
+        ratios = [mechanism.ratio for mechanism in case.mechanisms]
+    both = efficiencies_by_direction(case, efficiencies)
+    torques = columns(case, ratios)
+    return Variant(
+        case, ratios, both, torques, rows(case, ratios) if case.has_converter else torques
+    )
+
+
+def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
+    """Return the columns of the matrix for shift elements, mechanisms and springs.
+
+    The housing has no row.
+
+    Parameters
+    ----------
+    ratios : sequence of Number
+        Basic ratio of each mechanism. [-]
+    """
+    return _by_device(case, map(column_of, case.mechanisms, ratios))
+
+
+def rows(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
+    """Return the speed equations of shift elements, mechanisms and springs, as in `columns`."""
+    return _by_device(case, map(row_of, case.mechanisms, ratios))
+
+
+def _by_device(case: Transmission, of_mechanisms: Iterable[Sequence[Coefficient]]) -> list[Column]:
+    of_elements = [
+        _without_housing((element.first, element.second), ON_ELEMENT)
+        for element in case.shift_elements
+    ]
+    mechanisms = [
+        _without_housing(mechanism.links, torques)
+        for mechanism, torques in zip(case.mechanisms, of_mechanisms, strict=True)
+    ]
+    return [*of_elements, *mechanisms, *(spring.form for spring in case.springs)]
+
+
 ON_ELEMENT = (1, -1)
 """Torques on the first and the second link of a shift element."""
 
-INPUT_SPEED = "the input speed"
-"""Name of the given input speed in messages."""
-GIVEN_SPEED = "the given speed of link "
-"""Start of the name of a given speed in messages; the name of the link follows."""
+
+def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Column:
+    return {link: torque for link, torque in zip(links, torques, strict=True) if link != HOUSING}
+
+
+def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
+    """Return the torques on a mechanism's links, the last as two terms.
+
+    >>> column_of(Mechanism(1, 2, 0, 0.4, kind="converter", points=((0, 2.4), (0.8, 1))), 0.4)
+    (1, -1.7, (1.7, -1))
+    """
+    if mechanism.kind != "converter":
+        return row_of(mechanism, ratio)
+    torque_ratio = torque_ratio_of(mechanism, ratio)
+    return 1, -torque_ratio, (torque_ratio, -1)
+
+
+def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
+    """Return the coefficients of a mechanism's link speeds, the last as two terms.
+
+    >>> row_of(Mechanism(1, 2, 0, 0.4, kind="variator"), 0.4)
+    (0.4, -1, (1, -0.4))
+    """
+    return (ratio, -1, (1, -ratio)) if mechanism.kind else on_mechanism(ratio)
 
 
 def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
@@ -53,6 +133,25 @@ def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
     u is the basic ratio.
     """
     return 1, -ratio, (ratio, -1)
+
+
+def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
+    """Return the torque ratio of a converter, second link to first, at a speed ratio [-].
+
+    The torque ratio is interpolated linearly between the points and constant outside them.
+    """
+    points = tuple((point[0], point[1]) for point in converter.points)
+    if isinstance(speed_ratio, np.ndarray):
+        return np.interp(speed_ratio, *np.transpose(points))
+    if is_exact(speed_ratio):
+        exact = type(speed_ratio)
+        points = tuple((exact(i), exact(K)) for i, K in points)
+    if speed_ratio <= points[0][0]:
+        return points[0][1]
+    for (left, before), (right, after) in pairwise(points):
+        if speed_ratio <= right:
+            return before + (speed_ratio - left) * ((after - before) / (right - left))
+    return points[-1][1]
 
 
 def column(ratio: Any) -> tuple[Any, Any, Any]:
@@ -81,80 +180,6 @@ def values_of(column: Column) -> dict[int, Any]:
     return {link: value(coefficient) for link, coefficient in column.items()}
 
 
-def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
-    """Return the coefficients of a mechanism's link speeds, the last as two terms.
-
-    >>> row_of(Mechanism(1, 2, 0, 0.4, kind="variator"), 0.4)
-    (0.4, -1, (1, -0.4))
-    """
-    return (ratio, -1, (1, -ratio)) if mechanism.kind else on_mechanism(ratio)
-
-
-def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
-    """Return the torques on a mechanism's links, the last as two terms.
-
-    >>> column_of(Mechanism(1, 2, 0, 0.4, kind="converter", points=((0, 2.4), (0.8, 1))), 0.4)
-    (1, -1.7, (1.7, -1))
-    """
-    if mechanism.kind != "converter":
-        return row_of(mechanism, ratio)
-    torque_ratio = torque_ratio_of(mechanism, ratio)
-    return 1, -torque_ratio, (torque_ratio, -1)
-
-
-def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
-    """Return the torque ratio of a converter, second link to first, at a speed ratio [-].
-
-    The torque ratio is interpolated linearly between the points and constant outside them.
-    """
-    points = tuple((point[0], point[1]) for point in converter.points)
-    if isinstance(speed_ratio, np.ndarray):
-        return np.interp(speed_ratio, *np.transpose(points))
-    if is_exact(speed_ratio):
-        exact = type(speed_ratio)
-        points = tuple((exact(i), exact(K)) for i, K in points)
-    if speed_ratio <= points[0][0]:
-        return points[0][1]
-    for (left, before), (right, after) in pairwise(points):
-        if speed_ratio <= right:
-            return before + (speed_ratio - left) * ((after - before) / (right - left))
-    return points[-1][1]
-
-
-def rows(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
-    """Return the speed equations of shift elements, mechanisms and springs, as in `columns`."""
-    return _by_device(case, map(row_of, case.mechanisms, ratios))
-
-
-def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
-    """Return the columns of the matrix for shift elements, mechanisms and springs.
-
-    The housing has no row.
-
-    Parameters
-    ----------
-    ratios : sequence of Number
-        Basic ratio of each mechanism. [-]
-    """
-    return _by_device(case, map(column_of, case.mechanisms, ratios))
-
-
-def _by_device(case: Transmission, of_mechanisms: Iterable[Sequence[Coefficient]]) -> list[Column]:
-    of_elements = [
-        _without_housing((element.first, element.second), ON_ELEMENT)
-        for element in case.shift_elements
-    ]
-    mechanisms = [
-        _without_housing(mechanism.links, torques)
-        for mechanism, torques in zip(case.mechanisms, of_mechanisms, strict=True)
-    ]
-    return [*of_elements, *mechanisms, *(spring.form for spring in case.springs)]
-
-
-def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Column:
-    return {link: torque for link, torque in zip(links, torques, strict=True) if link != HOUSING}
-
-
 def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
     """Return the structural-distribution matrix, shape (..., links, devices) [-].
 
@@ -175,19 +200,145 @@ def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Fl
         given = np.array([mechanism.ratio for mechanism in case.mechanisms], dtype=np.float64)
     else:
         given = by_mechanism("ratios", ratios, len(case.mechanisms))
-    elements = len(case.shift_elements)
-    matrix = np.zeros((*given.shape[:-1], 1 + case.links, len(case.devices)))
-    for number, element in enumerate(case.shift_elements):
-        for link, torque in zip((element.first, element.second), ON_ELEMENT, strict=True):
-            matrix[..., link, number] = torque
-    by_device = given.tolist() if given.ndim == 1 else np.moveaxis(given, -1, 0)
-    for number, (mechanism, u) in enumerate(zip(case.mechanisms, by_device, strict=True)):
-        for link, torques in zip(mechanism.links, column_of(mechanism, u), strict=True):
-            matrix[..., link, elements + number] = value(torques)
-    for number, spring in enumerate(case.springs, elements + len(case.mechanisms)):
-        for link, coefficient in spring.form.items():
-            matrix[..., link, number] = coefficient
-    return matrix[..., 1:, :]
+    matrix = np.zeros((1 + case.links, len(case.devices), *given.shape[:-1]))
+    by_device: Any = given.tolist() if given.ndim == 1 else np.moveaxis(given, -1, 0)
+    for number, torques in enumerate(columns(case, by_device)):
+        for link, torque in torques.items():
+            matrix[link, number] = value(torque)
+    without_housing = matrix[1:]
+    return without_housing if given.ndim == 1 else np.moveaxis(without_housing, (0, 1), (-2, -1))
+
+
+def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[Equation]:
+    """Return the equations for the link speeds of a gear; unknown ``link - 1`` is a link's speed.
+
+    Mechanisms, springs and engaged shift elements have one equation each, ``w_f - u w_s + (u - 1)
+    w_h = 0`` or ``w_a - w_b = 0``; a spring keeps its twist at mean speeds. Then follow ``w_input =
+    1`` and one equation for each further given speed, which is a number or a multiple of another
+    link's speed (figure 3). A bypassed converter has no equation.
+
+    Parameters
+    ----------
+    rows : sequence of Column
+        Speed equations of all devices, from `rows`.
+    """
+    devices = [*always_loaded(case, gear), *(number - 1 for number in gear.engaged)]
+    equations: list[Equation] = [
+        {link - 1: part for link, part in rows[device].items()} for device in devices
+    ]
+    equations.append({case.gear_input(gear) - 1: 1.0, RIGHT: 1.0})
+    for link, speed in gear.speeds.items():
+        if isinstance(speed, SpeedOf):
+            equations.append({link - 1: 1.0, speed.link - 1: -speed.factor})
+        else:
+            equations.append({link - 1: 1.0, RIGHT: speed})
+    return equations
+
+
+INPUT_SPEED = "the input speed"
+"""Name of the given input speed in messages."""
+GIVEN_SPEED = "the given speed of link "
+"""Start of the name of a given speed in messages; the name of the link follows."""
+
+
+def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
+    """Return the name of each equation of `speed_rows`, for messages."""
+    return [
+        *(case.devices[device] for device in always_loaded(case, gear)),
+        *(case.shift_elements[number - 1].name for number in gear.engaged),
+        INPUT_SPEED,
+        *(f"{GIVEN_SPEED}{case.link_name(link)}" for link in gear.speeds),
+    ]
+
+
+def torque_rows(
+    case: Transmission,
+    gear: Gear,
+    columns: Sequence[Column],
+    drag: Mapping[int, Number] = MappingProxyType({}),
+    external: Mapping[int, Number] | None = None,
+) -> list[Equation]:
+    """Return the equilibrium of each link of a gear (figure 4).
+
+    ``A M + e_out Mx - E_held Mh = T``, with the columns A, the torques M on first links, the output
+    torque Mx, the holding torques Mh, and the known external torques T including drag.
+
+    Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
+    the holding torque of each of `held_links`. A shift element that is not engaged carries no
+    torque, so it adds no unknown.
+
+    Parameters
+    ----------
+    drag : mapping of int to float
+        External torque of drag by link number. [-]
+    external : mapping of int to float, optional
+        `external_torques` of the gear, if they are calculated already. [-]
+    """
+    rows: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
+    loaded = loaded_devices(case, gear)
+    for unknown, device in enumerate(loaded):
+        for link, torque in columns[device].items():
+            rows[link - 1][unknown] = torque
+    rows[case.gear_output(gear) - 1][len(loaded)] = 1.0
+    for unknown, link in enumerate(held_links(case, gear), len(loaded) + 1):
+        rows[link - 1][unknown] = -1.0
+    torques = dict(external_torques(case, gear) if external is None else external)
+    for link, torque in drag.items():
+        torques[link] = torques.get(link, 0.0) + torque
+    for link, torque in torques.items():
+        rows[link - 1][RIGHT] = torque
+    return [*rows]
+
+
+def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
+    """Return the indices of the devices that can carry torque.
+
+    These are the engaged shift elements, then the mechanisms and springs of `always_loaded`.
+    """
+    return sorted(number - 1 for number in gear.engaged) + always_loaded(case, gear)
+
+
+def always_loaded(case: Transmission, gear: Gear) -> list[int]:
+    """Return the indices of mechanisms and springs that can carry torque.
+
+    Bypassed converters and mere dampers are left out.
+    """
+    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
+    left_out = case.bypassed(gear)
+    left_out |= {n for n, spring in enumerate(case.springs, mechanisms) if spring.is_damper}
+    number = elements + mechanisms + len(case.springs)
+    return [device for device in range(elements, number) if device - elements not in left_out]
+
+
+def held_links(case: Transmission, gear: Gear) -> list[int]:
+    """Return the links whose given speed is held by an unknown external torque.
+
+    A speed given on the output adds no unknown: the torque there is the output torque.
+    """
+    holding = gear.speeds if gear.holding is None else gear.holding
+    return [link for link in holding if link != case.gear_output(gear)]
+
+
+def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
+    """Return the known external torques by link: the input torque of 1, and the gear's own [-].
+
+    Without an input torque the input has 0, and the other torques are in N*m.
+    """
+    torques = {case.gear_input(gear): case.input_torque(gear)}
+    for link, torque in gear.torques.items():
+        torques[link] = torques.get(link, 0.0) + given_torque(case, gear, torque)
+    return torques
+
+
+def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
+    """Return a given torque relative to the input torque [-].
+
+    A part of the input torque is 0 if the load has no torque. A torque that varies, traced or an
+    array, and an `OfLoad` are in the unit of the load already.
+    """
+    if isinstance(torque, OfLoad) or not isinstance(torque, float | int):
+        return torque
+    return torque * case.input_torque(gear)
 
 
 def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
@@ -208,7 +359,6 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
 
 Quantity = Literal["ratio", "efficiency"]
 """Name of a number of a mechanism that can differ between variants."""
-
 EXPECTED = {
     "ratio": "a finite ratio other than 0",
     "efficiency": "an efficiency above 0 and up to 1",
@@ -252,161 +402,3 @@ def impossible(
         return np.zeros_like(numbers, np.bool_)  # nearly always all numbers are possible
     possible: Booleans = (least < numbers) & (numbers < most) & (numbers != 0)
     return ~possible
-
-
-def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[Equation]:
-    """Return the equations for the link speeds of a gear; unknown ``link - 1`` is a link's speed.
-
-    Mechanisms, springs and engaged shift elements have one equation each, ``w_f - u w_s + (u - 1)
-    w_h = 0`` or ``w_a - w_b = 0``; a spring keeps its twist at mean speeds. Then follow ``w_input =
-    1`` and one equation for each further given speed, which is a number or a multiple of another
-    link's speed (figure 3). A bypassed converter has no equation.
-
-    Parameters
-    ----------
-    rows : sequence of Column
-        Speed equations of all devices, from `rows`.
-    """
-    devices = [*always_loaded(case, gear), *(number - 1 for number in gear.engaged)]
-    equations: list[Equation] = [
-        {link - 1: part for link, part in rows[device].items()} for device in devices
-    ]
-    equations.append({case.gear_input(gear) - 1: 1.0, RIGHT: 1.0})
-    equations += [_given_speed(link, speed) for link, speed in gear.speeds.items()]
-    return equations
-
-
-def _given_speed(link: int, speed: float | SpeedOf) -> Equation:
-    """Return the equation ``w = number`` or ``w - factor w_other = 0``."""
-    if isinstance(speed, SpeedOf):
-        return {link - 1: 1.0, speed.link - 1: -speed.factor}
-    return {link - 1: 1.0, RIGHT: speed}
-
-
-def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
-    """Return the name of each equation of `speed_rows`, for messages."""
-    return [
-        *(case.devices[device] for device in always_loaded(case, gear)),
-        *(case.shift_elements[number - 1].name for number in gear.engaged),
-        INPUT_SPEED,
-        *(f"{GIVEN_SPEED}{case.link_name(link)}" for link in gear.speeds),
-    ]
-
-
-def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
-    """Return the indices of the devices that can carry torque.
-
-    These are the engaged shift elements, then the mechanisms and springs of `always_loaded`.
-    """
-    return sorted(number - 1 for number in gear.engaged) + always_loaded(case, gear)
-
-
-def always_loaded(case: Transmission, gear: Gear) -> list[int]:
-    """Return the indices of mechanisms and springs that can carry torque.
-
-    Bypassed converters and mere dampers are left out.
-    """
-    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
-    left_out = case.bypassed(gear)
-    left_out |= {n for n, spring in enumerate(case.springs, mechanisms) if spring.is_damper}
-    number = elements + mechanisms + len(case.springs)
-    return [device for device in range(elements, number) if device - elements not in left_out]
-
-
-def held_links(case: Transmission, gear: Gear) -> list[int]:
-    """Return the links whose given speed is held by an unknown external torque.
-
-    A speed given on the output adds no unknown: the torque there is the output torque.
-    """
-    holding = gear.speeds if gear.holding is None else gear.holding
-    return [link for link in holding if link != case.gear_output(gear)]
-
-
-def torque_rows(
-    case: Transmission,
-    gear: Gear,
-    columns: Sequence[Column],
-    drag: Mapping[int, Number] = MappingProxyType({}),
-    external: Mapping[int, Number] | None = None,
-) -> list[Equation]:
-    """Return the equilibrium of each link of a gear (figure 4).
-
-    ``A M + e_out Mx - E_held Mh = T``, with the columns A, the torques M on first links, the output
-    torque Mx, the holding torques Mh, and the known external torques T including drag.
-
-    Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
-    the holding torque of each of `held_links`. A shift element that is not engaged carries no
-    torque, so it adds no unknown.
-
-    Parameters
-    ----------
-    drag : mapping of int to float
-        External torque of drag by link number. [-]
-    external : mapping of int to float, optional
-        `external_torques` of the gear, if they are calculated already. [-]
-    """
-    rows: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
-    loaded = loaded_devices(case, gear)
-    for unknown, device in enumerate(loaded):
-        for link, torque in columns[device].items():
-            rows[link - 1][unknown] = torque
-    rows[case.gear_output(gear) - 1][len(loaded)] = 1.0
-    for unknown, link in enumerate(held_links(case, gear), len(loaded) + 1):
-        rows[link - 1][unknown] = -1.0
-    torques = dict(external_torques(case, gear) if external is None else external)
-    for link, torque in drag.items():
-        torques[link] = torques.get(link, 0.0) + torque
-    for link, torque in torques.items():
-        rows[link - 1][RIGHT] = torque
-    return [*rows]
-
-
-def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
-    """Return the known external torques by link: the input torque of 1, and the gear's own [-].
-
-    Without an input torque the input has 0, and the other torques are in N*m.
-    """
-    torques = {case.gear_input(gear): case.input_torque(gear)}
-    for link, torque in gear.torques.items():
-        torques[link] = torques.get(link, 0.0) + given_torque(case, gear, torque)
-    return torques
-
-
-def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
-    """Return a given torque relative to the input torque [-].
-
-    A part of the input torque is 0 if the load has no torque. A torque that varies, traced or an
-    array, and an `OfLoad` are in the unit of the load already.
-    """
-    if isinstance(torque, OfLoad) or not isinstance(torque, float | int):
-        return torque
-    return torque * case.input_torque(gear)
-
-
-class Variant(NamedTuple):
-    """Transmission with numbers of mechanisms: floats, or traced for many variants."""
-
-    case: Transmission
-    ratios: Sequence[Number]
-    """Basic ratio u of each mechanism. [-]"""
-    efficiencies: Sequence[Efficiency]
-    """Efficiency of each mechanism in both directions. [-]"""
-    columns: Sequence[Column]
-    """Columns of the structural-distribution matrix without losses."""
-    rows: Sequence[Column]
-    """Speed equations of the devices."""
-
-
-def variant_of(
-    case: Transmission,
-    ratios: Sequence[Number] | None = None,
-    efficiencies: Sequence[Number | Efficiency] | None = None,
-) -> Variant:
-    """Return a variant; the case provides default ratios and efficiencies."""
-    if ratios is None:
-        ratios = [mechanism.ratio for mechanism in case.mechanisms]
-    both = efficiencies_by_direction(case, efficiencies)
-    torques = columns(case, ratios)
-    return Variant(
-        case, ratios, both, torques, rows(case, ratios) if case.has_converter else torques
-    )

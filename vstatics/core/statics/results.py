@@ -213,7 +213,9 @@ class Results(PhysicalResults):
         array: Floats = getattr(self, name)
         if name not in ("idle", "consistent", "locked", "dragged"):
             return array
-        exists = self.calculable & ~(self.undecided & (name in ("locked", "dragged")))
+        exists = self.calculable
+        if name in ("locked", "dragged"):
+            exists = exists & ~self.undecided
         return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 
     def gear(self, gear: int | str) -> GearState:
@@ -301,7 +303,7 @@ class Results(PhysicalResults):
     @property
     def failed(self) -> bool:
         """True if a gear is tied up or has a freewheel conflict, so that the case fails."""
-        return bool(self.tied_up.any() or self.conflict.any())
+        return bool(np.count_nonzero(self.tied_up) or np.count_nonzero(self.conflict))
 
 
 class _CaseAtPoints:

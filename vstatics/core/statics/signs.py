@@ -7,7 +7,7 @@ agree with the flow with losses, other signs are searched for.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import reduce
 from itertools import product
 from operator import or_
@@ -51,16 +51,6 @@ class SignSearch(NamedTuple):
     undecided: bool
     turned: list[Condition]
     choices: int
-
-
-class Admissible(NamedTuple):
-    """Signs that agree with the power flow they cause; of several sets, the most efficient."""
-
-    lossy: LossyTorques | None = None
-    """Torques for these signs; None if the gear is self-locking or the search was cut short."""
-    choices: int = 0
-    """Number of admissible sets of signs."""
-    cut_short: bool = False
 
 
 def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
@@ -108,43 +98,69 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     )
 
 
+class IdealSigns(NamedTuple):
+    """Sign of the flow without losses through each mechanism, and the reasons for no flow."""
+
+    signs: Signs
+    """Signs of the flows: +1, -1 or 0; NaN if torque or motion is indeterminate."""
+    unloaded: Sequence[bool]
+    """Marks of mechanisms without torque."""
+    still: Sequence[bool]
+    """Marks of mechanisms that are locked up."""
+
+    @property
+    def idle(self) -> list[bool]:
+        """Marks of mechanisms without a flow that gives a sign."""
+        return [a or b for a, b in zip(self.unloaded, self.still, strict=True)]
+
+
+def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
+    """Return the signs by the closed form, equation (5); idle mechanisms follow a convention.
+
+    Parameters
+    ----------
+    moving : bool
+        True if speeds, and torques without losses, exist.
+    """
+    if not moving:
+        nowhere = [False] * len(ideal.variant.ratios)
+        return IdealSigns((math.nan,) * len(nowhere), nowhere, nowhere)
+    torques = mechanism_torques(ideal, ideal.variant.columns, ideal.torques_with_drag)
+    relative_speeds = ideal.speeds.relative_speeds
+    unloaded = [bool(torque == 0) for torque in torques]
+    still = [bool(speed == 0) for speed in relative_speeds]
+    signs = [
+        _sign_of_idle(ideal, place, is_unloaded=unloaded[place])
+        if unloaded[place] or still[place]
+        else sign(power(torques[place], relative_speeds[place])) * ideal.direction
+        for place in range(len(torques))
+    ]
+    return IdealSigns(tuple(signs), unloaded, still)
+
+
+def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
+    if ideal.case.idle == "exact":
+        return 0.0
+    published = 1.0 if is_unloaded else sign(ideal.variant.ratios[place])
+    return 0.0 if ideal.variant.efficiencies[place].back == 0 and published < 0 else published
+
+
+class Admissible(NamedTuple):
+    """Signs that agree with the power flow they cause; of several sets, the most efficient."""
+
+    lossy: LossyTorques | None = None
+    """Torques for these signs; None if the gear is self-locking or the search was cut short."""
+    choices: int = 0
+    """Number of admissible sets of signs."""
+    cut_short: bool = False
+
+
 def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
     """Return the signs without losses if admissible, else the best admissible signs."""
     first = _follow_unloaded(ideal, start)
     if first.admissible:
         return Admissible(first._replace(admissible=True), 1)
     return _search(ideal, start)
-
-
-def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """Return the signs of a gear whose output may overcome drag.
-
-    Without drag the gear must have admissible signs; otherwise friction alone locks it.
-    """
-    bare = ideal.without_drag._replace(overcome=False)
-    without_drag = _admissible(bare, ideal_signs(bare, moving=True))
-    return _admissible(ideal, start) if without_drag.lossy else without_drag
-
-
-def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
-    """Return whether power enters at the output to overcome drag, without leaving at the input."""
-    if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
-        return False
-    case, gear, direction = ideal.case, ideal.gear, ideal.direction
-    at_input = ideal.external[case.gear_input(gear)]
-    output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
-    entering = -power(lossy.torques.on_first_link[-1], output_speed)
-    taken = lossy.drag_losses * direction
-    return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
-
-
-def _indeterminate(ideal: IdealGear, start: IdealSigns) -> list[int]:
-    """Return the mechanisms with losses whose direction of power is indeterminate."""
-    return [
-        place
-        for place, x in enumerate(start.signs)
-        if is_nan(x) and ideal.variant.efficiencies[place].lossy
-    ]
 
 
 def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
@@ -196,6 +212,37 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
     return Admissible()
 
 
+def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
+    """Yield the torques for all possible sets of signs of the `free` mechanisms.
+
+    Fractions take long, so sets of signs that floats refuse with certainty are left out.
+    """
+    rough = _in_floats(ideal)
+    for signs_of_free in product((1.0, -1.0), repeat=len(free)):
+        signs: list[Number] = list(start.signs)
+        for place, x in zip(free, signs_of_free, strict=True):
+            signs[place] = x
+        possible = is_possible(ideal.variant.efficiencies, tuple(signs))
+        if possible and not (rough and _is_refused(rough, tuple(signs))):
+            yield torques_for_signs(ideal, tuple(signs))
+
+
+def _in_floats(ideal: IdealGear) -> IdealGear | None:
+    if not any(map(is_exact, ideal.variant.ratios)):
+        return None
+    from vstatics.core.numerics.exact import rounded  # fractions cost start-up time
+
+    in_floats: IdealGear = rounded(ideal)
+    return in_floats
+
+
+def _is_refused(rough: IdealGear, signs: Signs) -> bool:
+    """Return whether signs contradict the flow beyond any doubt by rounding."""
+    lossy = torques_for_signs(rough, signs)
+    known = not any(map(is_nan, lossy.torques.on_first_link))
+    return known and lossy.torques.certain and not lossy.admissible
+
+
 def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
     """Return the admissible signs that give the largest efficiency.
 
@@ -245,99 +292,6 @@ def _better(first: LossyTorques, second: LossyTorques) -> LossyTorques:
     )
 
 
-def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
-    """Yield the torques for all possible sets of signs of the `free` mechanisms.
-
-    Fractions take long, so sets of signs that floats refuse with certainty are left out.
-    """
-    rough = _in_floats(ideal)
-    for signs_of_free in product((1.0, -1.0), repeat=len(free)):
-        signs: list[Number] = list(start.signs)
-        for place, x in zip(free, signs_of_free, strict=True):
-            signs[place] = x
-        possible = is_possible(ideal.variant.efficiencies, tuple(signs))
-        if possible and not (rough and _is_refused(rough, tuple(signs))):
-            yield torques_for_signs(ideal, tuple(signs))
-
-
-def _in_floats(ideal: IdealGear) -> IdealGear | None:
-    if not any(map(is_exact, ideal.variant.ratios)):
-        return None
-    from vstatics.core.numerics.exact import rounded  # fractions cost start-up time
-
-    in_floats: IdealGear = rounded(ideal)
-    return in_floats
-
-
-def _is_refused(rough: IdealGear, signs: Signs) -> bool:
-    """Return whether signs contradict the flow beyond any doubt by rounding."""
-    lossy = torques_for_signs(rough, signs)
-    known = not any(map(is_nan, lossy.torques.on_first_link))
-    return known and lossy.torques.certain and not lossy.admissible
-
-
-def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
-    """Return the values that all sets of signs share, where the flow is indeterminate.
-
-    So a redundant part of a train does not hide the determinate values of its other parts.
-    """
-    none = no_solution(ideal, start.signs)
-    open_ = _indeterminate(ideal, start)
-    if len(open_) > SEARCHED:
-        return none
-    tried = list(_every_set(ideal, start, open_))
-    if not tried or any(lossy.efficiency <= 0 for lossy in tried):
-        return none
-    torques = [lossy.torques for lossy in tried]
-    return LossyTorques(
-        signs=tuple(map(_common_sign, zip(*(lossy.signs for lossy in tried), strict=True))),
-        torques=Torques(
-            list(
-                map(_common_number, zip(*(lossy.on_first_link for lossy in torques), strict=True))
-            ),
-            {
-                link: _common_number([lossy.holding[link] for lossy in torques])
-                for link in none.torques.holding
-            },
-            consistent=True,
-            of_columns=list(
-                map(_common_number, zip(*(lossy.factors for lossy in torques), strict=True))
-            ),
-        ),
-        directions=tuple(
-            map(_common_sign, zip(*(lossy.directions for lossy in tried), strict=True))
-        ),
-        losses=list(map(_common_number, zip(*(lossy.losses for lossy in tried), strict=True))),
-        efficiency=_common_number([power_ratio(ideal, lossy) for lossy in tried]),
-        drag_losses=tried[0].drag_losses,
-        balance=_common_number([lossy.balance for lossy in tried]),
-        admissible=False,
-    )
-
-
-def _common_number(values: Sequence[Number | Residual]) -> Number:
-    numbers = [value for value in values if not isinstance(value, Residual)]
-    if len(numbers) < len(values):
-        raise Untraceable
-    first = numbers[0]
-    size = absolute(first)
-    most = size if size > 1 else 1.0  # the input is 1
-    agree = all(absolute(number - first) <= TIE * most for number in numbers)
-    return first if agree else math.nan
-
-
-def _common_sign(values: Sequence[Number]) -> float:
-    signs = [_decided(value) for value in values]
-    return signs[0] if len(set(signs)) == 1 else math.nan
-
-
-def _decided(x: Number) -> float:
-    """Return a sign as a float; the sign of the first variant if traced."""
-    if is_traced(x):
-        return 1.0 if x > 0 else -1.0
-    return plain(x)
-
-
 def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
     """Let the signs follow the flow until both agree.
 
@@ -369,6 +323,13 @@ def _possible(ideal: IdealGear, signs: Signs) -> Signs:
     )
 
 
+def _decided(x: Number) -> float:
+    """Return a sign as a float; the sign of the first variant if traced."""
+    if is_traced(x):
+        return 1.0 if x > 0 else -1.0
+    return plain(x)
+
+
 def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
     """Return the signs, reversed only for the mechanism that gains most power."""
     gains = [
@@ -379,48 +340,88 @@ def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTor
     return tuple(-x if place == worst else x for place, x in enumerate(signs))
 
 
-class IdealSigns(NamedTuple):
-    """Sign of the flow without losses through each mechanism, and the reasons for no flow."""
+def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
+    """Return the signs of a gear whose output may overcome drag.
 
-    signs: Signs
-    """Signs of the flows: +1, -1 or 0; NaN if torque or motion is indeterminate."""
-    unloaded: Sequence[bool]
-    """Marks of mechanisms without torque."""
-    still: Sequence[bool]
-    """Marks of mechanisms that are locked up."""
-
-    @property
-    def idle(self) -> list[bool]:
-        """Marks of mechanisms without a flow that gives a sign."""
-        return [a or b for a, b in zip(self.unloaded, self.still, strict=True)]
-
-
-def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
-    """Return the signs by the closed form, equation (5); idle mechanisms follow a convention.
-
-    Parameters
-    ----------
-    moving : bool
-        True if speeds, and torques without losses, exist.
+    Without drag the gear must have admissible signs; otherwise friction alone locks it.
     """
-    if not moving:
-        nowhere = [False] * len(ideal.variant.ratios)
-        return IdealSigns((math.nan,) * len(nowhere), nowhere, nowhere)
-    torques = mechanism_torques(ideal, ideal.variant.columns, ideal.torques_with_drag)
-    relative_speeds = ideal.speeds.relative_speeds
-    unloaded = [bool(torque == 0) for torque in torques]
-    still = [bool(speed == 0) for speed in relative_speeds]
-    signs = [
-        _sign_of_idle(ideal, place, is_unloaded=unloaded[place])
-        if unloaded[place] or still[place]
-        else sign(power(torques[place], relative_speeds[place])) * ideal.direction
-        for place in range(len(torques))
+    bare = ideal.without_drag._replace(overcome=False)
+    without_drag = _admissible(bare, ideal_signs(bare, moving=True))
+    return _admissible(ideal, start) if without_drag.lossy else without_drag
+
+
+def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
+    """Return whether power enters at the output to overcome drag, without leaving at the input."""
+    if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
+        return False
+    case, gear, direction = ideal.case, ideal.gear, ideal.direction
+    at_input = ideal.external[case.gear_input(gear)]
+    output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
+    entering = -power(lossy.torques.on_first_link[-1], output_speed)
+    taken = lossy.drag_losses * direction
+    return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
+
+
+def _indeterminate(ideal: IdealGear, start: IdealSigns) -> list[int]:
+    """Return the mechanisms with losses whose direction of power is indeterminate."""
+    return [
+        place
+        for place, x in enumerate(start.signs)
+        if is_nan(x) and ideal.variant.efficiencies[place].lossy
     ]
-    return IdealSigns(tuple(signs), unloaded, still)
 
 
-def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
-    if ideal.case.idle == "exact":
-        return 0.0
-    published = 1.0 if is_unloaded else sign(ideal.variant.ratios[place])
-    return 0.0 if ideal.variant.efficiencies[place].back == 0 and published < 0 else published
+def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
+    """Return the values that all sets of signs share, where the flow is indeterminate.
+
+    So a redundant part of a train does not hide the determinate values of its other parts.
+    """
+    none = no_solution(ideal, start.signs)
+    open_ = _indeterminate(ideal, start)
+    if len(open_) > SEARCHED:
+        return none
+    tried = list(_every_set(ideal, start, open_))
+    if not tried or any(lossy.efficiency <= 0 for lossy in tried):
+        return none
+    torques = [lossy.torques for lossy in tried]
+    return LossyTorques(
+        signs=tuple(_common(_common_sign, (lossy.signs for lossy in tried))),
+        torques=Torques(
+            _common(_common_number, (lossy.on_first_link for lossy in torques)),
+            {
+                link: _common_number([lossy.holding[link] for lossy in torques])
+                for link in none.torques.holding
+            },
+            consistent=True,
+            of_columns=_common(_common_number, (lossy.factors for lossy in torques)),
+        ),
+        directions=tuple(_common(_common_sign, (lossy.directions for lossy in tried))),
+        losses=_common(_common_number, (lossy.losses for lossy in tried)),
+        efficiency=_common_number([power_ratio(ideal, lossy) for lossy in tried]),
+        drag_losses=tried[0].drag_losses,
+        balance=_common_number([lossy.balance for lossy in tried]),
+        admissible=False,
+    )
+
+
+def _common(
+    value_of: Callable[[Sequence[Number]], Number], rows: Iterable[Sequence[Number]]
+) -> list[Number]:
+    """Return the common value of each place in several sequences."""
+    return [value_of(column) for column in zip(*rows, strict=True)]
+
+
+def _common_number(values: Sequence[Number | Residual]) -> Number:
+    numbers = [value for value in values if not isinstance(value, Residual)]
+    if len(numbers) < len(values):
+        raise Untraceable
+    first = numbers[0]
+    size = absolute(first)
+    most = size if size > 1 else 1.0  # the input is 1
+    agree = all(absolute(number - first) <= TIE * most for number in numbers)
+    return first if agree else math.nan
+
+
+def _common_sign(values: Sequence[Number]) -> float:
+    signs = [_decided(value) for value in values]
+    return signs[0] if len(set(signs)) == 1 else math.nan

@@ -110,7 +110,9 @@ def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list
     for number in range(len(case.mechanisms) if given is not None else 0):
         column = np.asarray(given)[..., number]
         default = float(getattr(case.mechanisms[number], quantity))
-        wrong = impossible(quantity, column) & ~np.isclose(column, default, 0, 0, equal_nan=True)
+        wrong = impossible(quantity, column)
+        if wrong.any():  # a number of the case itself is never wrong
+            wrong &= ~np.isclose(column, default, 0, 0, equal_nan=True)
         if wrong.any():
             variant = tuple(int(index) for index in np.argwhere(wrong)[0])
             where = f" in variant {', '.join(map(str, variant))}" if variant else ""

@@ -78,24 +78,22 @@ def solve_variants(
         Numbers that vary in a single gear, for each gear; a mapping can be empty.
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
-    counts = row_counts(case)
+    counts = case.derived(row_counts)
     held = any(gear.speeds for gear in case.gears)
     block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, held=held))
     names = tuple(block.forms)
     structure = (*_case_key(case), tuple(fixed), names)
-    for number, (given, rows) in enumerate(zip(case.gears, block.gears, strict=True)):
-        gear = case.with_all_drag(given)
-        if variants:
-            gear_inputs = _gear_inputs(by_gear[number]) if by_gear else NO_GEAR_INPUTS
-            fixed_part = gear_inputs.left_out_of(gear) if by_gear else gear
-            key = (*structure, *gear_inputs.key, *_gear_key(case, fixed_part))
-            numbers = (
-                prepared(np.vstack([inputs.values, *gear_inputs.rows]))
-                if gear_inputs.rows
-                else inputs
-            )
-            function = partial(_function, case, gear, fixed, names, gear_inputs)
-            _remembered(key, function).run(numbers, rows)
+    gear_keys = case.derived(_gear_keys)
+    for number, gear in enumerate(case.gears_with_drag if variants else ()):
+        key, gear_inputs, numbers = (*structure, *gear_keys[number]), NO_GEAR_INPUTS, inputs
+        if by_gear:
+            gear_inputs = _gear_inputs(by_gear[number])
+            of_gear = _gear_key(case, gear_inputs.left_out_of(gear))
+            key = (*structure, *gear_inputs.key, *of_gear)
+        if gear_inputs.rows:
+            numbers = prepared(np.vstack([inputs.values, *gear_inputs.rows]))
+        function = partial(_function, case, gear, fixed, names, gear_inputs)
+        _remembered(key, function).run(numbers, block.gears[number])
     tables = memory.shown(block)
     arrays = {}
     for name, width in counts.items():
@@ -253,7 +251,7 @@ _OF_CASE = _kept(
 _OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields, "drag")
 """Function that returns the fields of a shift element for the key of stored plans.
 
-Drag is left out, because gears contain it (`Transmission.with_all_drag`).
+Drag is left out, because gears contain it (`Transmission.gears_with_drag`).
 """
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
 """Function that returns the fields of a mechanism for the key; other numbers are plan inputs."""
@@ -272,6 +270,10 @@ def _case_key(case: Transmission) -> tuple[Hashable, ...]:
     springs = tuple(map(_OF_SPRING, case.springs))
     drawn = () if case.drawing is None else tuple(case.drawing.devices)
     return (*_OF_CASE(case), case.own_links, elements, mechanisms, springs, drawn)
+
+
+def _gear_keys(case: Transmission) -> list[tuple[Hashable, ...]]:
+    return [_gear_key(case, gear) for gear in case.gears_with_drag]
 
 
 def _gear_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:

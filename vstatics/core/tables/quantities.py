@@ -152,7 +152,9 @@ def _has_given_speeds(results: Results) -> bool:
 
 
 def _has_drag(results: Results) -> bool:
-    return results.case.has_drag or bool(np.nan_to_num(results.drag_losses).any())
+    if results.case.has_drag or results.points is None:
+        return results.case.has_drag
+    return bool(np.count_nonzero(np.abs(results.drag_losses) > 0))
 
 
 def _has_meshes(results: Results) -> bool:

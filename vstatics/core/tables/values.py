@@ -30,7 +30,7 @@ def tables(results: Results) -> list[Table]:
     """
     case = results.case
     gears = [gear.name for gear in case.gears]
-    names = all_row_names(case)
+    names = case.derived(all_row_names)
     filled = []
     shown = [*_existing(RELATIVE, results), *with_units(results)]
     if case.springs:

@@ -18,7 +18,6 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
-from importlib import resources
 from typing import Literal
 
 Language = Literal["en", "ru"]
@@ -100,7 +99,9 @@ def heading(text: str) -> str:
     ('скорость, об/мин', 'время [с]', 'КПД')
     """
     language = _SPOKEN.get()
-    if language == "en" or text in table(language):
+    if language == "en":
+        return text
+    if text in table(language):
         return tr(text)
     if parts := _IN_BRACKETS.fullmatch(text):
         return f"{heading(parts[1])} [{tr(parts[2])}]"
@@ -143,6 +144,8 @@ def table(language: Language) -> Mapping[str, str]:
 @cache
 def rows() -> list[dict[str, str]]:
     """Return the rows of the table, each a text in every language; \\n stands for a new line."""
+    from importlib import resources  # costs start-up time
+
     source = resources.files(__package__).joinpath("table.txt").read_text(encoding="utf-8")
     text = "\n".join(line for line in source.splitlines() if not line.startswith("#"))
     return [_row(block) for block in text.split("\n\n") if block.strip()]

@@ -46,7 +46,7 @@ def write(case: Transmission, lang: Language = "en") -> str:
     lang : {"en", "ru"}
         Language of the headings.
     """
-    lines = [*template(case), *_conditions(case), *_names(case)]
+    lines = [*template(case), *case.derived(_further_lines)]
     if lang != "en":
         lines = [line if line.startswith(NAME) else translated(line, lang) for line in lines]
     return "\n".join(lines) + "\n"
@@ -62,9 +62,8 @@ def template(case: Transmission) -> Iterator[str]:
     }
     yield "STRUCTURE"
     yield f"KJG= {case.links} KL= {len(elements)} KG= {len(mechanisms)} KNM= {len(planets)}"
-    if elements:
-        yield from _lists("shift_elements", elements)
-    yield from _lists("mechanisms", mechanisms)
+    yield from case.derived(_links_of_devices)
+    yield from _lists("mechanisms", mechanisms, float)
     if planets:
         yield "Mechanisms with a planet ratio of their own:"
         yield _row("NNM(K),K=1,KNM:", planets)
@@ -77,7 +76,7 @@ def template(case: Transmission) -> Iterator[str]:
         for spring in case.springs:  # `SPRING .1000E+01*1 -.1000E+01*2: S`
             form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
             yield f"{SPRING}{' '.join(form)}: {spring.name}"
-    yield from _gears(case)
+    yield from case.derived(_gears)
 
 
 def lost(case: Transmission) -> list[str]:
@@ -125,35 +124,47 @@ def _unkept(part: object, shape: ByKey) -> Iterator[str]:
             yield key.name
 
 
-def _lists(part: str, parts: Sequence[object]) -> Iterator[str]:
-    """Yield the lists of a kind of part; lists of gears without values are omitted."""
+def _links_of_devices(case: Transmission) -> list[str]:
+    elements = case.shift_elements
+    of_elements = _lists("shift_elements", elements, int) if elements else ()
+    return [*of_elements, *_lists("mechanisms", case.mechanisms, int)]
+
+
+def _lists(part: str, parts: Sequence[object], kind: type[float]) -> Iterator[str]:
+    """Yield the lists of numbers of a kind; lists of gears without values are omitted."""
     for key, field in FIELDS.items():
-        values = [getattr(item, field.member) or 0 for item in parts if field.part == part]
-        if field.part == part and (part != "gears" or any(values)):
+        if field.part != part or field.kind is not kind:
+            continue
+        values = [getattr(item, field.member) or 0 for item in parts]
+        if part != "gears" or any(values):
             yield field.heading
             heading = f"{key}{'' if '(' in key else '(I)'},I=1,{field.size}:"
-            if field.kind is float:
+            if kind is float:
                 yield heading
                 heading, values = "", [*map(exponent, values)]
             yield _row(heading, values)
 
 
-def _gears(case: Transmission) -> Iterator[str]:
+def _gears(case: Transmission) -> list[str]:
     gears = case.gears
-    yield "GEARS"
-    yield f"NP= {len(gears)}"
-    yield "Engaged elements in each gear:"
-    yield _row("KFRI(I),I=1,NP:", (len(gear.engaged) for gear in gears))
-    if any(gear.engaged for gear in gears):
-        yield "Their numbers, a line for each gear:"
-        yield "(NFRI(K,I),K=1,KFRI(I)),I=1,NP:"
-        yield from (_row("", gear.engaged) for gear in gears if gear.engaged)
-    yield "Further given speeds in each gear:"
-    yield _row("KWZ(I),I=1,NP:", (len(gear.speeds) for gear in gears))
-    yield from _given([gear.speeds for gear in gears], "KWZ", "NWZ", "WZ")
-    yield "Further external torques in each gear:"
-    yield _row("KMZ(I),I=1,NP:", (len(gear.torques) for gear in gears))
-    yield from _given([gear.torques for gear in gears], "KMZ", "NMZ", "AMZ")
+    engaged = [gear.engaged for gear in gears]
+    numbers = [_row("", row) for row in engaged if row]
+    if numbers:
+        heads = ["Their numbers, a line for each gear:", "(NFRI(K,I),K=1,KFRI(I)),I=1,NP:"]
+        numbers = [*heads, *numbers]
+    return [
+        "GEARS",
+        f"NP= {len(gears)}",
+        "Engaged elements in each gear:",
+        _row("KFRI(I),I=1,NP:", map(len, engaged)),
+        *numbers,
+        "Further given speeds in each gear:",
+        _row("KWZ(I),I=1,NP:", (len(gear.speeds) for gear in gears)),
+        *_given([gear.speeds for gear in gears], "KWZ", "NWZ", "WZ"),
+        "Further external torques in each gear:",
+        _row("KMZ(I),I=1,NP:", (len(gear.torques) for gear in gears)),
+        *_given([gear.torques for gear in gears], "KMZ", "NMZ", "AMZ"),
+    ]
 
 
 def _given(
@@ -169,6 +180,10 @@ def _given(
         yield from (_row("", map(exponent, row.values())) for row in gears if row)
 
 
+def _further_lines(case: Transmission) -> list[str]:
+    return [*_conditions(case), *_names(case)]
+
+
 def _conditions(case: Transmission) -> Iterator[str]:
     """Yield input, output and conventions that differ from the defaults."""
     conditions = {
@@ -180,7 +195,7 @@ def _conditions(case: Transmission) -> Iterator[str]:
     if any(conditions.values()):
         yield "Further conditions:"
         yield from (line for line, holds in conditions.items() if holds)
-    yield from _lists("gears", case.gears)
+    yield from _lists("gears", case.gears, int)
 
 
 def _names(case: Transmission) -> Iterator[str]:

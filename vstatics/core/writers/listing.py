@@ -8,6 +8,7 @@ except for a case with springs.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
@@ -83,6 +84,7 @@ def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
     yield quantity.members[case.drawing is not None], _indices(quantity, "I=(KL+1),KLG1"), second
 
 
+@lru_cache(maxsize=100)
 def _indices(quantity: Quantity, rows: str = "") -> str:
     """Return the name with an index list, as in ``(W(I,J),J=1,NP),I=1,KJG:``."""
     column = "K" if quantity.columns == "devices" else "J"

@@ -135,8 +135,7 @@ def _wholes(case: Transmission) -> set[float]:
 def _drag_by_gear(case: Transmission) -> dict[str, Any]:
     """Return gears with all drags relative to the operating point of each gear."""
     gears = []
-    for gear in case.gears:
-        with_drag = case.with_all_drag(gear)
+    for gear, with_drag in zip(case.gears, case.gears_with_drag, strict=True):
         dragging = {
             n: drag for n, drag in with_drag.open_drag.items() if drag or n in gear.open_drag
         }

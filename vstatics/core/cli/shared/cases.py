@@ -31,7 +31,6 @@ from vstatics.core.extras import broken
 from vstatics.core.messages.catalogue import causes_of_allowable
 from vstatics.core.model.checks import hints
 from vstatics.core.model.transmission import IdleConvention, Transmission
-from vstatics.core.readers.kinds import document_function
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.file_suffixes import suffix_of
 from vstatics.core.texts import Language
@@ -370,7 +369,11 @@ def calculate_one(
             data, name = texts[file], file
         else:
             data, name = files.read_input(file, regular=regular)
-        with_case = settings.scenarios and document_function("read_with_case", data, name)
+        with_case = None
+        if settings.scenarios:
+            from vstatics.core.readers.kinds import document_function  # costs start-up time
+
+            with_case = document_function("read_with_case", data, name)
         if with_case:
             read: DocumentOfCase = with_case(data, name, settings.input_format, texts=texts)
             scenario, is_run = read.allowing(settings.telling.allow), settings.of_runs
@@ -404,11 +407,14 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
     ReadError
         If a law of the case gives an impossible torque, with its place.
     """
-    from vstatics.core.model.open_converters import with_needed_ratios
     from vstatics.core.statics.solution import solution  # not needed for the help text
 
+    case = reading.case
     try:
-        case = with_needed_ratios(reading.case) if opens else reading.case
+        if opens:
+            from vstatics.core.model.open_converters import with_needed_ratios
+
+            case = with_needed_ratios(case)
         return solution(case, coast=settings.coast, idle=settings.idle)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import itertools
 import os
-import shlex
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
@@ -145,6 +144,8 @@ def _shipped(file: str) -> str:
     name = next((candidate for candidate in names if candidate in example_files()), None)
     if name is None:
         return ""
+    import shlex  # costs start-up time
+
     return f"; `vstatics new {shlex.quote(file)} -t {name}` writes the shipped case"
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from fractions import Fraction
 
 from vstatics.core.elements.element import CentralWheel
 from vstatics.core.elements.teeth.assembly import assembled, placements
@@ -111,9 +110,9 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
     """
     for rim, partner in layout.group.meshes:
         sides = _sides(layout, rim, partner)
-        if sides is None or closes(*map(float, sides)):
+        if sides is None or closes(*sides):
             continue
-        first, second, apart = (float(side) / 2 for side in sides)
+        first, second, apart = sides
         names = f"{layout.label(rim)} and {layout.label(partner)}"
         message = (
             f"{names} cannot mesh: with axes at the radii {first:g} and {second:g} modules their "
@@ -129,15 +128,13 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
             )
 
 
-def _sides(
-    layout: AxisLayout, rim: str, partner: str
-) -> tuple[Fraction, Fraction, Fraction] | None:
-    """Return twice the radii of two planet axes, and twice their distance in mesh, in modules."""
+def _sides(layout: AxisLayout, rim: str, partner: str) -> tuple[float, float, float] | None:
+    """Return the radii of two planet axes, and their distance in mesh, in modules."""
     first, second = layout.axis(rim), layout.axis(partner)
     teeth = (layout.teeth(rim), layout.teeth(partner))
     if first is None or second is None or teeth[0] is None or teeth[1] is None:
         return None
-    return first[0], second[0], teeth[0] + teeth[1]
+    return float(first[0]) / 2, float(second[0]) / 2, float(teeth[0] + teeth[1]) / 2
 
 
 def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
@@ -192,9 +189,9 @@ def _touching_neighbours(layout: AxisLayout, count: int) -> Iterator[Doubt]:
 def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterator[Doubt]:
     """Report a planet that touches the mating planet of the neighbouring pair."""
     sides = _sides(layout, rim, partner)
-    if sides is None or not closes(*map(float, sides)):
+    if sides is None or not closes(*sides):
         return
-    first, second, apart = (float(side) / 2 for side in sides)
+    first, second, apart = sides
     distance = crossing_distance(first, second, apart, 2 * math.pi / count)
     if distance - apart - TIPS < TIP_CLEARANCE:
         yield Doubt(

@@ -57,13 +57,33 @@ class Followed(NamedTuple):
     """Points outside the range of laws, by the name of the part."""
 
 
+def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
+    """Solve all points with drag torques and efficiencies by laws."""
+    laws = {number: law for number, law in laws_of(case).items() if number not in given}
+    plain = without_laws(case)
+    over_speed = {number: law for number, law in laws.items() if law.over == "speed"}
+    over_torque = {number: law for number, law in laws.items() if law.over == "torque"}
+    columns: dict[CaseNumber, Floats] = dict(given)
+    results, sizes, moved = _with_speeds(case, plain, over_speed, columns, variants)
+    unsettled = np.where(moved, NONE, 0)
+    if over_torque:
+        search = _Search(plain, columns, over_torque, variants)
+        with_efficiencies, columns, states = search.solved()
+        moved = _differ(with_efficiencies.speeds, results.speeds)
+        unsettled = np.where(moved, NONE, np.where(states, states, unsettled))
+        results = with_efficiencies
+        sizes |= search.sizes(results)
+    results = _without_values(results, unsettled)
+    return Followed(results, columns, unsettled, _outside(case, laws, sizes))
+
+
 def laws_of(case: Transmission) -> Laws:
     """Return all laws of a case, by the number that each determines."""
     numbers: dict[CaseNumber, Any] = {}
-    for index, gear in enumerate(case.gears):
-        for n, torque in case.gear_open_drag(gear).items():
+    for index, gear in enumerate(case.gears_with_drag):
+        for n, torque in gear.open_drag.items():
             numbers[CaseNumber(index, "open_drag", n)] = torque
-        for link, torque in case.gear_drag(gear).items():
+        for link, torque in gear.drag.items():
             numbers[CaseNumber(index, "drag", link)] = torque
         for owner, mechanism in enumerate(case.mechanisms):
             numbers[CaseNumber(index, "efficiency", owner)] = mechanism.efficiency
@@ -99,38 +119,6 @@ def without_laws(case: Transmission) -> Transmission:
     )
 
 
-def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
-    """Solve all points with drag torques and efficiencies by laws."""
-    laws = {number: law for number, law in laws_of(case).items() if number not in given}
-    plain = without_laws(case)
-    over_speed = {number: law for number, law in laws.items() if law.over == "speed"}
-    over_torque = {number: law for number, law in laws.items() if law.over == "torque"}
-    columns: dict[CaseNumber, Floats] = dict(given)
-    results, sizes, moved = _with_speeds(case, plain, over_speed, columns, variants)
-    unsettled = np.where(moved, NONE, 0)
-    if over_torque:
-        search = _Search(plain, columns, over_torque, variants)
-        with_efficiencies, columns, states = search.solved()
-        moved = _differ(with_efficiencies.speeds, results.speeds)
-        unsettled = np.where(moved, NONE, np.where(states, states, unsettled))
-        results = with_efficiencies
-        sizes |= search.sizes(results)
-    results = _without_values(results, unsettled)
-    return Followed(results, columns, unsettled, _outside(case, laws, sizes))
-
-
-def _outside(case: Transmission, laws: Laws, sizes: Mapping[CaseNumber, Floats]) -> Outside:
-    outside: dict[str, Any] = {}
-    for number, law in laws.items():
-        if not law.points:
-            continue
-        wrong = law.is_outside(sizes[number])  # type: ignore[attr-defined] # it has points
-        if wrong.any():
-            none = np.zeros((len(wrong), len(case.gears)), np.bool_)
-            outside.setdefault(_name(case, number), none)[:, number.gear] |= wrong
-    return outside
-
-
 def _with_speeds(
     case: Transmission,
     plain: Transmission,
@@ -153,12 +141,6 @@ def _with_speeds(
         if not moved.any():
             break
     return results, sizes, moved
-
-
-def _differ(speeds: Floats, others: Floats) -> Booleans:
-    same: Booleans = np.isclose(speeds, others, rtol=TIE, atol=TIE, equal_nan=True)
-    differ: Any = (~same).any(axis=-1)
-    return differ  # type: ignore[no-any-return] # an array
 
 
 def _speed(case: Transmission, results: Results, columns: Columns, number: CaseNumber) -> Floats:
@@ -199,12 +181,10 @@ def _checked(case: Transmission, number: CaseNumber, values: Floats) -> Floats:
     return values
 
 
-def _name(case: Transmission, number: CaseNumber) -> str:
-    if number.quantity == "drag":
-        return case.link_name(number.owner)
-    if number.quantity == "open_drag":
-        return case.shift_elements[number.owner - 1].name
-    return case.mechanisms[number.owner].name
+def _differ(speeds: Floats, others: Floats) -> Booleans:
+    same: Booleans = np.isclose(speeds, others, rtol=TIE, atol=TIE, equal_nan=True)
+    differ: Any = (~same).any(axis=-1)
+    return differ  # type: ignore[no-any-return] # an array
 
 
 class _Search:
@@ -220,18 +200,26 @@ class _Search:
         for number in laws:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
 
-    def sizes(self, results: Results) -> dict[CaseNumber, Floats]:
-        """Return the magnitude of the torque at which each law is read [N*m]; NaN if undefined."""
-        torques = results.lossy_torques_Nm
-        return {number: np.abs(torques[:, number.gear, row]) for number, row in self.rows.items()}
-
-    def _tried(
-        self, guess: Mapping[CaseNumber, Floats]
-    ) -> tuple[Results, dict[CaseNumber, Floats]]:
-        """Solve with guessed efficiencies; return results and the efficiencies by the laws."""
-        results = solve_points(self.case, {**self.columns, **guess}, self.variants)
-        sizes = self.sizes(results)
-        return results, {number: law.at(sizes[number]) for number, law in self.laws.items()}
+    def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Any]:
+        """Return results of the single solution, all numbers, and the states of gears."""
+        several = any(len(numbers) > 1 for numbers in self.of_gear.values())
+        starts = [self._from(end) for end in (min, max, *[_middle] * several)]
+        best, still, lacking = starts[0]
+        state = np.where(still, 0, NONE).astype(np.int8)
+        for numbers, stands, lacks in starts[1:]:
+            lacking &= lacks
+            for number in self.laws:
+                gear = number.gear or 0
+                apart = np.abs(best[number] - numbers[number]) > SAME_SOLUTION
+                state[still[:, gear] & stands[:, gear] & apart, gear] = SEVERAL
+                best[number] = np.where(still[:, gear], best[number], numbers[number])
+            state[~still & stands] = 0
+            still = still | stands
+        self._scan(best, state)
+        state[lacking & (state == NONE)] = 0  # other messages report missing torques
+        columns = {**self.columns, **best}
+        results = solve_points(self.case, columns, self.variants)
+        return results, columns, state
 
     def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
         """Iterate to a fixed point from an end of each law: `end` is min or max of efficiencies.
@@ -258,26 +246,18 @@ class _Search:
                 break
         return guess, still & ~lacking, lacking
 
-    def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Any]:
-        """Return results of the single solution, all numbers, and the states of gears."""
-        several = any(len(numbers) > 1 for numbers in self.of_gear.values())
-        starts = [self._from(end) for end in (min, max, *[_middle] * several)]
-        best, still, lacking = starts[0]
-        state = np.where(still, 0, NONE).astype(np.int8)
-        for numbers, stands, lacks in starts[1:]:
-            lacking &= lacks
-            for number in self.laws:
-                gear = number.gear or 0
-                apart = np.abs(best[number] - numbers[number]) > SAME_SOLUTION
-                state[still[:, gear] & stands[:, gear] & apart, gear] = SEVERAL
-                best[number] = np.where(still[:, gear], best[number], numbers[number])
-            state[~still & stands] = 0
-            still = still | stands
-        self._scan(best, state)
-        state[lacking & (state == NONE)] = 0  # other messages report missing torques
-        columns = {**self.columns, **best}
-        results = solve_points(self.case, columns, self.variants)
-        return results, columns, state
+    def _tried(
+        self, guess: Mapping[CaseNumber, Floats]
+    ) -> tuple[Results, dict[CaseNumber, Floats]]:
+        """Solve with guessed efficiencies; return results and the efficiencies by the laws."""
+        results = solve_points(self.case, {**self.columns, **guess}, self.variants)
+        sizes = self.sizes(results)
+        return results, {number: law.at(sizes[number]) for number, law in self.laws.items()}
+
+    def sizes(self, results: Results) -> dict[CaseNumber, Floats]:
+        """Return the magnitude of the torque at which each law is read [N*m]; NaN if undefined."""
+        torques = results.lossy_torques_Nm
+        return {number: np.abs(torques[:, number.gear, row]) for number, row in self.rows.items()}
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Any) -> None:
         """Search a law for all solutions of gears with a single unknown efficiency."""
@@ -356,3 +336,23 @@ def _without_values(results: Results, state: Any) -> Results:
         where = wrong if array.ndim == wrong.ndim else wrong[..., None]
         changed[name] = np.where(where, False if ARRAYS[name].dtype is np.bool_ else np.nan, array)
     return results._replace(**changed, undecided=results.undecided | wrong)
+
+
+def _outside(case: Transmission, laws: Laws, sizes: Mapping[CaseNumber, Floats]) -> Outside:
+    outside: dict[str, Any] = {}
+    for number, law in laws.items():
+        if not law.points:
+            continue
+        wrong = law.is_outside(sizes[number])  # type: ignore[attr-defined] # it has points
+        if wrong.any():
+            none = np.zeros((len(wrong), len(case.gears)), np.bool_)
+            outside.setdefault(_name(case, number), none)[:, number.gear] |= wrong
+    return outside
+
+
+def _name(case: Transmission, number: CaseNumber) -> str:
+    if number.quantity == "drag":
+        return case.link_name(number.owner)
+    if number.quantity == "open_drag":
+        return case.shift_elements[number.owner - 1].name
+    return case.mechanisms[number.owner].name

@@ -190,7 +190,7 @@ def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) 
     A fixed number with a unit is among them, because its relative value varies.
     """
     numbers: dict[GearNumber, Floats] = {}
-    gear = case.with_all_drag(case.gears[index])
+    gear = case.gears_with_drag[index]
     for quantity in OF_GEAR:
         unit = load.unit_of(quantity)
         for owner, number in getattr(gear, quantity).items():

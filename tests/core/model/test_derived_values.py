@@ -1,0 +1,50 @@
+"""Values that a case derives from its fields, and shares with cases of other numbers."""
+
+import copy
+from dataclasses import replace
+from functools import cached_property
+
+import pytest
+
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.model.parts import OfLoad
+
+CASE = Transmission(
+    4,
+    [ShiftElement(2, drag=0.01), ShiftElement(3, 4, kind="freewheel")],
+    [Mechanism(1, 2, 3, -2.5, 0.96), Mechanism(3, 4, 0, 2.0, planet_ratio=-1.5)],
+    [Gear([1], drag={1: OfLoad(2.0, 100.0)}), Gear([], coast=True)],
+    drag={4: 0.02},
+)
+NAMES = [
+    name
+    for part in Transmission.__mro__
+    for name, value in vars(part).items()
+    if isinstance(value, cached_property)
+]
+
+
+def names_of_links(case: Transmission) -> list[str]:
+    """Return a value of a case that depends on no number."""
+    return list(case.link_names)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_case_with_other_numbers_shares_only_what_does_not_depend_on_them(name: str) -> None:
+    """Each value equals that of a case that is built anew."""
+    getattr(CASE, name)
+    others = [
+        part._replace(ratio=1.0, efficiency=0.9, planet_ratio=2.0) for part in CASE.mechanisms
+    ]
+    anew = replace(CASE, mechanisms=others)
+    if name != "_derived":
+        assert getattr(CASE.with_numbers(others), name) == getattr(anew, name)
+
+
+def test_cases_that_differ_in_numbers_share_derived_values() -> None:
+    """Values are calculated once; a copy, or a case with other parts, calculates its own."""
+    names = CASE.derived(names_of_links)
+    assert CASE.with_numbers(CASE.mechanisms).derived(names_of_links) is names
+    for other in (copy.copy(CASE), replace(CASE, name="other")):
+        assert other.derived(names_of_links) == names
+        assert other.derived(names_of_links) is not names
