@@ -157,6 +157,13 @@ class Margins:
         if self.shared:
             self._watch("split", -1)
         self.directions = self._positive_directions()
+        held = len(self.holding)
+        self.either = [
+            slice(held + 2 * place, held + 2 * place + 2)
+            for place, (mesh, *_) in enumerate(self.cones)
+            if largest(structure.redundant[mesh]) > SHARED_TORQUE
+        ]
+        """Slacks of each mesh whose torque is indeterminate, so that its sign is open."""
         self.last_room: SplitRoom | None = None
         """Latest room; the search for slacks at their limit uses it again."""
         self.straight_limits = self._straight_limits()
@@ -452,18 +459,13 @@ class Margins:
         does not determine the side of a redundant torque, so other sides are tried until some split
         is within all limits. Only a mesh at its limit can gain room on its other side.
         """
-        first, redundant = len(self.holding), self.equations.structure.redundant
         directions = self._directions(held)
         if self.last_room and self.last_room.is_of(slack, directions):
             return self.last_room
         best = SplitRoom(slack, directions, np.ones(len(slack)), widest(slack, directions))
-        either = [
-            slice(first + 2 * place, first + 2 * place + 2)
-            for place, (mesh, *_) in enumerate(self.cones)
-            if largest(redundant[mesh]) > SHARED_TORQUE
-        ]
         while best.room <= 0:
-            others = [best.on_other_side(rows) for rows in either if best.tight[rows].any()]
+            tight = best.tight
+            others = [best.on_other_side(rows) for rows in self.either if tight[rows].any()]
             roomiest = max(others, key=attrgetter("room"), default=best)
             if roomiest.room <= best.room:
                 break
