@@ -157,8 +157,6 @@ STRAIGHT_BALANCE = 1e-12
 """Largest component of a nonlinear torque along a motion that counts as zero."""
 
 # stretches in closed form
-ENOUGH_TERMS = 1e-18
-"""Ratio to the sum of a series below which a term is the last."""
 SHORTEST_PART = 2.0**-14
 """Smallest factor by which a part is shortened for nonlinear torques."""
 FITTING_TORQUE = 1e-12

@@ -101,26 +101,26 @@ class Finder:
         """Return the first event in a step."""
         self._check_capacities(step)
         self._check_torques(step)
-        times, states = step.times, step.states
         if not self.margins.watches:
             return None
-        margins = self.margins.along(times, states)
-        sizes = np.abs(margins).max(axis=1, initial=0.0)
+        times = np.append(step.start, step.times)
+        margins = self.margins.along(times, np.column_stack([step.first, step.states]))
+        later = margins[:, 1:]
+        sizes = np.abs(later).max(axis=1, initial=0.0)
         following = self.following & np.isfinite(sizes)
         self.noise = np.where(
             following, np.maximum(self.least, BETWEEN_INSTANTS * sizes), self.least
         )
-        ends = np.flatnonzero((margins < -self.noise[:, None]).any(axis=0))
-        begin = step.start, self.margins.at(step.start, step.first)
-        first = int(ends[0]) if len(ends) else len(times) - 1
-        dip = self._dip(step, np.column_stack([begin[1], margins]), first)
+        ends = np.flatnonzero((later < -self.noise[:, None]).any(axis=0))
+        first = int(ends[0]) if len(ends) else len(step.times) - 1
+        dip = self._dip(step, margins, first)
         if dip is not None:
             first, under = dip
         elif len(ends):
-            under = float(times[first]), margins[:, first]
+            under = float(times[first + 1]), later[:, first]
         else:
             return None
-        above = (float(times[first - 1]), margins[:, first - 1]) if first else begin
+        above = float(times[first]), margins[:, first]
         return self._located(step, above, under)
 
     def _dip(

@@ -156,6 +156,14 @@ class Margins:
         self.shared = structure.redundant.shape[1] > 0 and bool(self.holding or self.cones)
         if self.shared:
             self._watch("split", -1)
+        self.directions = self._positive_directions()
+        held = len(self.holding)
+        self.either = [
+            slice(held + 2 * place, held + 2 * place + 2)
+            for place, (mesh, *_) in enumerate(self.cones)
+            if largest(structure.redundant[mesh]) > SHARED_TORQUE
+        ]
+        """Slacks of each mesh whose torque is indeterminate, so that its sign is open."""
         self.last_room: SplitRoom | None = None
         """Latest room; the search for slacks at their limit uses it again."""
         self.straight_limits = self._straight_limits()
@@ -292,6 +300,15 @@ class Margins:
                 self._watch("piece", index, step, torque=torque)
                 yield corners[place], float(-step)
 
+    def _positive_directions(self) -> Floats:
+        """Return the changes of the slacks along redundant directions at positive mesh torques."""
+        redundant = self.equations.structure.redundant
+        rows = [-side * redundant[row] for _, row, side in self.holding]
+        for mesh, friction, less, more in self.cones:
+            rows.append(redundant[friction] + less * redundant[mesh])
+            rows.append(more * redundant[mesh] - redundant[friction])
+        return np.array(rows).reshape(len(rows), redundant.shape[1])
+
     def _straight_limits(self) -> Floats | None:
         """Return limits of sticking contacts as ``c0 + c1 t``, or None if not linear."""
         time = self.equations.time
@@ -381,8 +398,7 @@ class Margins:
             turns = np.where(pump < 0, -1.0, 1.0)
             parts.append((side * turns * (turbine - corner * pump))[None, :])
         if self.shared:
-            columns = range(len(times))
-            parts.append(np.array([[self._together(slack[:, n], held[:, n]) for n in columns]]))
+            parts.append(self._together(slack, held)[None, :])
         if len(self.watches) > self.deciding:
             if seen is None:
                 seen = equations.seen_at(times, states, rates, torques)
@@ -425,19 +441,18 @@ class Margins:
 
     def _directions(self, held: Floats) -> Floats:
         """Return the changes of the slacks along redundant directions."""
-        redundant = self.equations.structure.redundant
-        rows = [-side * redundant[row] for _, row, side in self.holding]
-        for mesh, friction, less, more in self.cones:
-            sign = 1.0 if held[mesh] >= 0 else -1.0
-            rows.append(sign * (redundant[friction] + less * redundant[mesh]))
-            rows.append(sign * (more * redundant[mesh] - redundant[friction]))
-        return np.array(rows).reshape(len(rows), redundant.shape[1])
+        signs = [1.0 if held[mesh] >= 0 else -1.0 for mesh, *_ in self.cones]
+        ways = np.append(np.ones(len(self.holding)), np.repeat(signs, 2))
+        return ways[:, None] * self.directions
 
-    def _together(self, slack: Floats, held: Floats) -> float:
-        smallest = float(slack.min())
-        if smallest >= -PASSED_LIMIT * largest(held):
-            return max(smallest, 0.0)
-        return self._roomiest(slack, held).room
+    def _together(self, slack: Floats, held: Floats) -> Floats:
+        """Return the room of the redundant torques at several times [N*m]."""
+        smallest = slack.min(axis=0)
+        is_within = smallest >= -PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
+        room: Floats = np.maximum(smallest, 0.0)
+        for column in np.flatnonzero(~is_within):
+            room[column] = self._roomiest(slack[:, column], held[:, column]).room
+        return room
 
     def _roomiest(self, slack: Floats, held: Floats) -> SplitRoom:
         """Return the torque room with each mesh on the side that leaves most room.
@@ -446,18 +461,13 @@ class Margins:
         does not determine the side of a redundant torque, so other sides are tried until some split
         is within all limits. Only a mesh at its limit can gain room on its other side.
         """
-        first, redundant = len(self.holding), self.equations.structure.redundant
         directions = self._directions(held)
         if self.last_room and self.last_room.is_of(slack, directions):
             return self.last_room
         best = SplitRoom(slack, directions, np.ones(len(slack)), widest(slack, directions))
-        either = [
-            slice(first + 2 * place, first + 2 * place + 2)
-            for place, (mesh, *_) in enumerate(self.cones)
-            if largest(redundant[mesh]) > SHARED_TORQUE
-        ]
         while best.room <= 0:
-            others = [best.on_other_side(rows) for rows in either if best.tight[rows].any()]
+            tight = best.tight
+            others = [best.on_other_side(rows) for rows in self.either if tight[rows].any()]
             roomiest = max(others, key=attrgetter("room"), default=best)
             if roomiest.room <= best.room:
                 break

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Floats, largest
+from vstatics.core.numerics.arrays import Floats, Integers, largest
 from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMITS
 
 _MOST_TORQUE_CORNERS = 3000
@@ -31,33 +32,48 @@ def widest(slack: Floats, directions: Floats) -> Floats:
     >>> widest(np.array([-10.0, 40.0]), np.array([[1.0], [-1.0]]))
     array([15., 15.])
     """
-    places = _corners(slack, directions)
-    if places is None:
+    equations = _corner_equations(directions.tobytes(), *directions.shape)
+    if equations is None:
         places = _by_programming(slack, directions)[:, None]
+    else:
+        meeting, to_places = equations
+        places = np.einsum("dcm,cm->dc", to_places, slack[meeting])
     slacks = slack[:, None] + directions @ places
     sizes = slacks.min(axis=0)
     best = int(sizes.argmax())
     return slacks[:, best] if sizes[best] > slack.min() else slack
 
 
-def _corners(slack: Floats, directions: Floats) -> Floats | None:
-    """Return splits with the largest number of equal slacks, shape (d, corners).
+@lru_cache(maxsize=64)
+def _corner_equations(
+    bytes_of_directions: bytes, limits: int, count: int
+) -> tuple[Integers, Floats] | None:
+    """Return the corners of the split, where the largest number of slacks are equal.
 
-    The split with most room is one of them. Returns None if there are too many corners.
+    The split with most room is one of them. Few sets of directions occur in a run, so the equations
+    of their corners are solved once, for any slacks.
+
+    Returns
+    -------
+    meeting : ndarray, shape (corners, d + 1)
+        Indices of the equal slacks.
+    to_places : ndarray, shape (d, corners, d + 1)
+        Matrices from these slacks to the split.
+    None
+        If there are too many corners.
     """
-    limits, count = directions.shape
     if math.comb(limits, count + 1) > _MOST_TORQUE_CORNERS:
         return None
+    directions = np.frombuffer(bytes_of_directions).reshape(limits, count)
     chosen = np.array(list(combinations(range(limits), count + 1)), dtype=int)
-    if not len(chosen):
-        return np.zeros((count, 1))
+    chosen = chosen.reshape(-1, count + 1)
     steep = largest(directions) or 1.0
     matrices = np.concatenate([directions[chosen] / steep, -np.ones((*chosen.shape, 1))], axis=2)
     regular = np.abs(np.linalg.det(matrices)) > REGULAR_CORNER
     if not regular.any():
-        return np.zeros((count, 1))
-    solutions = np.linalg.solve(matrices[regular], -slack[chosen[regular]][..., None])
-    return solutions[:, :count, 0].T / steep
+        return np.zeros((1, count + 1), dtype=int), np.zeros((count, 1, count + 1))
+    inverses = -np.linalg.inv(matrices[regular])[:, :count] / steep
+    return chosen[regular], np.ascontiguousarray(inverses.transpose(1, 0, 2))
 
 
 def _by_programming(slack: Floats, directions: Floats) -> Floats:

@@ -20,7 +20,6 @@ from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers, l
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (
-    ENOUGH_TERMS,
     FITTING_TORQUE,
     LEAST_MASS,
     NOT_ZERO,
@@ -33,6 +32,8 @@ from vstatics.simulation.tolerances import (
 _NONE = np.zeros(0)
 _TERMS = 22
 """Number of terms of the exponential series."""
+_COLUMNS = 256
+"""Number of states moved at once, which limits the memory."""
 
 
 class Exponential:
@@ -63,19 +64,13 @@ class Exponential:
         orders = np.arange(len(matrix)) - np.arange(self.dense, len(matrix))[:, None]
         self.doubling = 2.0 ** np.clip(orders, 0, _ORDERS)
         """Factors by which the entries of the lower rows grow when the time doubles."""
-        chained = np.eye(len(matrix))[self.dense :]
-        terms, lower = [np.eye(len(matrix))[: self.dense]], [chained]
-        superdiagonal = np.append(0.0, np.diag(self.step, 1))
-        superdiagonal[: self.dense + 1] = 0.0
-        for number in range(1, _TERMS + 1):
-            term = terms[-1][:, : self.dense] @ self.step[: self.dense]
-            term += np.roll(terms[-1], 1, axis=1) * superdiagonal
-            terms.append(term / number)
-            chained = np.roll(chained, 1, axis=1) * superdiagonal / number
-            lower.append(chained)
-        self.series = np.array(terms)
+        unit = np.eye(len(matrix))
+        self.series = np.array([*_terms(unit[: self.dense], self.step, self.dense, _TERMS)])
+        chains = self.step[self.dense :, self.dense :]
+        chained = sum(_terms(np.eye(len(chains)), chains, 0, _ORDERS))
+        lower = np.hstack([unit[self.dense :, : self.dense], chained])
         # Small terms come first, because rounding would lose them after large terms.
-        self.halved = [np.vstack([self.series[::-1].sum(axis=0), sum(reversed(lower))])]
+        self.halved = [np.vstack([self.series[::-1].sum(axis=0), lower])]
         """Exponentials for times 1, 1/2, 1/4, ... down to the time of the series."""
         for _ in range(self.halvings):
             self.halved.insert(0, self._squared(self.halved[0]))
@@ -85,60 +80,47 @@ class Exponential:
         """First rows of the exponential at the nodes, shape (nodes, rows, size)."""
 
     def _squared(self, exponential: Floats) -> Floats:
-        first = self._product(exponential[: self.dense], exponential)
+        first = exponential[: self.dense] @ exponential
         return np.vstack([first, exponential[self.dense :] * self.doubling])
-
-    def _product(self, rows: Floats, exponential: Floats) -> Floats:
-        """Multiply the first rows of one or several matrices by an exponential."""
-        dense = self.dense
-        product: Floats = rows[..., :dense] @ exponential[:dense]
-        given, chains = rows[..., dense:], exponential[dense:, dense:]
-        for order in range(min(_ORDERS, len(chains))):
-            product[..., dense + order :] += given[..., : len(chains) - order] * chains.diagonal(
-                order
-            )
-        return product
 
     def at(self, parts: Floats) -> Floats:
         """Return the first rows of ``exp(A s)`` for each s of `parts`: (parts, rows, size)."""
-        steps, remainders = self._split(parts)
-        series = self.series
-        factors = remainders[:, None] ** np.arange(len(series))
-        exponentials = (factors @ series.reshape(len(series), -1)).reshape(
-            len(parts), *series.shape[1:]
-        )
+        steps, powers = self._split(parts)
+        exponentials = np.tensordot(powers.T, self.series, 1)
         for halved, far in steps:
-            exponentials[far] = self._product(exponentials[far], halved)
-        return np.asarray(exponentials)
+            exponentials[far] = exponentials[far] @ halved
+        return exponentials
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
-        """Return ``exp(A s) x`` for each column x of `states` and its s of `parts`."""
-        steps, remainders = self._split(parts)
+        """Return the first rows of ``exp(A s) x`` for each column x of `states` and its s."""
+        steps, powers = self._split(parts)
         result = states.copy()
         for halved, far in steps:
             result[:, far] = halved @ result[:, far]
-        term, enough = result, ENOUGH_TERMS * largest(result)
-        for number in range(1, _TERMS + 1):
-            term = (self.step @ term) * (remainders / number)
-            result = result + term
-            if largest(term) <= enough:
-                break
-        return result
+        blocks = [slice(n, n + _COLUMNS) for n in range(0, max(1, len(parts)), _COLUMNS)]
+        return np.hstack(
+            [
+                np.einsum("kc,krc->rc", powers[:, block], self.series @ result[:, block])
+                for block in blocks
+            ]
+        )
 
     def _split(self, parts: Floats) -> tuple[list[tuple[Floats, Integers]], Floats]:
         """Split each s of `parts` into some of the terms 1, 1/2, 1/4, ... and a remainder.
 
         Returns the exponential of each term with the indices of the s that contain the term, then
-        the remainders in units of the last term.
+        the powers of the remainders in units of the last term, shape (terms, parts).
         """
-        steps: list[tuple[Floats, Integers]] = []
-        remainders = parts.copy()
-        for number, halved in enumerate(self.halved):
-            far = np.flatnonzero(remainders >= 0.5**number)
-            remainders[far] -= 0.5**number
-            if len(far):
-                steps.append((halved, far))
-        return steps, remainders * 2.0**self.halvings
+        numbers = parts * 2.0**self.halvings
+        whole = numbers.astype(int)
+        bits = (whole >> np.arange(self.halvings, -1, -1)[:, None]) & 1
+        steps: list[tuple[Floats, Integers]] = [
+            (halved, np.flatnonzero(bit))
+            for halved, bit in zip(self.halved, bits, strict=True)
+            if bit.any()
+        ]
+        powers: Floats = (numbers - whole) ** np.arange(len(self.series))[:, None]
+        return steps, powers
 
     def repeated(self, first: Floats, count: int) -> Floats:
         """Return the states at the start of each of `count` equal parts, shape (size, parts)."""
@@ -149,6 +131,20 @@ class Exponential:
             states = np.hstack([states, self.doubled[level] @ states])
             level += 1
         return states[:, :count]
+
+
+def _terms(first: Floats, matrix: Floats, dense: int, last: int) -> Iterator[Floats]:
+    """Yield the terms of the exponential series up to a number, beginning with `first`.
+
+    Below its first `dense` rows, the matrix is 0 except for numbers next to its diagonal.
+    """
+    chains = np.diag(matrix, 1)[dense:]
+    yield first
+    for number in range(1, last + 1):
+        term = first[:, :dense] @ matrix[:dense]
+        term[:, dense + 1 :] += first[:, dense:-1] * chains
+        first = term / number
+        yield first
 
 
 DEGREE = 10

@@ -158,18 +158,22 @@ class DrawnRun:
         self, piece: Piece, course: _SteppedCourse, times: Floats, size: Floats
     ) -> Floats:
         """Add times near corners, where redundant elements begin to share a torque differently."""
-        edges = np.concatenate([course.curves.begins, times, [course.steps[-1][1]]])
-        edges.sort()
-        low, high = edges[:-1], edges[1:]
+
+        def points(at: Floats) -> Floats:
+            return np.vstack([at, self.table.at(piece, at, course.states(at))])
+
+        ends = np.append(course.curves.begins, course.steps[-1][1])
+        edges = points(np.sort(np.concatenate([ends, times])))
+        low, high = edges[:, :-1], edges[:, 1:]
         for _ in range(_MOST_BISECTIONS):
-            middle = 0.5 * (low + high)
-            first, at, last = (
-                self.table.at(piece, instants, course.states(instants))
-                for instants in (low, middle, high)
-            )
-            far = (np.abs(at - 0.5 * (first + last)) > CHORD * size[:, None]).any(axis=0)
+            middle = points(0.5 * (low[0] + high[0]))
+            apart = np.abs(middle - 0.5 * (low + high))[1:]
+            far = (apart > CHORD * size[:, None]).any(axis=0)
             if not far.any() or len(times) > _MOST_NEAR_CORNERS:
                 break
-            times = np.concatenate([times, middle[far]])
-            low, high = (np.sort(np.concatenate([ends[far], middle[far]])) for ends in (low, high))
+            times = np.concatenate([times, middle[0, far]])
+            low, middle, high = low[:, far], middle[:, far], high[:, far]
+            low, high = np.hstack([low, middle]), np.hstack([middle, high])
+            order = low[0].argsort()
+            low, high = low[:, order], high[:, order]
         return course.inside(times)

@@ -613,6 +613,9 @@ class Affine:
         given_rates = np.eye(len(layout.values), count, k=layout.ports)
         parts.append(Map(by_state[layout.ports :], given_rates, np.zeros_like(given_rates)))
         self.change = Map(*(np.vstack(rows) for rows in zip(*parts, strict=True)))
+        has_slopes = bool(equations.light) or self.change.by_slope.any()
+        self.within = equations.within if has_slopes else None
+        """Interval of the slopes that are given over time; None if they have no effect. [s]"""
 
     def _light(self, rates: Map, given: Map) -> Map:
         """Return the speeds of motions without inertia, from the balance of torques."""
@@ -657,10 +660,8 @@ class Affine:
 
     def given_at(self, times: Floats) -> tuple[Floats, Floats]:
         """Return the torques given by time alone, and the slopes where needed."""
-        equations = self.equations
-        count = bool(equations.light) or self.change.by_slope.any()
-        more = np.zeros((len(equations.layout.values), len(times)))
-        given, slopes = equations.ports.given_at(times, equations.within if count else None)
+        more = np.zeros((len(self.equations.layout.values), len(times)))
+        given, slopes = self.equations.ports.given_at(times, self.within)
         return np.vstack([given, more]), np.vstack([slopes, more])
 
 
