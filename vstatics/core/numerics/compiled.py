@@ -10,7 +10,13 @@ from contextlib import contextmanager, suppress
 from typing import Any, TypeVar, cast
 
 import numba
+from llvmlite.binding import Linkage
+from numba import _dynfunc
 from numba.core.caching import FunctionCache
+from numba.core.codegen import CodeLibrary, JITCodeLibrary
+from numba.core.compiler import CompilerBase, DefaultPassBuilder
+from numba.core.compiler_machinery import PassManager, register_pass
+from numba.core.typed_passes import NativeLowering
 
 from vstatics.core.extras import build
 from vstatics.core.numerics.arrays import Floats, Integers
@@ -112,9 +118,91 @@ class _CachedCode(FunctionCache):
                 self.flush()  # type: ignore[no-untyped-call] # Numba has no types
 
 
+class _Whole(JITCodeLibrary):
+    """Code of a function with all parts that it calls, which is optimised only here."""
+
+    def add_linking_library(self, library: CodeLibrary) -> None:
+        """Add the code of a part and of all parts that it calls."""
+        for each in (library, *getattr(library, "parts", ())):
+            super().add_linking_library(each)
+
+    def finalize(self) -> None:
+        self._linking_libraries.sort(key=lambda each: not isinstance(each, _Part))
+        super().finalize()
+
+    def _optimize_final_module(self) -> None:
+        for function in self._final_module.functions:
+            if function.linkage == Linkage.weak_odr:
+                function.linkage = "internal"
+        manager, builder = self._codegen._module_pass_manager()
+        manager.run(self._final_module, builder)
+
+
+class _Part(_Whole):
+    """Code of a function that only other compiled functions contain."""
+
+    @property
+    def parts(self) -> list[CodeLibrary]:
+        """Code of all parts that this part calls."""
+        return self._linking_libraries
+
+    def add_llvm_module(self, ll_module: Any) -> None:
+        self._final_module.link_in(ll_module)
+
+    def finalize(self) -> None:
+        """Leave the code as it is until it is linked."""
+        for function in self._final_module.functions:
+            if not function.is_declaration:
+                function.linkage = "weak_odr"
+        self._finalized = True
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _LowerWhole(NativeLowering):
+    _name = "lower_whole"
+
+    def run_pass(self, state: Any) -> bool:
+        state.library = _Whole(state.targetctx.codegen(), state.func_id.func_qualname)
+        state.library.enable_object_caching()
+        return super().run_pass(state)
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _LowerPart(NativeLowering):
+    _name = "lower_part"
+
+    def run_pass(self, state: Any) -> bool:
+        state.library = _Part(state.targetctx.codegen(), state.func_id.func_qualname)
+        state.flags.no_compile = True
+        super().run_pass(state)
+        lowered = state["cr"]
+        entry = _dynfunc.make_function(
+            lowered.fndesc.lookup_module(), lowered.fndesc.qualname, "", 0, lowered.env, ()
+        )
+        state["cr"] = lowered._replace(cfunc=entry)
+        state.targetctx.insert_user_function(entry, lowered.fndesc, [state.library])
+        return True
+
+
+class _Compiler(CompilerBase):
+    lowering = _LowerWhole
+
+    def define_pipelines(self) -> list[PassManager]:
+        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        passes.passes = [
+            (self.lowering if each is NativeLowering else each, name) for each, name in passes.passes
+        ]
+        passes.finalize()
+        return [passes]
+
+
+class _PartCompiler(_Compiler):
+    lowering = _LowerPart
+
+
 def compiled(function: Compiled) -> Compiled:
     """Return a function that is compiled at the first call, or loaded as stored machine code."""
-    return _compiled(function)
+    return _compiled(function, pipeline_class=_Compiler, no_cfunc_wrapper=True, _nrt=False)
 
 
 def compiled_part(function: Compiled) -> Compiled:
@@ -123,7 +211,8 @@ def compiled_part(function: Compiled) -> Compiled:
     It takes half the time to compile, because it needs no conversion of Python objects and no
     counting of references.
     """
-    return _compiled(function, no_cpython_wrapper=True, no_cfunc_wrapper=True, _nrt=False)
+    options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "_nrt": False}
+    return cast(Compiled, numba.njit(function, nogil=True, error_model="numpy", pipeline_class=_PartCompiler, **options))
 
 
 def _compiled(function: Compiled, **options: Any) -> Compiled:

@@ -95,8 +95,6 @@ def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, to
         _cut_out(parts, asked, cells, top)
         if _is_less(asked, cells, top) and not is_assigned(cells.reach[top], len(parts), match):
             return False
-        cells.left[:, 0] = 0.0
-        cells.left[:, 1] = 1.0
         for target in range(len(asked.targets)):
             ratio = _only_ratio(cells.reach[top], target)
             cells.planes.only_ratios[target] = ratio
@@ -125,6 +123,8 @@ def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
     for number in range(sets):
         shares[number, 0] = (cells.low[top, number] - asked.low) / width
         shares[number, 1] = (cells.high[top, number] - asked.low) / width
+        cells.left[number, 0] = 0.0
+        cells.left[number, 1] = 1.0
     for ratio in range(len(parts)):
         if cells.reach[top, ratio] == 0:
             continue

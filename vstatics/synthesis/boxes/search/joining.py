@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled_part
+from vstatics.core.numerics.compiled import compiled_part, fill
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
@@ -157,8 +157,8 @@ def _last_elements(table: Combinations, room: SetRoom, members: int, there: int,
     Most combinations lock up the gearbox; apart from their common ratio there are often too few.
     """
     engaged, targets, lacking = table.places.shape[1], len(room.lengths), room.lacking[0]
-    room.able[:] = 0
-    room.levels[:] = 0
+    fill(room.able, 0)
+    fill(room.levels, 0)
     room.levels[0] = there
     for subset in range(table.starts[members], table.starts[members + 1]):
         # These combinations of places end with the new element, so only the others are given.

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part
+from vstatics.core.numerics.compiled import compiled_part, fill
 from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.ranges import has_one_sign
 from vstatics.synthesis.tolerances import LEAST_STIFFNESS, PLANE_ROUNDING
@@ -159,7 +159,7 @@ def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int
     corners, sets = len(values), len(plane) - 1
     wanted = 0.5 * (least + most)
     size = 0.0
-    plane[:] = 0.0
+    fill(plane, 0.0)
     for corner in range(corners):
         values[corner] = over[corner] - wanted * under[corner]
         size = max(size, abs(under[corner]))

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, put
+from vstatics.core.numerics.compiled import compiled_part, fill, put
 from vstatics.synthesis.tolerances import (
     BEYOND_WIDTH,
     FIRST_DAMPING,
@@ -137,7 +137,7 @@ def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) 
     True
     """
     count = len(asked.targets)
-    room.pulls[:] = 0.0
+    fill(room.pulls, 0.0)
     total = fitted(parts, chosen, asked, 0.0, room)
     beyond = farthest(room.errors) - 1.0
     if total == math.inf or beyond <= 0:
@@ -248,8 +248,9 @@ def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
 def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
     """Calculate the corner weights at a point, and the derivatives."""
     sets = len(logs)
-    room.corner_weights[:] = 1.0
-    room.slopes[:] = 1.0
+    fill(room.corner_weights, 1.0)
+    for slopes in room.slopes:
+        fill(slopes, 1.0)
     width = asked.high - asked.low
     for number in range(sets):
         size = math.exp(logs[number])

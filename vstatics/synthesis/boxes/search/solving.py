@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, put
+from vstatics.core.numerics.compiled import compiled_part, fill, put
 from vstatics.synthesis.boxes.search.cells import (
     RatioCells,
     cells_room,
@@ -147,7 +147,7 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
 
 @compiled_part
 def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
-    room.best[:] = math.inf
+    fill(room.best, math.inf)
     put(asked.least, room.least)
     put(asked.most, room.most)
     cells = room.cells
