@@ -5,22 +5,32 @@ from __future__ import annotations
 import errno
 import os
 import stat
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from typing import Any, TypeVar, cast
+from zlib import crc32
 
 import numba
 from llvmlite.binding import Linkage
 from numba import _dynfunc
+from llvmlite import ir
+from numba.core import cgutils, types
+from numba.core.boxing import unbox_tuple
 from numba.core.caching import FunctionCache
 from numba.core.codegen import CodeLibrary, JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import PassManager, register_pass
+from numba.core.datamodel.models import PrimitiveModel
+from numba.core.datamodel.registry import register_default
+from numba.core.imputils import lower_getattr_generic
+from numba.core.pythonapi import NativeValue, unbox
 from numba.core.typed_passes import NativeLowering
+from numba.core.typing.typeof import typeof_impl
 
 from vstatics.core.extras import build
 from vstatics.core.numerics.arrays import Floats, Integers
 
+Shared = TypeVar("Shared", bound=type)
 Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 
 CACHE_TROUBLE: list[str] = []
@@ -118,6 +128,55 @@ class _CachedCode(FunctionCache):
                 self.flush()  # type: ignore[no-untyped-call] # Numba has no types
 
 
+class SharedType(types.NamedTuple):
+    """Type of a named tuple of which compiled functions receive the address."""
+
+    def __init__(self, fields: Sequence[Any], cls: type) -> None:
+        """Use a short name, because it is part of the names of all functions."""
+        super().__init__(fields, cls)
+        self.name = f"{cls.__name__}{crc32(self.name.encode()):08x}"
+
+    @property
+    def key(self) -> str:
+        """Key in tables of types."""
+        return str(self.name)
+
+
+@register_default(SharedType)
+class SharedModel(PrimitiveModel):
+    """Address of the fields of a shared tuple."""
+
+    def __init__(self, models: Any, shared: SharedType) -> None:
+        """Find the types of the fields."""
+        fields = [models.lookup(field).get_value_type() for field in shared.types]
+        super().__init__(models, shared, ir.LiteralStructType(fields).as_pointer())
+
+
+@unbox(SharedType)
+def _unbox(shared: SharedType, value: Any, context: Any) -> NativeValue:
+    unboxed = unbox_tuple(types.NamedTuple(shared.types, shared.instance_class), value, context)
+    address = cgutils.alloca_once_value(context.builder, unboxed.value)
+    return NativeValue(address, is_error=unboxed.is_error, cleanup=unboxed.cleanup)
+
+
+@lower_getattr_generic(SharedType)
+def _field(context: Any, builder: Any, shared: SharedType, address: Any, name: str) -> Any:
+    index = shared.fields.index(name)
+    field = builder.load(cgutils.gep_inbounds(builder, address, 0, index))
+    field.set_metadata("invariant.load", builder.module.add_metadata([]))
+    return field
+
+
+def shared(cls: Shared) -> Shared:
+    """Let compiled functions receive the address of a named tuple."""
+
+    @typeof_impl.register(cls)
+    def of_tuple(value: Any, context: Any) -> SharedType:
+        return SharedType([typeof_impl(field, context) for field in value], cls)
+
+    return cls
+
+
 class _Whole(JITCodeLibrary):
     """Code of a function with all parts that it calls, which is optimised only here."""
 
@@ -134,6 +193,8 @@ class _Whole(JITCodeLibrary):
         for function in self._final_module.functions:
             if function.linkage == Linkage.weak_odr:
                 function.linkage = "internal"
+            elif function.linkage == Linkage.external and not function.is_declaration:
+                function.add_function_attribute("noinline")
         manager, builder = self._codegen._module_pass_manager()
         manager.run(self._final_module, builder)
 

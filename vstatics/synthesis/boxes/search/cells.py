@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, put
+from vstatics.core.numerics.compiled import compiled_part, put, shared
 from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, is_assigned
 from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes_leave
@@ -30,6 +30,7 @@ LESS = 0.8
 """Remaining share of a cell along a gear-set ratio above which sweeps end. [-]"""
 
 
+@shared
 class RatioCells(NamedTuple):
     """Stack of cells, the next on top, and work arrays for the current cell."""
 

@@ -15,10 +15,11 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled, compiled_part
+from vstatics.core.numerics.compiled import compiled, compiled_part, shared
 from vstatics.synthesis.boxes.box import HELD
 
 
+@shared
 class Combinations(NamedTuple):
     """Combinations of simultaneously engaged shift elements, from which sets are formed.
 
@@ -82,6 +83,7 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
     return number
 
 
+@shared
 class GearSpeeds(NamedTuple):
     """Link speeds in the gears of a scheme; equal speeds of several gears are stored once."""
 
@@ -133,6 +135,7 @@ def cross_product(rows: Floats, minors: Floats, product: Floats) -> None:
         sign = -sign
 
 
+@shared
 class SpeedRoom(NamedTuple):
     """Work arrays for the speeds of links with f free speeds."""
 

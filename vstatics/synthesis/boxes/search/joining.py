@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled_part, fill
+from vstatics.core.numerics.compiled import compiled_part, fill, shared
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
@@ -22,6 +22,7 @@ NO_END = 2**62
 """Limit of a count that is never reached."""
 
 
+@shared
 class SetRoom(NamedTuple):
     """Work arrays for the search of element sets; a depth is the number of additions so far."""
 

@@ -6,7 +6,7 @@ import math
 from typing import Generic, NamedTuple, TypeVar
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled, compiled_part, put
+from vstatics.core.numerics.compiled import compiled, compiled_part, put, shared
 from vstatics.synthesis.boxes.search.elements import PortGears, begun, find_ratios
 from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom
@@ -18,6 +18,7 @@ from vstatics.synthesis.boxes.search.solving import CellRoom, solved
 from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 
+@shared
 class PortRoom(NamedTuple):
     """Work arrays for the gears of a choice of ports and their sets of shift elements."""
 
@@ -36,6 +37,7 @@ class PortRoom(NamedTuple):
     corners)."""
 
 
+@shared
 class FoundRoom(NamedTuple):
     """Arrays for the gearboxes of a choice of ports; `SetRoom.listed` contains their elements."""
 
@@ -52,6 +54,7 @@ class FoundRoom(NamedTuple):
 Cells = TypeVar("Cells", CellRoom, SequenceRoom)
 
 
+@shared
 class Room(NamedTuple, Generic[Cells]):
     """Work arrays for the gearboxes of a choice of ports."""
 

@@ -7,9 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled_part, fill
+from vstatics.core.numerics.compiled import compiled_part, fill, shared
 
 
+@shared
 class MatchRoom(NamedTuple):
     """Work arrays for matchings, each of shape (targets,)."""
 

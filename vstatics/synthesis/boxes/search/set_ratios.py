@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, fill, put
+from vstatics.core.numerics.compiled import compiled_part, fill, put, shared
 from vstatics.synthesis.tolerances import (
     BEYOND_WIDTH,
     FIRST_DAMPING,
@@ -39,6 +39,7 @@ LESS_BEYOND = 0.9
 """Largest quotient of successive excesses of a fit that still converges. [-]"""
 
 
+@shared
 class Asked(NamedTuple):
     """Requirements on a gearbox, as arrays."""
 
@@ -56,6 +57,7 @@ class Asked(NamedTuple):
     """Upper bound of ring teeth/sun teeth. [-]"""
 
 
+@shared
 class FitRoom(NamedTuple):
     """Work arrays for a fit."""
 
