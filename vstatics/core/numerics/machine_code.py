@@ -111,6 +111,10 @@ class _WholeCode(JITCodeLibrary):
         for code in (library, *getattr(library, "parts", ())):
             super().add_linking_library(code)
 
+    def add_llvm_module(self, ll_module: Any) -> None:
+        """Add code without optimisation."""
+        self._final_module.link_in(ll_module)
+
     def finalize(self) -> None:
         """Link parts before other functions, which the linker omits until a part calls them."""
         self._linking_libraries.sort(key=lambda code: not isinstance(code, _PartCode))
@@ -138,10 +142,6 @@ class _PartCode(_WholeCode):
     def parts(self) -> list[CodeLibrary]:
         """Code of all functions that this part calls, directly or indirectly."""
         return list(self._linking_libraries)
-
-    def add_llvm_module(self, ll_module: Any) -> None:
-        """Add code without optimisation."""
-        self._final_module.link_in(ll_module)
 
     def finalize(self) -> None:
         """Let the linker copy all functions; machine code is written only for the callers."""

@@ -21,7 +21,13 @@ from vstatics.synthesis.boxes.search.engaged import (
     speed_room,
 )
 from vstatics.synthesis.boxes.search.joining import NO_END
-from vstatics.synthesis.boxes.search.kernel import Room, Sample, boxes_in, find_gears, sequences_in
+from vstatics.synthesis.boxes.search.kernel import (
+    Room,
+    RoomOfSequences,
+    Sample,
+    boxes_in,
+    find_gears,
+)
 from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED
 
@@ -64,9 +70,8 @@ class PortSearch:
             if find_gears(self.table, self.gears, port, asked, room.ports):
                 sets, _ = some_sets(self.table, port, room.ports.sets, NO_END)
             if sets >= 0:
-                within = boxes_in if search.sequence is None else sequences_in
                 every = Sample(sets, NO_END)
-                count, _, given_up = within(self.table, port, asked, room, every)
+                count, _, given_up = boxes_in(self.table, port, asked, room, every)
                 self.given_up += int(given_up)
                 return [self._box(room, row, first, last) for row in range(count)]
             most *= 4
@@ -101,7 +106,7 @@ class PortSearch:
             least_retained,
         )
 
-    def _box(self, room: Room, row: int, first: int, last: int) -> FoundBox:
+    def _box(self, room: Room | RoomOfSequences, row: int, first: int, last: int) -> FoundBox:
         moving = self.bases.moving
         signs = np.where(self.scheme.meshed, 1.0, -1.0)
         numbers = room.ports.sets.listed[row].tolist()

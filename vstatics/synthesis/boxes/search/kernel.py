@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Generic, NamedTuple, TypeVar
+from typing import NamedTuple
 
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.compiled import compiled, compiled_part, put, shared
@@ -51,20 +51,22 @@ class FoundRoom(NamedTuple):
     """Largest |ln(i/target)|, shape (most,). [-]"""
 
 
-Cells = TypeVar("Cells", CellRoom, SequenceRoom)
-
-
 @shared
-class Room(NamedTuple, Generic[Cells]):
+class Room(NamedTuple):
     """Work arrays for the gearboxes of a choice of ports."""
 
     ports: PortRoom
-    cells: Cells
-    """Arrays for the ratios of gearboxes with given targets, or with a sequence of gears."""
+    cells: CellRoom
     found: FoundRoom
 
 
-AnyRoom = Room[CellRoom] | Room[SequenceRoom]
+@shared
+class RoomOfSequences(NamedTuple):
+    """Work arrays for the gearboxes with a sequence of gears of a choice of ports."""
+
+    ports: PortRoom
+    cells: SequenceRoom
+    found: FoundRoom
 
 
 class Sample(NamedTuple):
@@ -76,9 +78,12 @@ class Sample(NamedTuple):
     """Approximate size of the sample; all sets if there are fewer than twice as many."""
 
 
-@compiled
 def boxes_in(
-    table: Combinations, port: PortGears, asked: Asked, room: Room[CellRoom], sample: Sample
+    table: Combinations,
+    port: PortGears,
+    asked: Asked,
+    room: Room | RoomOfSequences,
+    sample: Sample,
 ) -> tuple[int, int, int]:
     """Find the gearboxes in a sample of the listed sets, within the limit of `steps`.
 
@@ -88,7 +93,7 @@ def boxes_in(
     port : PortGears
         Gears with their ratios.
     asked : Asked
-    room : Room
+    room : Room or RoomOfSequences
     sample : Sample
 
     Returns
@@ -96,6 +101,15 @@ def boxes_in(
     int, int, int
         Number of gearboxes; number of examined sets; number of sets that were given up.
     """
+    if isinstance(room, Room):
+        return _boxes_in(table, port, asked, room, sample)
+    return _sequences_in(table, port, asked, room, sample)
+
+
+@compiled
+def _boxes_in(
+    table: Combinations, port: PortGears, asked: Asked, room: Room, sample: Sample
+) -> tuple[int, int, int]:
     cells, found, sets = room.cells, room.found, room.ports.sets.listed
     step = max(sample.there // sample.most, 1)
     boxes = tried = given_up = 0
@@ -118,10 +132,9 @@ def boxes_in(
 
 
 @compiled
-def sequences_in(
-    table: Combinations, port: PortGears, asked: Asked, room: Room[SequenceRoom], sample: Sample
+def _sequences_in(
+    table: Combinations, port: PortGears, asked: Asked, room: RoomOfSequences, sample: Sample
 ) -> tuple[int, int, int]:
-    """Find the gearboxes with a sequence of gears; parameters and results as of `boxes_in`."""
     cells, found, sets = room.cells, room.found, room.ports.sets.listed
     step = max(sample.there // sample.most, 1)
     boxes = tried = given_up = 0
