@@ -35,6 +35,9 @@ _IN_ROOMS = {"damage": "torsion"}
 BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
 """Further packages that an extra installs."""
 
+SLOWER_WITHOUT = {"numba"}
+"""Packages without which the features of an extra work, but slowly."""
+
 
 def later(
     package: str, modules: Mapping[str, str], find: Callable[[str], str] = lambda _: ""
@@ -156,7 +159,7 @@ def missing(extra: str, purpose: str) -> str:
     from importlib.util import find_spec
 
     for package in (EXTRAS[extra], *BESIDES.get(extra, ())):
-        if find_spec(package) is None:
+        if package not in SLOWER_WITHOUT and find_spec(package) is None:
             return _needs(purpose, package, extra)
     return ""
 

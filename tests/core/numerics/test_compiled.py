@@ -15,13 +15,13 @@ import pytest
 import vstatics
 from tests.chance import count, seeded, some
 from tests.commands import environment
-from vstatics.core.numerics import compiled
+from vstatics.core.numerics import code_cache
 
 PACKAGE = Path(vstatics.__file__).parent
 
 
 def test_the_key_of_machine_code_is_made_of_all_that_is_compiled() -> None:
-    """It holds the files with the words by which `vstatics.core.numerics.compiled` tells them."""
+    """It holds the files with the words by which `vstatics.core.numerics.code_cache` tells them."""
     pattern = re.compile(r"^from vstatics\.([\w.]+)\.tolerances import", re.MULTILINE)
     for file in PACKAGE.rglob("*.py"):
         text = file.read_text()
@@ -34,12 +34,12 @@ def test_the_key_of_machine_code_is_made_of_all_that_is_compiled() -> None:
 
 PUT = """
 import numpy as np
-from vstatics.core.numerics import compiled
+from vstatics.core.numerics import code_cache, compiled
 
 values, into = np.arange(3.0), np.zeros(3)
 compiled.put(values, into)
 assert (values == into).all()
-print(len(compiled.CACHE_TROUBLE), bool(compiled.put.stats.cache_hits))
+print(len(code_cache.CACHE_TROUBLE), bool(compiled.put.stats.cache_hits))
 """
 
 
@@ -93,8 +93,8 @@ def test_machine_code_that_is_damaged_is_compiled_again(
 def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder for machine code below others, as they are by default."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "home" / "cache"))
-    monkeypatch.setattr(compiled, "CACHE_TROUBLE", [])
-    made = Path(compiled._cache())
+    monkeypatch.setattr(code_cache, "CACHE_TROUBLE", [])
+    made = Path(code_cache._cache())
     assert made.stat().st_mode & 0o777 == 0o700
     assert made.parents[2] == tmp_path / "home"
     for number in range(3):
@@ -106,10 +106,10 @@ def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def is_used(tree: Path) -> bool:
     """Whether machine code is kept in the tree; otherwise one line says why not."""
-    compiled.CACHE_TROUBLE.clear()
-    used = compiled._cache()
+    code_cache.CACHE_TROUBLE.clear()
+    used = code_cache._cache()
     assert used in ("", str(tree))
-    assert len(compiled.CACHE_TROUBLE) == (not used)
+    assert len(code_cache.CACHE_TROUBLE) == (not used)
     return bool(used)
 
 
@@ -136,7 +136,7 @@ def test_whatever_others_can_change_is_not_used(tree: Path, tmp_path: Path) -> N
             assert not is_used(tree), entry
             entry.unlink()
             (tmp_path / "moved").rename(entry)
-        assert is_used(tree), compiled.CACHE_TROUBLE
+        assert is_used(tree), code_cache.CACHE_TROUBLE
 
 
 @pytest.mark.slow

@@ -240,7 +240,7 @@ def find_boxes(
     Raises
     ------
     CaseError
-        If the search cannot be carried out, or the compiler library is missing.
+        If the search cannot be carried out, or a package is missing.
 
     Examples
     --------

@@ -8,9 +8,9 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.synthesis.boxes.search.elements import PortGears, element_sets
+from vstatics.synthesis.boxes.search.elements import PortGears, begun, some_sets
 from vstatics.synthesis.boxes.search.engaged import combinations_table
-from vstatics.synthesis.boxes.search.joining import set_room
+from vstatics.synthesis.boxes.search.joining import NO_END, set_room
 
 BRAKES = 4
 """The first elements of a table with so many links."""
@@ -59,7 +59,8 @@ def test_all_sets_are_found_and_each_once(engaged: int, size: int, targets: int)
         shown = (there, ratio_of, reach, useful, brakes, none.reshape(0, 2), table.masks, none)
         port = PortGears(0, 1, *shown, kept, least_kept)
         room = set_room(table, targets, 2000)
-        rows = room.listed[: element_sets(table, port, room)].tolist()
+        count_sets = some_sets(table, port, room, NO_END)[0] if begun(table, port, room) else 0
+        rows = room.listed[:count_sets].tolist()
         every = combinations(range(links), size)
         expected = [one for one in every if is_wanted(one, numbers, port, targets)]
         assert sorted(map(tuple, rows)) == expected

@@ -9,13 +9,15 @@ import importlib.util
 import json
 import math
 import signal
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
 
-from tests.commands import Said, json_answer, vstatics
+from tests.commands import Said, environment, json_answer, vstatics
 from tests.processes import names
 from tests.synthesis.boxes.states import prepare_boxes
 from vstatics import load, solve
@@ -383,7 +385,7 @@ def test_what_cannot_be_asked_for_is_wrong_use(options: tuple[object, ...], told
 
 @pytest.mark.parametrize(
     ("package", "options"),
-    [("numba", ()), ("numba", ("-o", "found/")), ("distributed", ("--scheduler", "tcp://h:1"))],
+    [("networkx", ()), ("networkx", ("-o", "f/")), ("distributed", ("--scheduler", "tcp://h:1"))],
 )
 def test_packages_that_are_missing_are_told_before(
     package: str, options: tuple[object, ...], monkeypatch: pytest.MonkeyPatch
@@ -399,6 +401,28 @@ def hide(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         importlib.util, "find_spec", lambda name: None if name == package else find(name)
     )
+
+
+def test_without_a_compiler_a_search_finds_the_same_and_says_so() -> None:
+    """Three of 36 boxes, as an example of `found_in` derives; plain functions search for them."""
+    hidden = "import sys; sys.modules['numba'] = None; from vstatics.core.cli import entry; entry()"
+
+    def said(*options: str) -> str:
+        done = subprocess.run(
+            [sys.executable, "-c", hidden, "synth", "box", *map(str, ASKED), *options],
+            env=environment(),
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        return done.stdout + done.stderr
+
+    text = said()
+    assert "warning: without the package numba" in text
+    assert [
+        " ".join(line.split()) for line in text.splitlines() if line[:6] in ("search", "found ")
+    ] == ["searched 36", "found 3"]
+    assert "not: without the package numba" in said("--dry-run")
 
 
 def test_without_the_extra_for_pictures_a_directory_has_all_but_the_pictures(

@@ -10,7 +10,7 @@ from vstatics.core.numerics.arrays import Integers
 from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, BoxSearch
 from vstatics.synthesis.boxes.search.engaged import combinations_table, integers
 from vstatics.synthesis.boxes.search.joining import set_room
-from vstatics.synthesis.boxes.search.kernel import Room
+from vstatics.synthesis.boxes.search.kernel import FoundRoom, PortRoom, Room, RoomOfSequences
 from vstatics.synthesis.boxes.search.ranges import lines
 from vstatics.synthesis.boxes.search.sequences.room import sequence_of, sequence_room
 from vstatics.synthesis.boxes.search.set_ratios import Asked
@@ -38,23 +38,26 @@ def single_shifts(search: BoxSearch) -> Integers:
 
 
 @lru_cache(maxsize=32)
-def room_of(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
+def room_of(search: BoxSearch, most: int, thread: int) -> Room | RoomOfSequences:  # noqa: ARG001
     """Return work arrays for a choice of ports; separate for each thread of a worker."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     asked = asked_arrays(search)
     wanted = sequence_of(search.sequence, singly=search.singly)
     targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
-    return Room(
+    ports = PortRoom(
         sets=set_room(table, targets, most),
-        cells=cell_room(table, asked, sets, single_shifts(search)),
-        sequences=sequence_room(table, asked, wanted, sets),
-        lengths=integers(most),
-        gears=integers(most, targets + wanted.most),
-        logs=np.zeros((most, sets)),
-        errors=np.zeros(most),
         lines=lines(sets),
         ratios=np.zeros((speeds, 2, 2**sets)),
         within=np.zeros(speeds),
         kinds=integers(speeds),
         parts=np.zeros((len(table.places), 2, 2**sets)),
     )
+    found = FoundRoom(
+        lengths=integers(most),
+        gears=integers(most, targets + wanted.most),
+        logs=np.zeros((most, sets)),
+        errors=np.zeros(most),
+    )
+    if search.sequence is None:
+        return Room(ports, cell_room(table, asked, sets, single_shifts(search)), found)
+    return RoomOfSequences(ports, sequence_room(table, asked, wanted, sets), found)

@@ -12,14 +12,22 @@ from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import set_ratios
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 from vstatics.synthesis.boxes.schemes.speeds import SpeedBases, speed_bases
-from vstatics.synthesis.boxes.search.elements import PortGears
+from vstatics.synthesis.boxes.search.elements import PortGears, some_sets
 from vstatics.synthesis.boxes.search.engaged import (
     Combinations,
     GearSpeeds,
     combinations_table,
     gear_speeds,
+    speed_room,
 )
-from vstatics.synthesis.boxes.search.kernel import Room, boxes_of_ports, sequences_of_ports
+from vstatics.synthesis.boxes.search.joining import NO_END
+from vstatics.synthesis.boxes.search.kernel import (
+    Room,
+    RoomOfSequences,
+    Sample,
+    boxes_in,
+    find_gears,
+)
 from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED
 
@@ -58,9 +66,12 @@ class PortSearch:
         most = FIRST_ELEMENT_SETS
         while True:
             room = room_of(search, most, get_ident())
-            within = boxes_of_ports if search.sequence is None else sequences_of_ports
-            count, sets, given_up = within(self.table, self.gears, port, asked_arrays(search), room)
+            asked, sets = asked_arrays(search), 0
+            if find_gears(self.table, self.gears, port, asked, room.ports):
+                sets, _ = some_sets(self.table, port, room.ports.sets, NO_END)
             if sets >= 0:
+                every = Sample(sets, NO_END)
+                count, _, given_up = boxes_in(self.table, port, asked, room, every)
                 self.given_up += int(given_up)
                 return [self._box(room, row, first, last) for row in range(count)]
             most *= 4
@@ -95,25 +106,25 @@ class PortSearch:
             least_retained,
         )
 
-    def _box(self, room: Room, row: int, first: int, last: int) -> FoundBox:
+    def _box(self, room: Room | RoomOfSequences, row: int, first: int, last: int) -> FoundBox:
         moving = self.bases.moving
         signs = np.where(self.scheme.meshed, 1.0, -1.0)
-        numbers = room.sets.listed[row].tolist()
+        numbers = room.ports.sets.listed[row].tolist()
         elements = tuple(
             (moving[first_end], moving[second_end] if second_end >= 0 else HELD)
             for first_end, second_end in self.table.ends[numbers].tolist()
         )
-        count = len(self.search.targets) + int(room.lengths[row])
-        gears = room.gears[row, :count].tolist()
+        count = len(self.search.targets) + int(room.found.lengths[row])
+        gears = room.found.gears[row, :count].tolist()
         box = FoundBox(
             self.scheme.scheme,
             self.scheme.held,
             first,
             last,
             elements,
-            tuple((signs * np.exp(room.logs[row])).tolist()),
+            tuple((signs * np.exp(room.found.logs[row])).tolist()),
             tuple(tuple(self.table.places[gear].tolist()) for gear in gears),
-            float(room.errors[row]),
+            float(room.found.errors[row]),
         )
         if self.search.sequence is None:
             return box
@@ -138,16 +149,19 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
     Speeds are compared at a point within the bounds of the ratios. Different speeds are calculated
     at the corners of the bounds, equal speeds only once.
     """
-    points, links, _ = bases.speeds.shape
+    points, links, free = bases.speeds.shape
+    room = speed_room(free)
     within = np.zeros((len(table.members), links, 1))
-    gear_speeds(bases.speeds[-1:], bases.factors[-1:], table.ends, table.members, within)
+    gear_speeds(bases.speeds[-1:], table.ends, table.members, room, within)
+    within *= bases.factors[-1:]
     sizes = np.abs(within).max(axis=1)
     sizes[sizes < SAME_BOX_SPEED] = np.inf
     keys = np.round(np.abs(within[:, :, 0] / sizes @ _KEYS[:links]) / SAME_BOX_SPEED)
     alike = keys[:, 0] + 1j * keys[:, 1]
     _, which, way = np.unique(alike, return_index=True, return_inverse=True)
     speeds = np.zeros((len(which), links, points))
-    gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], speeds)
+    gear_speeds(bases.speeds, table.ends, table.members[which], room, speeds)
+    speeds *= bases.factors
     speeds /= sizes[which, :, None]
     return GearSpeeds(speeds, way.astype(np.int64).reshape(-1))
 

@@ -19,10 +19,9 @@ from vstatics.synthesis.boxes.batches.ports import PortSearch
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme, Ports
 from vstatics.synthesis.boxes.schemes.stems import stems
-from vstatics.synthesis.boxes.search.elements import begun
+from vstatics.synthesis.boxes.search.elements import some_sets
 from vstatics.synthesis.boxes.search.engaged import combinations_table
-from vstatics.synthesis.boxes.search.kernel import find_gears
-from vstatics.synthesis.boxes.search.trying import Some, some_boxes, some_sequences, some_sets
+from vstatics.synthesis.boxes.search.kernel import Sample, boxes_in, find_gears
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
 """Times to try an addition to a set, to examine a cell, and to examine a cell of a sequence. [s]"""
@@ -83,19 +82,18 @@ def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
     port = ports.gears_of(first, last)
     room, table = room_of(search, ELEMENT_SETS, get_ident()), ports.table
     asked = asked_arrays(search)
-    cells, cell, some = room.cells.steps, CELL, some_boxes
-    if search.sequence is not None:
-        cells, cell, some = room.sequences.steps, SEQUENCE_CELL, some_sequences
-    joins = room.sets.steps
+    cell = CELL if search.sequence is None else SEQUENCE_CELL
+    sets, joins, cells = room.ports.sets, room.ports.sets.steps, room.cells.steps
     joins[:] = 0, depth.seconds / 2 / JOIN
     cells[:] = 0, depth.seconds / 2 / cell
     times = [time.process_time()]
-    find_gears(table, ports.gears, port, asked, room)
-    may_have = begun(table, port, room.sets)
+    may_have = find_gears(table, ports.gears, port, asked, room.ports)
     times.append(time.process_time())
-    count, share = some_sets(table, port, room.sets, depth.firsts) if may_have else (0, 1.0)
+    count, share = some_sets(table, port, sets, depth.firsts) if may_have else (0, 1.0)
+    if count < 0:
+        count = ELEMENT_SETS
     times.append(time.process_time())
-    boxes, looked_at = some(table, port, asked, room, Some(count, depth.sets))
+    boxes, looked_at, _ = boxes_in(table, port, asked, room, Sample(count, depth.sets))
     times.append(time.process_time())
     of_sets = looked_at / count if count else 1.0
     ports_time = PORT + PORT_GEAR * len(table.members)

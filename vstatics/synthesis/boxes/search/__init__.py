@@ -5,5 +5,5 @@ polynomials of the ratios. `ranges` finds the targets that a gear can reach. `el
 sets of shift elements that can provide all gears; `joining` chooses the element to add next,
 `matching` assigns gears to targets, and `shifts` checks for single shifts. `solving` finds the
 ratios of the gear sets (`set_ratios`: nearest to the targets). All of it is compiled and combined
-in `kernel`; `trying` examines a sample of the boxes of a choice of ports.
+in `kernel`, for all boxes of a choice of ports or for a sample.
 """

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, put
+from vstatics.core.numerics.compiled import compiled_part, put, shared
 from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, is_assigned
 from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes_leave
@@ -30,6 +30,7 @@ LESS = 0.8
 """Least share of a cell that a sweep leaves along a gear-set ratio; above it, sweeps end. [-]"""
 
 
+@shared
 class RatioCells(NamedTuple):
     """Stack of cells, the next on top, and work arrays for the current cell."""
 
@@ -96,8 +97,6 @@ def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, to
         _cut_out(parts, asked, cells, top)
         if _is_less(asked, cells, top) and not is_assigned(cells.reach[top], len(parts), match):
             return False
-        cells.left[:, 0] = 0.0
-        cells.left[:, 1] = 1.0
         for target in range(len(asked.targets)):
             ratio = _only_ratio(cells.reach[top], target)
             cells.planes.only_ratios[target] = ratio
@@ -126,6 +125,8 @@ def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
     for number in range(sets):
         shares[number, 0] = (cells.low[top, number] - asked.low) / width
         shares[number, 1] = (cells.high[top, number] - asked.low) / width
+        cells.left[number, 0] = 0.0
+        cells.left[number, 1] = 1.0
     for ratio in range(len(parts)):
         if cells.reach[top, ratio] == 0:
             continue

@@ -11,10 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Integers
-from vstatics.core.numerics.compiled import compiled_part
+from vstatics.core.numerics.compiled import compiled_part, shared
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 
 
+@shared
 class ChainRoom(NamedTuple):
     """Work arrays for combinations of consecutive gears."""
 

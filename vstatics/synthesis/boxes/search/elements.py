@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled, compiled_part, put
+from vstatics.core.numerics.compiled import compiled, compiled_part, fill, put, shared
 from vstatics.synthesis.boxes.box import SHAFT_ELEMENTS
 from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
 from vstatics.synthesis.boxes.search.joining import NO_END, ONE, SetRoom, choose, join
@@ -18,6 +18,7 @@ from vstatics.synthesis.boxes.search.matching import matched
 from vstatics.synthesis.boxes.search.shifts import shifts_singly
 
 
+@shared
 class PortGears(NamedTuple):
     """Gears of a scheme for a choice of input and output."""
 
@@ -48,34 +49,51 @@ class PortGears(NamedTuple):
 
 
 @compiled_part
-def element_sets(table: Combinations, port: PortGears, room: SetRoom) -> int:
-    """List all sets of shift elements whose combinations can provide every target.
-
-    Parameters
-    ----------
-    table : Combinations
-    port : PortGears
-    room : SetRoom
-        `listed` receives the sets.
-
-    Returns
-    -------
-    int
-        Number of sets, or -1 if there is not enough room for them.
-    """
-    return sets_after(table, port, room, 0, NO_END) if begun(table, port, room) else 0
-
-
-@compiled
 def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
     """List the usable combinations and choose the first branch; return False if no set exists."""
     if not _list_gears(table, port, room):
         return False
     room.sets[0] = 0
-    room.seen[:] = 0
+    fill(room.seen, 0)
     room.lacking[0] = len(room.lengths) - 1
     choose(table, room, 0, 0, port.elements)
     return True
+
+
+@compiled
+def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) -> tuple[int, float]:
+    """List the sets of shift elements whose combinations can provide every target, or a sample.
+
+    A sample consists of the sets that contain a sample of the first combinations.
+
+    Parameters
+    ----------
+    table : Combinations
+    port : PortGears
+        Gears with their ratios.
+    room : SetRoom
+        Prepared by `begun`; `listed` receives the sets, `steps` limits the number of attempts.
+    most : int
+        Approximate number of combinations, evenly spaced; all combinations if there are fewer
+        than twice as many. With `NO_END` all sets are listed.
+
+    Returns
+    -------
+    int, float
+        Number of sets, or -1 if there is not enough room; share of the combinations in the sample.
+    """
+    if room.branches[0] == ONE or most == NO_END:
+        return sets_after(table, port, room, 0, NO_END), 1.0
+    there = room.lengths[room.branches[0]]
+    step = max(there // most, 1)
+    count = tried = 0
+    for first in range(step // 2, there, step):
+        room.tried[0] = first
+        count = sets_after(table, port, room, count, first + 1)
+        tried += 1
+        if count < 0 or room.steps[0] >= room.steps[1]:
+            break
+    return count, tried / there
 
 
 @compiled_part
@@ -120,9 +138,7 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
         every &= ~targets
     if every:
         return False
-    room.lengths[:] = 0
-    room.rows[:] = 0
-    room.seldom[:] = 0
+    _clear(room)
     _find_commonest(port, room)
     for which in port.useful:
         if which < 0:
@@ -143,13 +159,24 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
 
 
 @compiled_part
+def _clear(room: SetRoom) -> None:
+    fill(room.lengths, 0)
+    fill(room.seldom, 0)
+    for row in room.rows:
+        fill(row, 0)
+
+
+@compiled_part
 def _find_commonest(port: PortGears, room: SetRoom) -> None:
-    room.often[:] = 0
+    fill(room.often, 0)
     for which in port.useful:
         if which < 0:
             break
         room.often[port.ratio_of[which]] += 1
-    room.commonest[0] = room.often.argmax()
+    room.commonest[0] = 0
+    for ratio in range(len(room.often)):
+        if room.often[ratio] > room.often[room.commonest[0]]:
+            room.commonest[0] = ratio
 
 
 @compiled_part

@@ -15,10 +15,11 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled, compiled_part
+from vstatics.core.numerics.compiled import compiled, compiled_part, shared
 from vstatics.synthesis.boxes.box import HELD
 
 
+@shared
 class Combinations(NamedTuple):
     """Combinations of simultaneously engaged shift elements, from which sets are formed.
 
@@ -83,6 +84,7 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
     return number
 
 
+@shared
 class GearSpeeds(NamedTuple):
     """Link speeds in the gears of a scheme; equal speeds of several gears are stored once."""
 
@@ -134,43 +136,54 @@ def cross_product(rows: Floats, minors: Floats, product: Floats) -> None:
         sign = -sign
 
 
+@shared
+class SpeedRoom(NamedTuple):
+    """Work arrays for the speeds of links with f free speeds."""
+
+    rows: Floats
+    """Covector of each engaged element, shape (f - 1, f)."""
+    minors: Floats
+    """Minors of `rows`, see `cross_product`, shape (2**f,)."""
+    vector: Floats
+    """Free speeds, shape (f,)."""
+
+
+def speed_room(free: int) -> SpeedRoom:
+    """Return work arrays for a number of free speeds."""
+    return SpeedRoom(np.zeros((free - 1, free)), np.zeros(2**free), np.zeros(free))
+
+
 @compiled
 def gear_speeds(
-    speeds: Floats,
-    factors: Floats,
-    ends: Integers,
-    members: Integers,
-    polynomials: Floats,
+    speeds: Floats, ends: Integers, members: Integers, room: SpeedRoom, polynomials: Floats
 ) -> None:
     """Calculate the speeds of all links with each combination of elements engaged.
 
     Parameters
     ----------
-    speeds, factors : array
-        Fields of `SpeedBases`.
+    speeds : array
+        Speeds of `SpeedBases`.
     ends : array, shape (elements, 2)
         Rows of speeds that an element connects, negative for the housing.
     members : array, shape (combinations, engaged)
         Elements of each combination.
+    room : SpeedRoom
     polynomials : array, shape (combinations, links, points)
-        Receives the speeds; zeros where they remain undetermined.
+        Receives the speeds without their factors; zeros where they remain undetermined.
     """
     points, links, free = speeds.shape
-    minors = np.zeros(1 << free)
-    rows = np.zeros((free - 1, free))
-    vector = np.zeros(free)
     for point in range(points):
         for which in range(members.shape[0]):
             for row in range(free - 1):
                 first = ends[members[which, row], 0]
                 second = ends[members[which, row], 1]
                 for column in range(free):
-                    rows[row, column] = speeds[point, first, column]
+                    room.rows[row, column] = speeds[point, first, column]
                     if second >= 0:
-                        rows[row, column] -= speeds[point, second, column]
-            cross_product(rows, minors, vector)
+                        room.rows[row, column] -= speeds[point, second, column]
+            cross_product(room.rows, room.minors, room.vector)
             for link in range(links):
                 total = 0.0
                 for column in range(free):
-                    total += speeds[point, link, column] * vector[column]
-                polynomials[which, link, point] = total * factors[point]
+                    total += speeds[point, link, column] * room.vector[column]
+                polynomials[which, link, point] = total

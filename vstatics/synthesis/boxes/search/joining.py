@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled_part
+from vstatics.core.numerics.compiled import compiled_part, fill, shared
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
@@ -22,6 +22,7 @@ NO_END = 2**62
 """Limit of the number of attempts that is never reached."""
 
 
+@shared
 class SetRoom(NamedTuple):
     """Work arrays for the search of element sets; a depth is the number of additions so far."""
 
@@ -157,8 +158,8 @@ def _last_elements(table: Combinations, room: SetRoom, members: int, there: int,
     Most combinations lock up the gearbox, and share a ratio; often too few other ratios remain.
     """
     engaged, targets, lacking = table.places.shape[1], len(room.lengths), room.lacking[0]
-    room.able[:] = 0
-    room.levels[:] = 0
+    fill(room.able, 0)
+    fill(room.levels, 0)
     room.levels[0] = there
     for subset in range(table.starts[members], table.starts[members + 1]):
         # These combinations of places end with the new element, so only the others are given.

@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled, compiled_part, put
-from vstatics.synthesis.boxes.search.elements import PortGears, element_sets, find_ratios
+from vstatics.core.numerics.compiled import compiled, compiled_part, put, shared
+from vstatics.synthesis.boxes.search.elements import PortGears, begun, find_ratios
 from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom
 from vstatics.synthesis.boxes.search.ranges import divide, reached
@@ -18,20 +18,11 @@ from vstatics.synthesis.boxes.search.solving import CellRoom, solved
 from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 
-class Room(NamedTuple):
-    """Work arrays for the gearboxes of a choice of ports."""
+@shared
+class PortRoom(NamedTuple):
+    """Work arrays for the gears of a choice of ports and their sets of shift elements."""
 
     sets: SetRoom
-    cells: CellRoom
-    sequences: SequenceRoom
-    lengths: Integers
-    """Number of gears in addition to the targets, shape (most,)."""
-    gears: Integers
-    """Combination of places in each gear, shape (most, gears)."""
-    logs: Floats
-    """Logarithms of ring teeth/sun teeth, shape (most, sets). [-]"""
-    errors: Floats
-    """Largest |ln(i/target)|, shape (most,). [-]"""
     lines: Floats
     """Weights of the corners on lines along each ratio, see `lines`, shape (corners, sets)."""
     ratios: Floats
@@ -46,11 +37,130 @@ class Room(NamedTuple):
     corners)."""
 
 
-@compiled
-def boxes_of_ports(
-    table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
+@shared
+class FoundRoom(NamedTuple):
+    """Arrays for the gearboxes of a choice of ports; `SetRoom.listed` contains their elements."""
+
+    lengths: Integers
+    """Number of gears in addition to the targets, shape (most,)."""
+    gears: Integers
+    """Combination of places in each gear, shape (most, gears)."""
+    logs: Floats
+    """Logarithms of ring teeth/sun teeth, shape (most, sets). [-]"""
+    errors: Floats
+    """Largest |ln(i/target)|, shape (most,). [-]"""
+
+
+@shared
+class Room(NamedTuple):
+    """Work arrays for the gearboxes of a choice of ports."""
+
+    ports: PortRoom
+    cells: CellRoom
+    found: FoundRoom
+
+
+@shared
+class RoomOfSequences(NamedTuple):
+    """Work arrays for the gearboxes with a sequence of gears of a choice of ports."""
+
+    ports: PortRoom
+    cells: SequenceRoom
+    found: FoundRoom
+
+
+class Sample(NamedTuple):
+    """Size of a sample."""
+
+    there: int
+    """Number of sets from which the sample is drawn."""
+    most: int
+    """Approximate size of the sample; all sets if there are fewer than twice as many."""
+
+
+def boxes_in(
+    table: Combinations,
+    port: PortGears,
+    asked: Asked,
+    room: Room | RoomOfSequences,
+    sample: Sample,
 ) -> tuple[int, int, int]:
-    """Find all gearboxes of a choice of ports.
+    """Find the gearboxes in a sample of the listed sets, within the limit of `steps`.
+
+    Parameters
+    ----------
+    table : Combinations
+    port : PortGears
+        Gears with their ratios.
+    asked : Asked
+    room : Room or RoomOfSequences
+    sample : Sample
+
+    Returns
+    -------
+    int, int, int
+        Number of gearboxes; number of examined sets; number of sets that were given up.
+    """
+    if isinstance(room, Room):
+        return _boxes_in(table, port, asked, room, sample)
+    return _sequences_in(table, port, asked, room, sample)
+
+
+@compiled
+def _boxes_in(
+    table: Combinations, port: PortGears, asked: Asked, room: Room, sample: Sample
+) -> tuple[int, int, int]:
+    cells, found, sets = room.cells, room.found, room.ports.sets.listed
+    step = max(sample.there // sample.most, 1)
+    boxes = tried = given_up = 0
+    for number in range(step // 2, sample.there, step):
+        count = _find_different(
+            table, port, sets[number], room.ports, (cells.ratio_of, cells.chains.used)
+        )
+        reach = room.ports.sets.reach[:count]
+        if solved(room.ports.parts[:count], reach, asked, cells) < math.inf:
+            found.errors[boxes] = cells.best[1]
+            put(cells.best_gears, found.gears[boxes])
+            put(sets[number], sets[boxes])
+            put(cells.best_logs, found.logs[boxes])
+            boxes += 1
+        given_up += cells.given_up[0]
+        tried += 1
+        if cells.steps[0] >= cells.steps[1]:
+            break
+    return boxes, tried, given_up
+
+
+@compiled
+def _sequences_in(
+    table: Combinations, port: PortGears, asked: Asked, room: RoomOfSequences, sample: Sample
+) -> tuple[int, int, int]:
+    cells, found, sets = room.cells, room.found, room.ports.sets.listed
+    step = max(sample.there // sample.most, 1)
+    boxes = tried = given_up = 0
+    for number in range(step // 2, sample.there, step):
+        count = _find_different(
+            table, port, sets[number], room.ports, (cells.ratio_of, cells.chains.used)
+        )
+        length, is_open = sequence_found(room.ports.parts[:count], asked, cells)
+        if length > 0:
+            found.lengths[boxes] = length
+            put(cells.best_gears, found.gears[boxes])
+            put(sets[number], sets[boxes])
+            put(cells.best_logs, found.logs[boxes])
+            boxes += 1
+        given_up += length == 0 and is_open
+        tried += 1
+        if cells.steps[0] >= cells.steps[1]:
+            break
+    return boxes, tried, given_up
+
+
+@compiled
+def find_gears(
+    table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: PortRoom
+) -> bool:
+    """Find the ratios with a choice of ports, and the combinations that have a ratio.
 
     Parameters
     ----------
@@ -59,76 +169,13 @@ def boxes_of_ports(
     port : PortGears
         Receives the ratios of the gears.
     asked : Asked
-    room : Room
+    room : PortRoom
 
     Returns
     -------
-    int, int, int
-        Number of gearboxes; number of element sets, negative if there was not enough room;
-        number of sets that were given up.
+    bool
+        Whether sets of shift elements may exist that have all gears; `some_sets` lists them.
     """
-    find_gears(table, gears, port, asked, room)
-    count = element_sets(table, port, room.sets)
-    sets = room.sets.listed
-    boxes = given_up = 0
-    for number in range(count):
-        if is_box(table, port, asked, room, sets[number]):
-            room.errors[boxes] = room.cells.best[1]
-            put(room.cells.best_gears, room.gears[boxes])
-            put(sets[number], sets[boxes])
-            put(room.cells.best_logs, room.logs[boxes])
-            boxes += 1
-        given_up += room.cells.given_up[0]
-    return boxes, count, given_up
-
-
-@compiled
-def sequences_of_ports(
-    table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
-) -> tuple[int, int, int]:
-    """Find all gearboxes with a sequence of gears; results as of `boxes_of_ports`."""
-    find_gears(table, gears, port, asked, room)
-    count = element_sets(table, port, room.sets)
-    sets = room.sets.listed
-    boxes = given_up = 0
-    for number in range(count):
-        length, is_open = gears_besides(table, port, asked, room, sets[number])
-        if length > 0:
-            room.lengths[boxes] = length
-            put(room.sequences.best_gears, room.gears[boxes])
-            put(sets[number], sets[boxes])
-            put(room.sequences.best_logs, room.logs[boxes])
-            boxes += 1
-        given_up += length == 0 and is_open
-    return boxes, count, given_up
-
-
-@compiled_part
-def is_box(
-    table: Combinations, port: PortGears, asked: Asked, room: Room, elements: Integers
-) -> bool:
-    """Return whether a set of elements is a gearbox; `cells` receives the best ratios."""
-    count = _different(table, port, elements, room)
-    reach = room.sets.reach[:count]
-    return bool(solved(room.parts[:count], reach, asked, room.cells) < math.inf)
-
-
-@compiled_part
-def gears_besides(
-    table: Combinations, port: PortGears, asked: Asked, room: Room, elements: Integers
-) -> tuple[int, bool]:
-    """Return the number of gears in the sequence of a set, and whether more are possible."""
-    count = _different(table, port, elements, room)
-    put(room.cells.ratio_of, room.sequences.ratio_of)
-    put(room.cells.chains.used, room.sequences.chains.used)
-    return sequence_found(room.parts[:count], asked, room.sequences)
-
-
-@compiled
-def find_gears(
-    table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
-) -> None:
-    """Find the ratios with a choice of ports, and the combinations that have a ratio."""
     _find_ratios_of_ports(gears.speeds, port, asked, room)
     way = gears.way
     useful = 0
@@ -143,10 +190,11 @@ def find_gears(
                 port.loaded[which] = _loaded(table, gears, port, which)
     if useful < len(way):
         port.useful[useful] = -1
+    return begun(table, port, room.sets)
 
 
 @compiled_part
-def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: Room) -> None:
+def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: PortRoom) -> None:
     """Find the different ratios that reach a target within the bounds."""
     corners = speeds.shape[2] - 1
     count = 0
@@ -202,8 +250,19 @@ def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int)
 
 
 @compiled_part
-def _different(table: Combinations, port: PortGears, elements: Integers, room: Room) -> int:
-    """Find the different ratios of a set; return the number of ratios."""
+def _find_different(
+    table: Combinations,
+    port: PortGears,
+    elements: Integers,
+    room: PortRoom,
+    of_places: tuple[Integers, Integers],
+) -> int:
+    """Find the different ratios of a set, and the elements in use; return the number of ratios.
+
+    `of_places` receives the number of the ratio of each combination of places, and the places that
+    it uses, as bits.
+    """
+    ratio_of, used = of_places
     put(elements, room.sets.chosen)
     count = find_ratios(table, port, room.sets)
     for number in range(count):
@@ -212,12 +271,12 @@ def _different(table: Combinations, port: PortGears, elements: Integers, room: R
     for subset in range(len(table.places)):
         which = number_of(table, elements, subset)
         ratio = port.ratio_of[which]
-        room.cells.ratio_of[subset] = -1
-        room.cells.chains.used[subset] = 0
+        ratio_of[subset] = -1
+        used[subset] = 0
         for place in table.places[subset]:
             if (port.loaded[which] >> elements[place]) & 1:
-                room.cells.chains.used[subset] |= 1 << place
+                used[subset] |= 1 << place
         for number in range(count):
             if room.sets.ratios[number] == ratio:
-                room.cells.ratio_of[subset] = number
+                ratio_of[subset] = number
     return count

@@ -7,9 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled_part
+from vstatics.core.numerics.compiled import compiled_part, fill, shared
 
 
+@shared
 class MatchRoom(NamedTuple):
     """Work arrays for matchings, each of shape (targets,)."""
 
@@ -48,7 +49,7 @@ def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
     >>> bool(matched(np.array([1, 1]), 2, room))
     False
     """
-    room.chosen[:] = -1
+    fill(room.chosen, -1)
     spare = count - len(room.chosen)
     for ratio in range(count):
         if spare < 0:
@@ -120,7 +121,7 @@ def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
     if not matched(reach, count, room):
         return False
     targets, after = len(room.chosen), room.after
-    after[:] = 0
+    fill(after, 0)
     free = _free(reach, count, room)
     for target in range(targets):
         can_have = reach[room.chosen[target]]

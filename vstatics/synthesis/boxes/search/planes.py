@@ -13,12 +13,13 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part
+from vstatics.core.numerics.compiled import compiled_part, fill, shared
 from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.ranges import has_one_sign
 from vstatics.synthesis.tolerances import LEAST_STIFFNESS, PLANE_ROUNDING
 
 
+@shared
 class PlaneRoom(NamedTuple):
     """Work arrays for planes; a cell extends from -1 to 1 along each gear-set ratio."""
 
@@ -159,7 +160,7 @@ def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int
     corners, sets = len(values), len(plane) - 1
     wanted = 0.5 * (least + most)
     size = 0.0
-    plane[:] = 0.0
+    fill(plane, 0.0)
     for corner in range(corners):
         values[corner] = over[corner] - wanted * under[corner]
         size = max(size, abs(under[corner]))

@@ -44,8 +44,8 @@ def reached(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -
 def has_one_sign(values: Floats) -> bool:
     """Return whether all numbers are positive, or all negative."""
     first = values[0]
-    for value in values[1:]:
-        if value * first <= 0:
+    for corner in range(1, len(values)):
+        if values[corner] * first <= 0:
             return False
     return bool(first != 0)
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, put
+from vstatics.core.numerics.compiled import compiled_part, fill, put, shared
 from vstatics.synthesis.tolerances import (
     BEYOND_WIDTH,
     FIRST_DAMPING,
@@ -39,6 +39,7 @@ LESS_BEYOND = 0.9
 """Largest quotient of successive excesses of a fit that still converges. [-]"""
 
 
+@shared
 class Asked(NamedTuple):
     """Requirements on a gearbox, as arrays."""
 
@@ -56,6 +57,7 @@ class Asked(NamedTuple):
     """Upper bound of ring teeth/sun teeth. [-]"""
 
 
+@shared
 class FitRoom(NamedTuple):
     """Work arrays for a fit."""
 
@@ -137,7 +139,7 @@ def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) 
     True
     """
     count = len(asked.targets)
-    room.pulls[:] = 0.0
+    fill(room.pulls, 0.0)
     total = fitted(parts, chosen, asked, 0.0, room)
     beyond = farthest(room.errors) - 1.0
     if total == math.inf or beyond <= 0:
@@ -248,8 +250,9 @@ def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
 def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
     """Calculate the corner weights at a point, and the derivatives."""
     sets = len(logs)
-    room.corner_weights[:] = 1.0
-    room.slopes[:] = 1.0
+    fill(room.corner_weights, 1.0)
+    for slopes in room.slopes:
+        fill(slopes, 1.0)
     width = asked.high - asked.low
     for number in range(sets):
         size = math.exp(logs[number])

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, put
+from vstatics.core.numerics.compiled import compiled_part, fill, put, shared
 from vstatics.synthesis.boxes.search.cells import (
     RatioCells,
     cells_room,
@@ -42,6 +42,7 @@ MORE_FITS = 50
 """Number of fits after a first solution, in search of a better solution."""
 
 
+@shared
 class CellRoom(NamedTuple):
     """Work arrays for cells and fits."""
 
@@ -53,10 +54,8 @@ class CellRoom(NamedTuple):
     ratio_of: Integers
     """Number of the ratio of each combination of a set, negative without a ratio, shape
     (combinations of a set,)."""
-    least: Floats
-    """Lower ends of the ranges within which a better solution must be, shape (targets,). [-]"""
-    most: Floats
-    """Upper ends of the ranges, shape (targets,). [-]"""
+    better: Asked
+    """Requirements with the ranges within which a better solution must be."""
     steps: Integers
     """Number of examined cells, and the limit; shape (2,)."""
     given_up: Booleans
@@ -79,8 +78,7 @@ def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) ->
         match=match_room(targets),
         chains=chain_room(table, targets, shifts),
         ratio_of=integers(ratios),
-        least=np.zeros(targets),
-        most=np.zeros(targets),
+        better=asked._replace(least=np.zeros(targets), most=np.zeros(targets)),
         steps=np.array([0, NO_END]),
         given_up=np.zeros(1, np.bool_),
         fit=fit_room(targets, sets),
@@ -112,7 +110,6 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
     """
     cells = room.cells
     _begin(reach, asked, room)
-    better = Asked(asked.targets, room.least, room.most, asked.widths, asked.low, asked.high)
     fits = 0
     top = 1
     end = min(room.steps[1], room.steps[0] + MOST_CELLS)
@@ -120,7 +117,7 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
         top -= 1
         room.steps[0] += 1
         target = NONE
-        if is_left(parts, better, cells, room.match, top):
+        if is_left(parts, room.better, cells, room.match, top):
             target = _open_target(len(parts), room, top)
         if target == NONE:
             continue
@@ -147,9 +144,9 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
 
 @compiled_part
 def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
-    room.best[:] = math.inf
-    put(asked.least, room.least)
-    put(asked.most, room.most)
+    fill(room.best, math.inf)
+    put(asked.least, room.better.least)
+    put(asked.most, room.better.most)
     cells = room.cells
     cells.reach[0] = 0
     put(reach, cells.reach[0])
@@ -231,6 +228,6 @@ def _fit(parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
         for target in range(len(chosen)):  # better solutions are within these ranges
             part = math.exp(nearer * asked.widths[target])
             first_end, second_end = asked.targets[target] / part, asked.targets[target] * part
-            room.least[target] = max(asked.least[target], min(first_end, second_end))
-            room.most[target] = min(asked.most[target], max(first_end, second_end))
+            room.better.least[target] = max(asked.least[target], min(first_end, second_end))
+            room.better.most[target] = min(asked.most[target], max(first_end, second_end))
     return total < math.inf

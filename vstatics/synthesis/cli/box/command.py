@@ -74,8 +74,8 @@ def box_command(
     During the search, finished pieces are kept in DIR.parts or FILE.parts; --resume
     continues from them, also with other options of the selection.
 
-    The search needs numba and networkx, pip install ".[boxes]" in the source folder;
-    diagrams also need matplotlib, ".[boxes,plot]".
+    The search needs networkx, and numba for its speed: pip install ".[boxes]" in the
+    source folder; diagrams also need matplotlib, ".[boxes,plot]".
 
     \b
     Exit status 1: no gearbox is found, the search is not finished, or gearboxes
@@ -140,7 +140,8 @@ class BoxSearchEstimate(NamedTuple):
 
 def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
     """Print the estimated numbers of boxes and files, and the time of the search."""
-    from vstatics.core.numerics.compiled import CACHE
+    from vstatics.core.numerics.code_cache import CACHE
+    from vstatics.core.numerics.compiled import HAS_COMPILER, WITHOUT_COMPILER
     from vstatics.synthesis.boxes.batches.estimate import box_estimate
     from vstatics.synthesis.boxes.batches.found import prepare
 
@@ -171,7 +172,9 @@ def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> No
             f"{count_text(counts[1])} cases, {drawn}, in about {duration_text(writing)}"
         )
         seconds += writing
-    if compiling > LOADING_SECONDS:
+    if not HAS_COMPILER:
+        texts["compiled"] = f"not: {WITHOUT_COMPILER}"
+    elif compiling > LOADING_SECONDS:
         later = "and kept for later calls" if CACHE else "and again at each call: it cannot be kept"
         texts["compiled"] = f"now, in {duration_text(compiling)}, {later}"
     printed = CommandEstimate(

@@ -17,7 +17,8 @@ from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.jobs.piece_file import ASSEMBLED
 from vstatics.core.jobs.stopping import StoppedError
 from vstatics.core.jobs.workers import workers
-from vstatics.core.numerics.compiled import CACHE_TROUBLE
+from vstatics.core.numerics.code_cache import CACHE_TROUBLE
+from vstatics.core.numerics.compiled import HAS_COMPILER, WITHOUT_COMPILER
 from vstatics.synthesis.boxes.batches.cut import cut
 from vstatics.synthesis.boxes.batches.found import prepare
 from vstatics.synthesis.boxes.batches.work import (
@@ -63,6 +64,8 @@ class BoxRun(NamedTuple):
 def carry_out(run: BoxRun) -> int:
     """Search, write the found boxes, print a summary and return the exit status."""
     began = time.perf_counter()
+    if not HAS_COMPILER:
+        files.say(f"warning: {WITHOUT_COMPILER}")
     with progress(None, "made ready", quiet=run.quiet):
         prepare(run.asked.search)  # once, not in every process
         count = cut(run.asked.search)

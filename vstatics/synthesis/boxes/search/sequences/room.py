@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.compiled import shared
 from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, WantedSequence
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
@@ -20,6 +21,7 @@ NARROW_SEQUENCE_CELL = 1.01
 """Quotient of the bounds of a gear-set ratio below which a cell is not halved further. [-]"""
 
 
+@shared
 class Sequence(NamedTuple):
     """Number and spacing of the forward gears that a gearbox shall have."""
 
@@ -61,6 +63,7 @@ def _ends(given: tuple[float, float]) -> tuple[float, float]:
     return math.log(low) - TARGET_MARGIN, math.inf if no_end else math.log(high) + TARGET_MARGIN
 
 
+@shared
 class ChoiceRoom(NamedTuple):
     """Work arrays for choices of ratios: of the targets, then of a sequence."""
 
@@ -82,6 +85,7 @@ class ChoiceRoom(NamedTuple):
     """Number of trial assignments of ratios to gears so far, shape (1,)."""
 
 
+@shared
 class SequenceRoom(NamedTuple):
     """Work arrays for a stack of cells and for sequences."""
 
