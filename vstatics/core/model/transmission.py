@@ -333,6 +333,7 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         name=gear.name or str(number),
         drag=_by_load(gear.drag, abs(torque)),
         open_drag=_by_load(gear.open_drag, abs(torque)),
+        loss_torques=_by_load(gear.loss_torques, abs(torque)),
         balance=gear.balance
         and gear.balance._replace(efficiencies=tuple(gear.balance.efficiencies)),
         speed_ratios={number: float(ratio) for number, ratio in gear.speed_ratios.items()},

@@ -11,6 +11,8 @@ import numpy as np
 from vstatics.core.errors import CaseError, Problem, quoted
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.points.gear_loss import brake_torque, braked_torques
+from vstatics.core.statics.power import loss_name
 from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
@@ -196,7 +198,9 @@ class CycleSteps(NamedTuple):
     @property
     def _turned(self) -> Transmission:
         gears = [
-            gear._replace(input=self.case.gear_output(gear), output=self.case.gear_input(gear))
+            gear._replace(
+                input=self.case.gear_output(gear), output=self.case.gear_input(gear), loss=None
+            )
             for gear in self.case.gears
         ]
         return self.case.replace(gears=gears, outputs=())
@@ -221,14 +225,56 @@ class CycleSteps(NamedTuple):
             raise CaseError(problems) from None
 
     def engine_torques(self, rows: Integers) -> Floats:
-        """Return engine torques with all losses, in the direction of the engine [N*m]."""
-        loads = self._from_wheels(rows)
-        given = self._given(self._turned, rows, loads)
-        return -given * np.sign(self.at(rows).link_speeds("input"))
+        """Return engine torques with all losses, in the direction of the engine [N*m].
 
-    def add_losses(self, rows: Integers, lost: CycleLosses) -> None:
+        Raises
+        ------
+        CaseError
+            If no torque, or more than one, is consistent with the loss of a gear as a whole.
+        """
+        here, loads = self.at(rows), self._from_wheels(rows)
+        speeds = here.link_speeds("input")
+        torques = -self._given(self._turned, rows, loads) * np.sign(speeds)
+        for number, gear in enumerate(self.case.gears):
+            if gear.loss is not None:
+                of_gear = np.flatnonzero(here.gears == number)
+                torques[of_gear] = self._with_loss(rows, of_gear, speeds, torques)
+        return torques
+
+    def _with_loss(
+        self, rows: Integers, of_gear: Integers, speeds: Floats, torques: Floats
+    ) -> Floats:
+        """Return engine torques with the loss of their gear as a whole [N*m]."""
+        loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
+        if loss is None:
+            return torques[of_gear]
+        with_loss, counts = braked_torques(loss, np.abs(speeds[of_gear]), torques[of_gear])
+        problems = [
+            Problem(
+                "E424",
+                f"{'no torque is' if count == 0 else 'more than one torque is'} consistent with "
+                "the loss of the gear as a whole",
+                (int(rows[row]),),
+            )
+            for row, count in zip(of_gear, counts, strict=True)
+            if count != 1
+        ]
+        if problems:
+            raise CaseError(problems)
+        return with_loss
+
+    def add_losses(self, rows: Integers, engine: Floats, lost: CycleLosses) -> None:
         """Add the losses of rows without braking beyond the overrun."""
         lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
+        here = self.at(rows)
+        speeds = np.abs(here.link_speeds("input"))
+        for number, gear in enumerate(self.case.gears):
+            own = here.gears == number
+            if gear.loss is not None and own.any():
+                brake = brake_torque(gear.loss, speeds[own], np.abs(engine[rows][own]))
+                energy = float((brake * speeds[own]) @ here.trace.duration[own])
+                name = loss_name(gear)
+                lost.energies[name] = lost.energies.get(name, 0.0) + energy
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
         """Add the losses of rows at overrun, and return the energy of the brakes [J]."""

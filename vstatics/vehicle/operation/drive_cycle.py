@@ -103,7 +103,7 @@ def drive(
         if over.any():
             engine[over] = vehicle.overrun_torque(speeds[over])
         for rows in _blocks((trace.speed > 0) & ~over):
-            steps.add_losses(rows, lost)
+            steps.add_losses(rows, engine, lost)
         brakes = math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
     energy = CycleEnergy(
         float((engine * speeds) @ trace.duration),

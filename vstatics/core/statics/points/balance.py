@@ -1,11 +1,12 @@
 """Search for the torque on a link that balances the powers of electric machines and a battery.
 
 A link gives its machine the power ``P = -external torque x speed``; the battery receives
-``P x efficiency``, or gives ``P/efficiency`` if P is below 0. The surplus is the sum over all
-machines minus the charging power that the case demands. It is a piecewise nearly linear function of
-the unknown torque. It is calculated on a grid of torques of both signs and all sizes. In the first
-`MOST_SOLUTIONS` intervals in which its sign changes, roots are searched for by the Illinois rule
-(Dowell, Jarratt 1971) and bisection.
+``P x efficiency``, or gives ``P/efficiency`` if P is below 0. An efficiency can depend on the speed
+and the torque of its machine. The surplus is the sum over all machines minus the charging power
+that the case demands. It is a piecewise nearly linear function of the unknown torque. It is
+calculated on a grid of torques of both signs and all sizes. In the first `MOST_SOLUTIONS` intervals
+in which its sign changes, roots are searched for by the Illinois rule (Dowell, Jarratt 1971) and
+bisection.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from vstatics.core.errors import CaseError, spoken
+from vstatics.core.model.parts import RAD_PER_RPM, Law
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.tolerances import BALANCED, EPSILON
@@ -25,6 +27,7 @@ from vstatics.core.statics.physical import RELATIVE_TO_INPUT
 from vstatics.core.statics.points.laws import Followed, without_laws
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
+from vstatics.core.statics.result_arrays import Outside
 from vstatics.core.statics.results import Results
 
 GRID_SIZE = 65
@@ -58,6 +61,7 @@ class OpenBalance:
     link: int
     """Link with the unknown torque."""
     efficiencies: tuple[tuple[int, float], ...]
+    """Links and efficiencies of machines, which can be laws."""
     battery: Floats
     """Charging power of the battery, shape (points,). [W]"""
 
@@ -72,11 +76,57 @@ class OpenBalance:
         total = -self.battery
         for link, efficiency in self.efficiencies:
             power = -1000 * entering[:, link - 1]
-            total = total + battery_power(power, efficiency)
+            if isinstance(efficiency, Law):
+                speed, torque = self.machine(results, link, power)
+                total = total + battery_power(power, _efficiency(efficiency, speed, torque, power))
+            else:
+                total = total + battery_power(power, efficiency)
         return total
 
+    def machine(self, results: Results, link: int, power: Floats) -> tuple[Floats, Floats]:
+        """Return the magnitude of a machine's speed [rad/s], and its torque along it [N*m].
 
-def battery_power(power: Any, efficiency: float) -> Any:
+        The torque follows from the power given to the machine [W]; it is 0 at rest.
+        """
+        speed = np.abs(results.speeds_rpm[:, self.gear, link - 1]) * RAD_PER_RPM
+        return speed, np.divide(-power, speed, out=np.zeros_like(power), where=speed > 0)
+
+
+def machine_efficiency(law: Law, speed: Any, torque: Any) -> Any:
+    """Return the efficiency of a machine by a map or a formula.
+
+    Parameters
+    ----------
+    law : Law
+        Law over speed and torque. A formula, and a map with torques below 0, has the torque with
+        its sign along the speed: below 0 the machine generates. [-]
+    speed : ndarray
+        Magnitude of the speed. [rad/s]
+    torque : ndarray
+        Torque along the speed. [N*m]
+
+    Examples
+    --------
+    >>> from vstatics.core.model.laws import MapLaw
+    >>> by_sign = MapLaw([-10, 0, 10], [[0, 0.8, 0.7, 0.9], [50, 0.8, 0.7, 0.9]])
+    >>> machine_efficiency(by_sign, np.array([20.0, 20.0]), np.array([10.0, -5.0])).tolist()
+    [0.9, 0.75]
+    """
+    return law.at(*law.sizes_of(speed, machine_torque(law, torque)))
+
+
+def machine_torque(law: Law, torque: Any) -> Any:
+    """Return the torque at which the law of a machine is read [N*m]: signed, or its magnitude."""
+    return torque if law.text or law.columns[0] < 0 else np.abs(torque)  # type: ignore[attr-defined] # a map
+
+
+def _efficiency(law: Law, speed: Floats, torque: Floats, power: Floats) -> Floats:
+    """Return the efficiency of a machine; NaN where a formula gives none though power flows."""
+    values = machine_efficiency(law, speed, torque)
+    return np.where(power == 0, 1.0, np.where((values > 0) & (values <= 1), values, np.nan))
+
+
+def battery_power(power: Any, efficiency: Any) -> Any:
     """Return the charging power of a battery for the power given to a machine.
 
     >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
@@ -146,8 +196,29 @@ def balanced(
     solution = follow(columns, variants)
     results = _with_torques(solution.results, open_balances, columns, unknown)
     return Followed(
-        results, solution.columns, np.where(unknown, unknown, solution.open), solution.outside
+        results,
+        solution.columns,
+        np.where(unknown, unknown, solution.open),
+        {**solution.outside, **_outside(case, open_balances, results)},
+        solution.wrong,
     )
+
+
+def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Results) -> Outside:
+    """Return the points at which a machine is outside the map of its efficiency, by its link."""
+    outside: dict[str, Any] = {}
+    for balance in balances:
+        for link, law in balance.efficiencies:
+            if not isinstance(law, Law) or law.text:
+                continue
+            power = -1000 * results.port_powers_kW[:, balance.gear, link - 1]
+            speed, torque = balance.machine(results, link, power)
+            sizes = law.sizes_of(speed, machine_torque(law, torque))
+            wrong = law.is_outside(*sizes) & (power != 0)  # type: ignore[attr-defined] # a map
+            if wrong.any():
+                none = np.zeros_like(results.consistent)
+                outside.setdefault(case.link_name(link), none)[:, balance.gear] |= wrong
+    return outside
 
 
 def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:
