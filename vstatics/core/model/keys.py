@@ -6,7 +6,7 @@ parts that refer to them, for example.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from vstatics.core.errors import quoted, spoken
@@ -172,8 +172,11 @@ def _map(columns: Any = (), rows: Any = (), unit: Any = "", **others: Any) -> An
     return others if "file" in others else MapLaw(columns, rows, unit)
 
 
-def _map_fault(file: str | None = None, **others: Any) -> str:
-    """Return the reason why a map is not given once; empty if valid."""
+def _map_fault(over: Sequence[str], file: str | None = None, **others: Any) -> str:
+    """Return the reason why a map is not given once, over speed and torque; empty if valid."""
+    if [*over] != ["speed", "torque"]:
+        read = f"[{', '.join(over)}]"
+        return f"read {quoted(read)} in `over`, expected {quoted(MAP)}: a row begins with its speed"
     beside = [quoted(name) for name in ("columns", "rows", "unit") if name in others]
     if file is None or not beside:
         return ""

@@ -111,7 +111,7 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
         if (speed, torque) not in points:
             raise ValueError(f"expected a full grid: there is no value at {_point(speed, torque)}")
     grid = [[speed, *(points[speed, torque][1] for torque in torques)] for speed in speeds]
-    unit = _plain(with_unit(heads[places[-1]])[1])
+    unit = _plain(with_unit(heads[places[-1]])[1] or "")
     return MapLaw(torques, grid, next((known for known in _LOSS_UNITS if known == unit), ""))
 
 
@@ -129,8 +129,7 @@ def _plain(unit: str) -> str:
 
 def _reading(heading: str, values: str) -> _Reading:
     """Return the function that reads the numbers of a column, in SI units."""
-    name, unit = with_unit(heading)
-    name = name.casefold()
+    name, unit = _name(heading), with_unit(heading)[1] or ""
     if name in _MEASURES:
         if not unit:
             raise _expected(values)
