@@ -180,10 +180,10 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
 @pytest.mark.parametrize(
     ("rows", "said"),
     [
-        ("0,0,0.9\n0,5,0.9\n9,0,0.9\n", "a full grid: there is no value at 9 rad/s, 5 N*m"),
+        ("0,0,0.9\n0,5,0.9\n9,0,0.9\n", "a full grid: there is no value at 9 rad/s, 5 N"),
         (
             "0,0,0.9\n0,0,0.8\n",
-            "line 3: 0 rad/s, 0 N*m is on line 2, too; expected each point once",
+            "line 3: 0 rad/s, 0 N.m is on line 2, too; expected each point",
         ),
         ("0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n", r"rows\[1\]\[2\]: read 1.2, expected an efficiency"),
         ("0,0,0.9\n0,5,0.9\n", r"rows: read 1 of speeds, expected two speeds or more"),
