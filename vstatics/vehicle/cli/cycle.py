@@ -23,7 +23,7 @@ from vstatics.core.errors import CaseError, Problem, ReadError, of_file
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.results import Results
 from vstatics.core.tables import csv
-from vstatics.core.tables.grid import Grid, grid_of
+from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.case.vehicle import Vehicle
 
 if TYPE_CHECKING:
@@ -31,6 +31,10 @@ if TYPE_CHECKING:
     from vstatics.vehicle.operation.drive_cycle import CycleAnswer, DriveCycle
     from vstatics.vehicle.operation.shifting import ShiftSpeed
     from vstatics.vehicle.operation.trace import Trace
+
+
+_PARTS = {"battery_lost": "lost: battery", "machine_lost": "lost: machine"}
+"""Names of energies in the printed table, where they differ from those in JSON."""
 
 
 def _speed(text: str) -> float:
@@ -116,7 +120,8 @@ def cycle_command(
     brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
     which the engine would exceed its full load or its largest speed. A gear with
     other machines, from a balance or from given speeds or torques, is an error. Fuel needs a
-    map in the vehicle: `fuel: {file: fuel.csv}`.
+    map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` in place of `engine` the
+    vehicle is electric: energy of the battery, consumption, and recuperation.
 
     \b
     Examples:
@@ -156,12 +161,19 @@ def _shown(
 
     def tables() -> Iterator[Grid]:
         energy = driven.energy
-        parts = ("engine", "wheels", "inertias", "brakes")
-        rows = [(name, getattr(energy, name)) for name in parts]
+        parts = (
+            *("battery", "battery_lost", "machine_lost", "machine", "engine"),
+            *("wheels", "inertias", "brakes"),
+        )
+        known = ((name, getattr(energy, name)) for name in parts)
+        rows = [(word(_PARTS.get(name, name)), part) for name, part in known if part is not None]
         rows += [(f"lost: {name}", loss) for name, loss in energy.lost.items() if loss]
         yield grid_of("Energy over the cycle", ["", "energy, J"], rows, key="energy")
-        row = driven.duration, driven.distance, driven.fuel
-        headings = "duration, s", "distance, m", "fuel, g"
+        row = [driven.duration, driven.distance, driven.fuel]
+        headings = ["duration, s", "distance, m", "fuel, g"]
+        if driven.battery is not None and driven.consumption is not None:
+            row[2:] = [driven.consumption, driven.battery.out, driven.battery.returned]
+            headings[2:] = ["kWh/100 km", "from battery, J", "to battery, J"]
         yield grid_of("Cycle", headings, [row], key="cycle")
 
     def answer() -> CycleAnswer:

@@ -125,6 +125,12 @@ class CycleSteps(NamedTuple):
         force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
         return np.where(trace.speed > 0, force, 0.0)
 
+    @property
+    def asked_forces(self) -> Floats:
+        """Wheel forces that the engine is asked for, or the machine, whose part may be less [N]."""
+        forces = self.forces
+        return np.where(forces < 0, self.vehicle.recuperation * forces, forces)
+
     def link_speeds(self, kind: str) -> Floats:
         """Return the speeds of the input or output links [rad/s]."""
         link_of = self.case.gear_input if kind == "input" else self.case.gear_output
@@ -140,13 +146,14 @@ class CycleSteps(NamedTuple):
 
     def course(self, engine: Floats) -> dict[str, Floats]:
         """Return the columns of the steps by heading, with values at mid-step."""
+        drive = "machine" if self.vehicle.machine else "engine"
         starts = np.array(self.trace.table.numbers["time"][:-1])
         return {
             "time [s]": starts + self.trace.duration / 2,
             "speed [km/h]": 3.6 * self.trace.speed,
             GEAR_NUMBER: np.add(self.gears, 1, dtype=np.float64),
-            "engine speed [rpm]": self.engine_speeds * 30 / math.pi,
-            "engine torque [N*m]": engine,
+            f"{drive} speed [rpm]": self.engine_speeds * 30 / math.pi,
+            f"{drive} torque [N*m]": engine,
             "wheel force [N]": self.forces,
         }
 
@@ -191,7 +198,7 @@ class CycleSteps(NamedTuple):
         """Solve the transmission with output and input exchanged."""
         here = self.at(rows)
         speeds = here.link_speeds("output")
-        torques = -here.forces * self.vehicle.radius / self.vehicle.final_drive
+        torques = -here.asked_forces * self.vehicle.radius / self.vehicle.final_drive
         points = DutyPoints(self.gears[rows], speeds, torques * np.sign(speeds), np.ones(len(rows)))
         return self._solved(self._turned, rows, points)
 
@@ -263,8 +270,11 @@ class CycleSteps(NamedTuple):
             raise CaseError(problems)
         return with_loss
 
-    def add_losses(self, rows: Integers, engine: Floats, lost: CycleLosses) -> None:
-        """Add the losses of rows without braking beyond the overrun."""
+    def add_losses(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
+        """Add the losses of rows without braking beyond the overrun.
+
+        Return the energy of the brakes, which take the part that a machine is not asked for [J].
+        """
         lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
         here = self.at(rows)
         speeds = np.abs(here.link_speeds("input"))
@@ -275,6 +285,8 @@ class CycleSteps(NamedTuple):
                 energy = float((brake * speeds[own]) @ here.trace.duration[own])
                 name = loss_name(gear)
                 lost.energies[name] = lost.energies.get(name, 0.0) + energy
+        power = (here.asked_forces - here.forces) * here.trace.speed
+        return float(power @ here.trace.duration)
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
         """Add the losses of rows at overrun, and return the energy of the brakes [J]."""

@@ -64,7 +64,7 @@ def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicl
     if vehicle is None:
         message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
         raise CaseError("E427", message)
-    if not vehicle.engine:
+    if not vehicle.full_load:
         message = "the vehicle has no `engine`, expected its full load: [[rad/s, N*m], ...]"
         raise CaseError("E442", message)
     pull = Traction(bare(case), vehicle)

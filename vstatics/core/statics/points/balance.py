@@ -25,6 +25,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.tolerances import BALANCED, EPSILON
 from vstatics.core.statics.physical import RELATIVE_TO_INPUT
 from vstatics.core.statics.points.laws import Followed, without_laws
+from vstatics.core.statics.points.machines import battery_power, efficiency_at, machine_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
 from vstatics.core.statics.result_arrays import Outside
@@ -76,11 +77,8 @@ class OpenBalance:
         total = -self.battery
         for link, efficiency in self.efficiencies:
             power = -1000 * entering[:, link - 1]
-            if isinstance(efficiency, Law):
-                speed, torque = self.machine(results, link, power)
-                total = total + battery_power(power, _efficiency(efficiency, speed, torque, power))
-            else:
-                total = total + battery_power(power, efficiency)
+            speed, torque = self.machine(results, link, power)
+            total = total + battery_power(power, efficiency_at(efficiency, speed, torque, power))
         return total
 
     def machine(self, results: Results, link: int, power: Floats) -> tuple[Floats, Floats]:
@@ -90,49 +88,6 @@ class OpenBalance:
         """
         speed = np.abs(results.speeds_rpm[:, self.gear, link - 1]) * RAD_PER_RPM
         return speed, np.divide(-power, speed, out=np.zeros_like(power), where=speed > 0)
-
-
-def machine_efficiency(law: Law, speed: Any, torque: Any) -> Any:
-    """Return the efficiency of a machine by a map or a formula.
-
-    Parameters
-    ----------
-    law : Law
-        Law over speed and torque. A formula, and a map with torques below 0, has the torque with
-        its sign along the speed: below 0 the machine generates. [-]
-    speed : ndarray
-        Magnitude of the speed. [rad/s]
-    torque : ndarray
-        Torque along the speed. [N*m]
-
-    Examples
-    --------
-    >>> from vstatics.core.model.laws import MapLaw
-    >>> by_sign = MapLaw([-10, 0, 10], [[0, 0.8, 0.7, 0.9], [50, 0.8, 0.7, 0.9]])
-    >>> machine_efficiency(by_sign, np.array([20.0, 20.0]), np.array([10.0, -5.0])).tolist()
-    [0.9, 0.75]
-    """
-    return law.at(*law.sizes_of(speed, machine_torque(law, torque)))
-
-
-def machine_torque(law: Law, torque: Any) -> Any:
-    """Return the torque at which the law of a machine is read [N*m]: signed, or its magnitude."""
-    return torque if law.text or law.columns[0] < 0 else np.abs(torque)  # type: ignore[attr-defined] # a map
-
-
-def _efficiency(law: Law, speed: Floats, torque: Floats, power: Floats) -> Floats:
-    """Return the efficiency of a machine; NaN where a formula gives none though power flows."""
-    values = machine_efficiency(law, speed, torque)
-    return np.where(power == 0, 1.0, np.where((values > 0) & (values <= 1), values, np.nan))
-
-
-def battery_power(power: Any, efficiency: Any) -> Any:
-    """Return the charging power of a battery for the power given to a machine.
-
-    >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
-    [1.6, -2.5]
-    """
-    return np.where(power > 0, power * efficiency, power / efficiency)
 
 
 def balanced(
