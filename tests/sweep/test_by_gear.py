@@ -73,6 +73,13 @@ def test_every_format_has_the_gear(file: Path, suffix: str) -> None:
     assert (read.variants, read.gears) == ([1, 0], ["low, 1"] * 2)
 
 
+def test_the_last_line_counts_the_gears_of_each_variant(file: Path) -> None:
+    asked = "--vary", "set.ratio=-2,-3", "--by", "gear", "--out", "ratio"
+    said = run("sweep", file, *asked).err
+    assert "<stdout>: 6 rows of 6 gears, 3 in each variant" in said
+    assert said.endswith(" gears a second\n")
+
+
 def test_many_jobs_and_several_pieces_give_the_same_rows(
     file: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -75,6 +75,7 @@ def test_a_dragged_gear_that_drives_a_further_output_has_what_leaves_there() -> 
         ("energy: {low: 1}\ntime: {low: 1}", "expected `energy` or `time`"),
         ("low", "expected `energy` or `time`"),
         ("", "the file is empty"),
+        (CASE, "this is a case, expected `energy` or `time` with a share for each gear"),
     ],
 )
 def test_what_is_wrong_with_a_duty_cycle_is_told_with_its_place(

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple, get_args
 
-from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.errors import CaseError, Problem, ReadError, of_file
 from vstatics.core.model.shape import ByKey, KeyShape, Shares
+from vstatics.core.readers.kinds import KEYS, is_of_kind
 from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.reader import read_document
@@ -129,6 +130,9 @@ def read_duty(data: bytes, file: str) -> DutyFile:
     >>> read_duty(b'energy: {"1": 1, "2": 3/2}', "duty.yaml").duty
     Duty(kind='energy', shares={'1': 1.0, '2': 1.5})
     """
+    for kind in KEYS:
+        if is_of_kind(kind, data, file):
+            raise ReadError([of_file("E108", file, f"this is a {kind}, expected {EXPECTED}")])
     values, spots = read_document(data, file, DUTY, EXPECTED)
     if len(values) != 1:
         root = spots.place(())

@@ -9,7 +9,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 import vstatics as library
-from tests.commands import BAD, MZKT, NEUTRAL, json_answer, vstatics
+from tests.commands import BAD, CASES, MZKT, NEUTRAL, json_answer, vstatics
 from tests.core.cli.conftest import OPEN
 from vstatics.core.cli.schemas import schemas
 
@@ -43,10 +43,12 @@ def test_check_shows_the_part_of_a_long_line_around_the_place() -> None:
 def test_check_counts_conditions_and_prints_no_tables() -> None:
     """Two links turn freely in a differential of three: two degrees of freedom."""
     assert vstatics("check", "neutral.yaml", "tied.yaml").out.splitlines() == [
-        "neutral.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears; degrees of freedom: 2",
+        "neutral.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears;",
+        "    degrees of freedom: 2",
         "  gear N    1 of 2 constraints: 1 missing (engaged: nothing)",
         "  gear low  2 of 2 constraints: ok (engaged: B)",
-        "tied.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears; degrees of freedom: 2",
+        "tied.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears;",
+        "    degrees of freedom: 2",
         "  gear both  3 of 2 constraints: 1 in excess, tied up (engaged: C B)",
         "  gear low   2 of 2 constraints: ok (engaged: B)",
     ]
@@ -161,6 +163,29 @@ def test_a_neutral_gear_that_is_meant_passes_also_strictly() -> None:
         assert (said.status, said.err) == (0, "")
         assert library.check(io.StringIO(text)) == []
     assert vstatics("check", "-", "--strict", "--allow", "W414", stdin=OPEN_GEAR.encode()).err == ""
+
+
+def test_the_constraints_of_a_neutral_gear_say_that_it_is_meant() -> None:
+    """Three links and a gear set leave two degrees of freedom, of which the input fixes one."""
+    for text, words in ((MEANT, "1 missing, neutral"), (OPEN_GEAR, "1 missing")):
+        said = vstatics("check", "-", stdin=text.encode()).out
+        assert f"gear N       1 of 2 constraints: {words} (engaged: nothing)" in said
+
+
+@pytest.mark.parametrize("case", ["driveline-8hp70.yaml", "ravigneaux-gf4a.yaml"])
+def test_no_line_of_constraints_is_wider_than_a_terminal(case: str) -> None:
+    said = vstatics("check", str(CASES / case)).out.splitlines()
+    assert said[1].startswith("    ")
+    assert max(map(len, said)) <= 80
+
+
+def test_many_engaged_shift_elements_continue_on_a_line_of_their_own() -> None:
+    names = [f"clutch_number_{number}" for number in range(7)]
+    clutches = ", ".join(f"{name}: [in, ring]" for name in names)
+    text = TWO_SPEED.replace("{B:", f"{{{clutches}, B:") + f"gears: {{1: [{', '.join(names)}]}}\n"
+    said = vstatics("check", "-", stdin=text.encode()).out.splitlines()
+    assert max(map(len, said)) <= 80
+    assert " ".join(names) in " ".join(" ".join(said).split())
 
 
 def test_a_gear_marked_as_neutral_that_drives_gets_a_warning() -> None:

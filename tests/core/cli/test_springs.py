@@ -109,7 +109,8 @@ def test_every_picture_is_drawn_or_told_to_be_none(kind: str) -> None:
 def test_check_counts_springs() -> None:
     counts = "7 links, 2 shift elements, 2 mechanisms, 3 springs, 2 gears"
     assert counts in vstatics("check", "box.yaml").out
-    assert "1 spring, 1 gear; degrees of freedom: 0" in vstatics("check", "mass.yaml").out
+    said = " ".join(vstatics("check", "mass.yaml").out.split())
+    assert "1 spring, 1 gear; degrees of freedom: 0" in said
 
 
 @pytest.mark.parametrize("name", ["box", "drawn", "four"])

@@ -198,3 +198,17 @@ elements:
     text = vstatics("run", "--pretty", "-", "--coast", stdin=worm).out
     line = next(line for line in gear_lines(text) if "40.0" in line)
     assert line.split() == ["1", "40.000", "-", "-", "1400", "m", "self-locking"]
+
+
+@pytest.mark.parametrize(
+    ("load", "words"),
+    [
+        ("", "1.00 is the input speed or torque"),
+        ("load: {speed: 1000 rpm}\n", "1.00 is the input torque"),
+        ("load: {speed: 1000 rpm, torque: 90 N*m}\n", ""),
+    ],
+)
+def test_the_legend_says_which_numbers_are_relative(load: str, words: str) -> None:
+    """With a speed alone, planet speeds are in rpm, and only torques are relative."""
+    text = shown(HUB.format(ratio=-2) + load)
+    assert [*re.findall("1.00 is .*", text)] == [words] * bool(words)

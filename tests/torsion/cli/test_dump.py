@@ -132,7 +132,7 @@ def test_a_case_in_json(tmp_path: Path) -> None:
 
 def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
     answer = vstatics("torsion", "dump", MZKT)
-    assert answer.fails("the case has no `dump`, expected the links of `J1` to `J5`")
+    assert answer.fails("the case has no `dump`, expected the links of engine `J1`")
     file = tmp_path / "case.yaml"
     file.write_text(VAZ[: VAZ.index("dump:")], "utf-8")
     answer = vstatics("torsion", "dump", file)

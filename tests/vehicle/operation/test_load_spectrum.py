@@ -92,6 +92,21 @@ def test_planets_turn_on_their_pins() -> None:
     assert np.isnan([one.torque.largest, one.equivalent_torque]).all()
 
 
+def test_a_clutch_that_slips_only_without_torque_has_no_equivalent_torque() -> None:
+    """C slips in low, where it is disengaged, and carries torque in direct, where it sticks."""
+    case = loads(
+        "links: [s, r, c]\nshift_elements: {B: [r, housing], C: [s, c]}\n"
+        "mechanisms: {P: {first: s, second: r, third: c, ratio: -2}}\n"
+        "gears: {low: [B], direct: [C]}\n",
+        format="yaml",
+    )
+    both = points((100.0, 20.0, 10.0), (100.0, 20.0, 50.0))._replace(gears=np.array([0, 1]))
+    clutch = spectrum(case, both).members["C"]
+    assert (clutch.torque.largest, clutch.torque.row) == (pytest.approx(20), 2)
+    assert clutch.revolutions == pytest.approx(100 * (1 - 1 / 3) * 10 / (2 * math.pi))
+    assert math.isnan(clutch.equivalent_torque)
+
+
 def test_shares_give_mean_powers() -> None:
     made = spectrum(PAIRS, points((100.0, 20.0, 3.0), (100.0, 10.0, 1.0), are_shares=True))
     assert made.energy.in_ == pytest.approx(2000 * 0.75 + 1000 * 0.25)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Annotated, NamedTuple, TypeAlias
 
@@ -28,7 +29,7 @@ from vstatics.core.statics.status import CONFLICT, TIED_UP
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.answer import Words, as_json, line, plain_data
 from vstatics.core.tables.grid import Grid, grid_of
-from vstatics.core.tables.text import lines
+from vstatics.core.tables.text import broken, lines
 
 
 class ProblemRecord(NamedTuple):
@@ -105,6 +106,7 @@ def constraints(file: str, results: Results) -> Grid:
         unloaded = results.gear_at(index).unloaded if missing else ()
         faults = [f"{spoken(unloaded)} unloaded"] * bool(unloaded)
         faults += [f"{missing} missing"] * bool(missing and not unloaded)
+        faults += ["neutral"] * bool(missing and gear.kind == "neutral")
         faults += [f"{excess} in excess"] * bool(excess)
         faults += [TIED_UP.english] * bool(tied_up)
         faults += [CONFLICT.english] * bool(conflict)
@@ -278,8 +280,11 @@ def _as_text(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
         failed |= fails
         files.show(once.first(_printed(file, problems, options.telling)))
         if grid is not None and (fails or not options.telling.quiet):
-            text += [f"{constraints_line}\n" for constraints_line in lines(grid, indent="  ")]
-    return "".join(text), failed
+            head, *gears = lines(grid, indent="  ")
+            text += broken(re.split("(?<=[,;]) ", head))
+            for gear in gears:
+                text += broken(gear.split(" "))
+    return "".join(f"{printed}\n" for printed in text), failed
 
 
 def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tuple[str, bool]:

@@ -22,6 +22,7 @@ from vstatics.core.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.core.tables.html import table
 from vstatics.core.tables.ports import port_tables, ports_grid
 from vstatics.core.tables.quantities import Table, headed
+from vstatics.core.tables.text import broken
 from vstatics.core.tables.values import tables
 from vstatics.core.texts import tr
 
@@ -51,8 +52,8 @@ def view(
 ) -> Group:
     """Return a table of the gears of a case, with a legend.
 
-    If the table is wider than the terminal, names of shift elements become numbers, and then the
-    largest speeds and torques get a table of their own.
+    If the table is wider than the terminal, names of shift elements become numbers, which a line
+    above the table explains, and then the largest speeds and torques get a table of their own.
 
     Parameters
     ----------
@@ -83,14 +84,16 @@ def view(
     gears = gears_grid(results, marks, digits)
     names = [element.name for element in case.shift_elements]
     numbered = sum(map(len, names)) > NAMES_IN_HEADS and terminal.natural_width(gears) > width
+    key = list[Text]()
     if numbered:
         gears = gears_grid(results, marks, digits, numbered=True)
+        key = [Text(line, style="dim") for line in _numbers(names, width)]
     parts = [gears] if terminal.whole_width(gears) <= width else [*_split(gears)]
-    lines = [*_legend(results, gears, marks, names=numbered), *_inverses(results, digits)]
+    lines = [*_legend(results, gears, marks), *_inverses(results, digits)]
     legend = (Text(line, style="dim") for line in lines)
     ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
     tables = (table for part in parts for table in terminal.tables(part, width))
-    return Group(*title, *tables, *legend, *ports)
+    return Group(*title, *key, *tables, *legend, *ports)
 
 
 def gears_grid(
@@ -241,12 +244,15 @@ def _all_roles(results: Results) -> set[Role]:
     return {role for gear in gears for role in roles(results, gear)}
 
 
-def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iterator[str]:
+def _numbers(names: Sequence[str], width: int) -> list[str]:
+    """Return lines that explain the numbers of shift elements."""
+    *first, last = (f"{number} {name}" for number, name in enumerate(names, 1))
+    return broken([f"{tr('shift elements')}:", *(f"{text}," for text in first), last], width)
+
+
+def _legend(results: Results, gears: Grid, marks: Marks) -> Iterator[str]:
     """Yield lines that explain the marks in the table."""
     case = results.case
-    if names:
-        elements = enumerate(case.shift_elements, 1)
-        yield ", ".join(f"{number} {element.name}" for number, element in elements)
     if case.shift_elements:
         signs = [f"{marks.engaged} {tr('engaged')}", f"{marks.open} {tr('disengaged')}"]
         signs += [f"{marks.holds} {tr('freewheel that holds')}"] * bool(case.freewheels)
@@ -259,7 +265,11 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     about *= any(heading.startswith(SPEEDS["planet_speeds"]) for heading in headings)
     if about and (planets := _planets_without_speed(results)):
         about.append(f"{tr('not determined')}: {', '.join(planets)}")
-    about += [tr("1.00 is the input speed or torque")] * ("largest torque" in headings)
+    if "largest torque" in headings:
+        if any(heading in headings for heading in SPEEDS.values()):
+            about.append(tr("1.00 is the input speed or torque"))
+        else:
+            about.append(tr("1.00 is the input torque"))
     if about:
         yield "; ".join(about)
     if case.drawing is None and case.mechanisms:

@@ -78,6 +78,23 @@ def lines(
             yield f"{indent}{gap.join(padded)}".rstrip()
 
 
+def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * INDENT) -> list[str]:
+    """Return the lines of a text that is broken only between its parts.
+
+    Examples
+    --------
+    >>> broken(["1 lock-up,", "2 forward,", "3 reverse"], width=22)
+    ['1 lock-up, 2 forward,', '    3 reverse']
+    """
+    fitting = [parts[0]]
+    for part in parts[1:]:
+        if len(fitting[-1]) + 1 + len(part) <= width:
+            fitting[-1] += f" {part}"
+        else:
+            fitting.append(f"{indent}{part}")
+    return fitting
+
+
 def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:
     """Yield the columns of each part of a table; the first column is repeated."""
     columns, width = [0], widths[0]

@@ -151,6 +151,8 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
         if report.variants == 1 and not run.plan.by_gear
         else f"{report.variants} {what}"
     )
+    if run.plan.by_gear:
+        variants += f", {run.plan.count // run.plan.variants.count} in each variant"
     rate = (report.variants - finished_before) / max(seconds, 1e-9)
     if reasons or not run.quiet:
         files.say(
@@ -190,7 +192,7 @@ def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> Sequence[Problem]
 
 
 def _counted(plan: SweepPlan) -> str:
-    return "gears of variants" if plan.by_gear else "variants"
+    return "gears" if plan.by_gear else "variants"
 
 
 def _tell_removed(where: WhereCondition, report: SweepReport) -> None:

@@ -110,7 +110,8 @@ def gear_dumps(
     if clutch is None:
         raise CaseError(
             "E503",
-            "the case has no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`",
+            "the case has no `dump`, expected the links of engine `J1`, clutch disc `J2` and "
+            "vehicle `J5`, the torque `M_C0` of the slipping clutch, and the engine speed `omega1`",
             ("dump",),
         )
     return [_gear_dump(case, gear, clutch, rate) for gear in asked_gears(case, gears)]

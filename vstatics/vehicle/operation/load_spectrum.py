@@ -51,7 +51,7 @@ class MemberLoad(NamedTuple):
     """Number of revolutions at this kind of speed; per second if points have shares. [-]"""
     equivalent_torque: float
     """``(sum |T|^p n t / sum n t)^(1/p)`` with exponent p, torques T, speeds n, times or shares t;
-    NaN without rotation. [N*m]"""
+    NaN if the member never turns under torque. [N*m]"""
 
 
 @json_keys(in_="in_", out="out", lost="lost")
@@ -186,13 +186,11 @@ def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -
     top = float(np.nanmax(sizes, initial=0.0))
     with np.errstate(all="ignore"):
         mean = float(((sizes / top) ** exponent) @ turned / total) if top and total else math.nan
-    if top == 0 and total:
-        mean = math.nan if np.isnan(torques).all() else 0.0
     return MemberLoad(
         _largest(torques),
         _largest(speeds * 30 / math.pi),
         total / (2 * math.pi),
-        top * mean ** (1 / exponent),
+        top * mean ** (1 / exponent) if mean else math.nan,
     )
 
 

@@ -106,7 +106,7 @@ def test_boxes_are_told_once_and_in_order_whichever_piece_has_them() -> None:
     assert names(Path.cwd()) == ["found.jsonl"]
     said = vstatics("synth", "box", *ASKED)
     assert (said.status, said.err) == (0, "")
-    assert said.out.startswith("1 set, 2 elements, 1 engaged\n\nBoxes\n")
+    assert said.out.startswith("1 set, 2 shift elements, 1 of them engaged in each gear\n\nBoxes\n")
     assert "\nPareto list\n" in said.out
     assert "\nFamilies\n" in said.out
 

@@ -199,6 +199,8 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     measure, size = unit(behind)
     if measure != kind:
         other = f"; this is a {measure}" if measure else slip(text) or usual(behind, kind)
+        if measure == "power":
+            other += ", which a `load` can give as `power`"
         error = UnitError if has_digits(text) else ValueError
         raise error(f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{or_else}{other}")
     value = number * size

@@ -64,11 +64,11 @@ class FoundBoxes:
 
     @property
     def title(self) -> str:
-        """Numbers of sets, elements and engaged elements."""
+        """Numbers of sets, shift elements and engaged shift elements."""
         search = self.search
         sets = f"{search.sets} {plural('set', search.sets)}"
-        elements = f"{search.elements} {plural('element', search.elements)}"
-        return f"{sets}, {elements}, {search.engaged} engaged"
+        elements = f"{search.elements} {plural('shift element', search.elements)}"
+        return f"{sets}, {elements}, {search.engaged} of them engaged in each gear"
 
     def text(self, form: str, style: TextStyle) -> bytes:
         """Return the result in a format; JSON lines have a line for each box."""
