@@ -97,6 +97,7 @@ class TransmissionFields:
     dump: Carried | None = None
     vehicle: Carried | None = None
     fatigue: Mapping[str, Carried] = field(default_factory=dict)
+    bearings: Mapping[str, Carried] = field(default_factory=dict)
     allow: Sequence[str] = ()
     masses: Mapping[int, float] = field(default_factory=dict)
     cylinders: int | None = None

@@ -25,7 +25,7 @@ from vstatics.torsion.cli.response import speeds_of
 
 if TYPE_CHECKING:
     from vstatics.core.numerics.arrays import Floats
-    from vstatics.torsion.random.random_vibration import Excitation, GearRandom
+    from vstatics.torsion.random.random_vibration import Excitation, GearRandom, of_stress
 
 
 @command
@@ -108,8 +108,9 @@ def _lifeless(reading: Reading, gears: Sequence[GearRandom]) -> Iterator[Problem
     """Warn of devices that have a fatigue strength but are not elastic in any gear."""
     excited = [gear for gear in gears if not gear.error]
     elastic = {name for gear in excited for name in gear.devices}
+    strengths = of_stress(reading.case.fatigue)
     for number, name in enumerate(reading.case.fatigue, 1):
-        if excited and name not in elastic:
+        if excited and name in strengths and name not in elastic:
             text = (
                 f"{quoted(name)} is rigid or disengaged, so it has no life; give it a `stiffness`"
             )

@@ -196,10 +196,13 @@ def _as_sweep(driven: DriveCycle) -> Iterator[str]:
     from vstatics.vehicle.operation.trace import blocks
 
     time, *others = driven.steps
-    yield csv.lines([["variant", time, "status", *others]])
+    first = others.index("duration [s]") + 1
+    yield csv.lines([["variant", time, "status", *others[:first], "gear", *others[first:]]])
+    gears = list(map(csv.guarded, driven.gears))
     for block in blocks(len(driven.gears)):
-        numbers = [driven.steps[name][block].tolist() for name in (time, *others)]
-        columns = [range(block.start, block.stop), numbers[0], repeat("ok"), *numbers[1:]]
+        times, *numbers = (driven.steps[name][block].tolist() for name in (time, *others))
+        columns = [range(block.start, block.stop), times, repeat("ok"), *numbers[:first]]
+        columns += [gears[block], *numbers[first:]]
         yield csv.lines((map(str, row) for row in zip(*columns, strict=False)), raw=True)
 
 

@@ -157,6 +157,23 @@ class CycleSteps(NamedTuple):
             "wheel force [N]": self.forces,
         }
 
+    def input_course(self, engine: Floats) -> dict[str, Floats]:
+        """Return the columns of the input link, as points of a duty cycle.
+
+        The torque is that of the engine less that of the inertia of the input link.
+        """
+        moving = self.trace.speed > 0
+        inertia = np.zeros(len(self.gears))
+        signs = np.sign(self.link_speeds("input"))
+        for number, gear in enumerate(self.case.gears):
+            rows = np.flatnonzero((self.gears == number) & moving)
+            inertia[rows] = self._inertia_torque(rows, self.case.gear_input(gear)) * signs[rows]
+        return {
+            "duration [s]": self.trace.duration,
+            "speed [rpm]": np.where(moving, self.engine_speeds, 0.0) * 30 / math.pi,
+            "torque [N*m]": np.where(moving, engine + inertia, 0.0),
+        }
+
     def _inertia_torque(self, rows: Integers, link: int) -> Floats:
         """Return the inertia torque ``-J dw/dt`` of a link in some steps [N*m]."""
         change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive

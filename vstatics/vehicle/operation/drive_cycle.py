@@ -177,6 +177,7 @@ def drive(
     doubts = *notes, *_doubts(steps, beyond), *_overloads(case, steps, lost.held_torques)
     doubts += (outside_message(outside),) * bool(outside)
     messages = not_allowed(doubts, case.untold)
+    course |= steps.input_course(engine)
     consumption = energy.battery and _per_distance(energy.battery, distance)
     return DriveCycle(
         duration,
