@@ -12,7 +12,7 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.core.statics.points.test_maps import Grid, interpolated, random_map
-from vstatics import CaseError, Gear, Mechanism, ReadError, Transmission, loads
+from vstatics import CaseError, Gear, Mechanism, ReadError, ShiftElement, Transmission, loads
 from vstatics.core.model.laws import MapLaw
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.readers.named.law_formulas import EfficiencyFormula
@@ -178,3 +178,42 @@ def test_a_machine_that_cannot_be_is_refused_at_its_place(text: str, said: str) 
         loads(CAR % text)
     assert said in str(caught.value)
     assert ":4:" in str(caught.value)
+
+
+def test_the_gear_of_least_loss_is_that_of_the_least_energy_alone() -> None:
+    """Each step is driven alone in each gear, and the one with the least energy is chosen."""
+    chance = seeded(63)
+    compared = 0
+    for _ in range(count(6, 200)):
+        car, _, _ = random_drive(chance)
+        if chance.random() < 0.5:
+            points = [(0.0, 200.0), (500.0, 260.0), (700.0, 150.0)]
+            car = Vehicle(1500, 0.3, 0.012, 0.6, engine=points, overrun=[(0, -30), (700, -80)])
+        pairs = [Mechanism(n, 4, 0, chance.uniform(4, 16), chance.uniform(0.9, 1)) for n in (2, 3)]
+        case = Transmission(
+            4,
+            [ShiftElement(1, 2, name="A"), ShiftElement(1, 3, name="B")],
+            pairs,
+            [Gear([1], name="1"), Gear([2], name="2")],
+            inertias={1: INERTIA},
+            vehicle=car,
+        )
+        speeds = [chance.uniform(0.5, 25) for _ in range(6)]
+
+        def energy(gear: str, before: float, after: float, case: Transmission = case) -> float:
+            rows = f"time [s],speed [m/s],gear\n0,{before!r},{gear}\n2,{after!r},{gear}\n"
+            alone = drive(case, read_trace(rows.encode(), "t.csv"), GearChoice())
+            if alone.beyond or any(message.id == "W428" for message in alone.messages):
+                return math.inf
+            given = alone.energy.engine if alone.energy.machine is None else alone.energy.battery
+            return math.nan if given is None else given
+
+        lines = [f"{2 * number},{speed!r}" for number, speed in enumerate(speeds)]
+        trace = read_trace("\n".join(["time [s],speed [m/s]", *lines]).encode(), "t.csv")
+        found = drive(case, trace, GearChoice(least_loss=True))
+        for gear, (before, after) in zip(found.gears, pairwise(speeds), strict=True):
+            energies = {name: energy(name, before, after) for name in ("1", "2")}
+            if math.isfinite(min(energies.values())):
+                compared += 1
+                assert energies[gear] == pytest.approx(min(energies.values()), rel=1e-9)
+    assert compared > 10

@@ -56,12 +56,19 @@ def _shifts(text: str) -> list[ShiftSpeed]:
     return read_shifts(text)
 
 
-def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearChoice:
+def _choice(
+    least_speed: float | None, shifts: list[ShiftSpeed] | None, strategy: str | None
+) -> GearChoice:
     from vstatics.vehicle.operation.cycle_steps import GearChoice
 
-    if least_speed is not None and shifts is not None:
-        raise click.UsageError("--least-speed and --shift exclude one another")
-    return GearChoice(least_speed, shifts or ())
+    given = {
+        "--least-speed": least_speed is not None,
+        "--shift": shifts is not None,
+        "--strategy": strategy is not None,
+    }
+    if len(several := [name for name, is_given in given.items() if is_given]) > 1:
+        raise click.UsageError(f"{' and '.join(several)} exclude one another")
+    return GearChoice(least_speed, shifts or (), least_loss=strategy is not None)
 
 
 @command
@@ -84,6 +91,12 @@ def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearC
         callback=value(_shifts),
         metavar="TEXT",
         help="Vehicle speeds of upshifts and downshifts, such as '1-2: 15 km/h/12 km/h'.",
+    ),
+    click.option(
+        "--strategy",
+        type=click.Choice(["least-loss"]),
+        help="Choose in each step the gear in which engine or battery give least energy, or take "
+        "back most, within full load.",
     ),
 )
 @under(
@@ -113,8 +126,8 @@ def cycle_command(
     and `slope` (sine of the angle) or `grade` (rise divided by horizontal distance).
     Published files of driving cycles can be used without changes. In a time step, between
     two rows, the speed is the mean of the rows, the acceleration is constant, and gear and
-    slope are taken from the first row. Without the column `gear`, give --least-speed or
-    --shift.
+    slope are taken from the first row. Without the column `gear`, give --least-speed,
+    --shift or --strategy.
 
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
     brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in

@@ -27,6 +27,7 @@ from vstatics.vehicle.operation.shifting import (
 )
 from vstatics.vehicle.operation.trace import Trace
 from vstatics.vehicle.operation.traction import engine_alone
+from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE, SAME_POWER
 
 
 class GearChoice(NamedTuple):
@@ -35,6 +36,8 @@ class GearChoice(NamedTuple):
     least_speed: float | None = None
     """Least speed of the engine. [rad/s]"""
     shifts: Sequence[ShiftSpeed] = ()
+    least_loss: bool = False
+    """Whether the gear with the least energy of engine or battery is chosen in each step."""
 
 
 class CycleLosses(NamedTuple):
@@ -92,7 +95,13 @@ class CycleSteps(NamedTuple):
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine = EngineSpeeds(wheels, ratios[indices, inputs], vehicle.may_turn)
         driving = np.where(engine_alone(case), results.ratio, math.nan)
-        gears = _gears(case, trace, choice, engine, driving)
+        if choice.least_loss and trace.gears:
+            message = "the column `gear` and --strategy both give the gears, expected one of them"
+            raise CaseError("E426", message, place=trace.place)
+        by_speed = (
+            choice._replace(least_speed=0.0, least_loss=False) if choice.least_loss else choice
+        )
+        gears = _gears(case, trace, by_speed, engine, driving)
         lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
             gear = case.gears[gears[lacking[0]]]
@@ -103,9 +112,62 @@ class CycleSteps(NamedTuple):
             )
             raise CaseError([Problem("E428", message, (int(lacking[0]),))])
         names = [gear.name for gear in case.gears]
-        ways = directions(driving, names) if choice.least_speed is not None else []
+        ways = directions(driving, names) if by_speed.least_speed is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
-        return cls(case, vehicle, trace, gears, ratios, guessed)
+        steps = cls(case, vehicle, trace, gears, ratios, guessed)
+        if not choice.least_loss:
+            return steps
+        return steps._replace(gears=steps._of_least_loss(next(iter(ways), [])))
+
+    def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
+        """Return the forward gears in which engine or battery give least, or take back most.
+
+        Gears beyond full load or the last speed are left out; where none remains, the gears stay.
+        Of gears with equal powers the smallest ratio is chosen.
+        """
+        best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
+        moving = np.flatnonzero(self.trace.speed > 0)
+        for gear in sorted(ahead, key=lambda gear: abs(float(self._input_ratio(gear)))):
+            steps = self._replace(gears=np.full(len(self.gears), gear))
+            rows, powers = steps.powers_of(moving)
+            better = powers < best[rows] - SAME_POWER * np.abs(powers)
+            best[rows[better]], gears[rows[better]] = powers[better], gear
+        return gears
+
+    def _input_ratio(self, gear: int) -> float:
+        """Return the speed of the input relative to the output in a gear [-]."""
+        ratio: float = self.ratios[gear, self.case.gear_input(self.case.gears[gear]) - 1]
+        return ratio
+
+    def powers_of(self, rows: Integers) -> tuple[Integers, Floats]:
+        """Return steps within full load and speed, with the power of engine or battery there [W].
+
+        Steps without torques are left out.
+        """
+        speeds = self.engine_speeds
+        rows = rows[self.vehicle.may_turn(speeds[rows])]
+        torques = np.zeros(0)
+        while rows.size:
+            try:
+                torques = self.engine_torques(rows)
+                break
+            except CaseError as error:
+                lacking = [p.path[0] for p in error.problems if p.path]
+                if not lacking:
+                    raise
+                rows = np.setdiff1d(rows, lacking)
+        turning = speeds[rows]
+        torques = np.maximum(torques, self.vehicle.overrun_torque(turning))
+        full = self.vehicle.full_torque(turning) if self.vehicle.full_load else np.inf
+        within = torques <= full + SAME_ENGINE_TORQUE
+        rows, torques, turning = rows[within], torques[within], turning[within]
+        powers = torques * turning
+        if self.vehicle.machine is not None:
+            machine = self.vehicle.machine
+            powers = machine.battery_power(machine.electric_power(powers, turning, torques))
+            known = np.isfinite(powers)
+            rows, powers = rows[known], powers[known]
+        return rows, powers
 
     def at(self, rows: Integers) -> CycleSteps:
         """Return some of the steps; the trace keeps the whole table."""
