@@ -25,7 +25,7 @@ from vstatics.torsion.cli.response import speeds_of
 
 if TYPE_CHECKING:
     from vstatics.core.numerics.arrays import Floats
-    from vstatics.torsion.random.random_vibration import Excitation, GearRandom, of_stress
+    from vstatics.torsion.random.random_vibration import Excitation, GearRandom
 
 
 @command
@@ -106,6 +106,8 @@ def random_command(
 
 def _lifeless(reading: Reading, gears: Sequence[GearRandom]) -> Iterator[Problem]:
     """Warn of devices that have a fatigue strength but are not elastic in any gear."""
+    from vstatics.torsion.random.random_vibration import of_stress
+
     excited = [gear for gear in gears if not gear.error]
     elastic = {name for gear in excited for name in gear.devices}
     strengths = of_stress(reading.case.fatigue)
