@@ -99,11 +99,8 @@ KNOWN = vstatics/synthesis/boxes/figures/known.jsonl
 known: .venv/dev.stamp ## rewrite the table of gearboxes that synth box names, from cases/
 	$(BIN)/python -m vstatics.synthesis.boxes.figures.shipped $(KNOWN)
 
-bench: .venv/dev.stamp ## the figures of docs/performance.md but those of boxes (C compiler, 5 minutes)
-	$(BIN)/python benchmarks
-
-boxes: .venv/dev.stamp ## the eight-speed search of docs/performance.md (ten minutes)
-	$(BIN)/python benchmarks boxes
+bench: .venv/dev.stamp ## measure the table of docs/performance.md (C compiler, 5 minutes; BOXES=1: the long search, too)
+	$(BIN)/python -m benchmarks $(if $(BOXES),--boxes) --page docs/performance.md
 
 SHA256 = import hashlib, pathlib, sys; [print(hashlib.sha256(pathlib.Path(name).read_bytes()).hexdigest(), "", name) for name in sys.argv[1:]]
 dist: .venv/dev.stamp ## build wheel and source in dist/, with their SHA-256, and try the wheel without extras
@@ -138,4 +135,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-changed browser test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden examples site schema known bench boxes dist clean
+.PHONY: help run test test-changed browser test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden examples site schema known bench dist clean

@@ -1,82 +1,61 @@
-"""Run all benchmarks, or those that are named: ``python benchmarks [--quick] [NAME...]``.
+"""Measure the table of docs/performance.md: ``python -m benchmarks [--page FILE] [WORD...]``."""
 
-Prints their tables in Markdown; each benchmark is a process of its own. With ``--into
-FILE`` the tables also take their places in a document, between the lines
-``<!-- bench: NAME -->`` and ``<!-- end of bench -->``; the machine is NAME ``machine``.
-"""
+from __future__ import annotations
 
 import argparse
+import datetime as dt
+import os
 import re
-import subprocess
 import sys
+import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
-from common import compiled, machine
+from benchmarks.measuring import Row, Setting, heading, machine
+from benchmarks.peer import compiled
+from benchmarks.rows import ROWS
 
-NAMES = (
-    *("variants", "spread", "sizes", "decks", "long_sweeps", "torsion"),
-    *("points", "simulation", "controlled", "startup", "drawing"),
-)
-LONG = ("boxes",)
-"""Those that are run only where they are named."""
-WITHOUT_PEER = (
-    "long_sweeps",
-    "torsion",
-    "points",
-    "simulation",
-    "controlled",
-    "startup",
-    "drawing",
-    "boxes",
-)
-PLACE = "<!-- bench: {} -->\n"
-END = "<!-- end of bench -->"
+PLACE = re.compile(r"(?<=<!-- bench -->\n).*?(?=<!-- end of bench -->)", re.DOTALL)
+ONE_THREAD = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
-def placed(document: str, name: str, text: str) -> str:
-    """The document with a text in its place."""
-    start = re.escape(PLACE.format(name))
-    found = re.compile(f"({start}).*?(?={END})", re.DOTALL)
-    return found.sub(lambda match: f"{match[1]}\n{text.strip()}\n\n", document)
+def table(rows: Sequence[Row], setting: Setting, *, with_long: bool) -> str:
+    """Return a table in Markdown; print each row when it is measured."""
+    lines = [heading()]
+    print(heading(), flush=True)
+    for row in rows:
+        lines.append(row.unmeasured if row.is_long and not with_long else row.measured(setting))
+        print(lines[-1], flush=True)
+    return "\n".join(lines)
+
+
+def with_table(page: str, text: str) -> str:
+    """Return a page with another text between the lines `<!-- bench -->` and its end."""
+    return PLACE.sub(lambda _: f"\n{text}\n\n", page)
 
 
 def main() -> None:
-    """Run them one after another."""
-    known = (*NAMES, *LONG)
-    parser = argparse.ArgumentParser(prog="benchmarks", description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="less work: do they run at all?")
-    parser.add_argument("--peer", type=Path, metavar="PROGRAM", help="another peer, same usage")
-    parser.add_argument("--into", type=Path, metavar="FILE", help="a document with their places")
-    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(known))
+    """Measure all rows, or those that contain a word, and write them to a page."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks")
+    parser.add_argument("--boxes", action="store_true", help="also the search for eight gears")
+    parser.add_argument("--page", type=Path, metavar="FILE", help="page that gets the table")
+    parser.add_argument("--peer", type=Path, metavar="PROGRAM", help="instead of the peer in C")
+    parser.add_argument("words", nargs="*", metavar="WORD", help="only rows with one of the words")
     given = parser.parse_args()
-    if unknown := set(given.names) - set(known):
-        parser.error(f"no benchmark {', '.join(sorted(unknown))}: choose of {', '.join(known)}")
-    names = given.names or NAMES
-    peer = None
-    if not set(names) <= set(WITHOUT_PEER):
-        peer = given.peer.resolve() if given.peer else compiled()
-    texts = {"machine": f"{machine()}. Times are medians of alternating runs.\n"}
-    print(texts["machine"], end="", flush=True)
-    failed = []
-    for name in names:
-        command = [sys.executable, str(Path(__file__).with_name(f"{name}.py"))]
-        command += ["--quick"] * given.quick
-        if name not in WITHOUT_PEER:
-            command += ["--peer", str(peer)]
-        run = subprocess.run(command, check=False, stdout=subprocess.PIPE, text=True)
-        print(run.stdout, end="", flush=True)
-        if run.returncode:
-            failed.append(name)
-        else:
-            texts[name] = run.stdout
-    if given.into:
-        document = given.into.read_text(encoding="utf-8")
-        for name, text in texts.items():
-            document = placed(document, name, text)
-        given.into.write_text(document, encoding="utf-8")
-    if failed:
-        sys.exit(f"failed: {', '.join(failed)}")
+    words = given.words or [""]
+    rows = [row for row in ROWS if any(word in row.calculation for word in words)]
+    with tempfile.TemporaryDirectory() as folder:
+        peer = given.peer.resolve() if given.peer else compiled(Path(folder))
+        text = table(rows, Setting(Path(folder), peer), with_long=given.boxes)
+    if given.page:
+        command = "make bench BOXES=1" if given.boxes else "make bench"
+        origin = f"{machine()}, {dt.datetime.now(tz=dt.UTC).date()}, `{command}`:"
+        page = given.page.read_text(encoding="utf-8")
+        given.page.write_text(with_table(page, f"{origin}\n\n{text}"), encoding="utf-8")
 
 
 if __name__ == "__main__":
+    if any(os.environ.get(name) != number for name, number in ONE_THREAD.items()):
+        again = [sys.executable, "-m", "benchmarks", *sys.argv[1:]]
+        os.execve(sys.executable, again, {**os.environ, **ONE_THREAD})  # noqa: S606
     main()

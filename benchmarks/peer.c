@@ -12,7 +12,7 @@
  *                        prints the sum of Mx with losses in the first gear and of the
  *                        efficiency in the last one
  *
- * CASE is a text of numbers, written by numeric.py, which tells their order.
+ * CASE is a text of numbers, written by peer.py, which states their order.
  */
 #include <math.h>
 #include <stdio.h>

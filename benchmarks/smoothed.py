@@ -1,225 +1,144 @@
-"""Motions by `scipy.integrate.solve_ivp`: the same equations with smoothed friction.
+"""Motions by `scipy.integrate.solve_ivp`, with friction smoothed to ``capacity*tanh(slip/s)``.
 
-As one would write them for one case by hand, in plain NumPy: constant matrices are made once,
-stiff runs get their Jacobian and go from break point to break point.
+The equations are those of `vstatics.simulation.simulate`, as an engineer would write them for one
+case: constant matrices, their Jacobian, and BDF from break point to break point. The state consists
+of independent speeds and the twists of springs.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from functools import partial
 from itertools import pairwise
-from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
-from vstatics.core.statics.matrix import column
-from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.scenario.parts import Capacity, Scenario
+from vstatics.core.numerics.arrays import Floats
+from vstatics.simulation import Capacity, Formula, Motion, Points, Scenario
+from vstatics.simulation.run import begun
+from vstatics.simulation.system.matrices import MotionSystem
 
-Array = np.ndarray[Any, Any]
+SMOOTHING = 1e-7
+"""Slip at which three quarters of the capacity act. [rad/s]"""
+INPUT_TORQUE, OUTPUT_DRAG, DRAG_SMOOTHING = 1500.0, 1200.0, 0.05
+"""Torques on the first and last link of the case with mechanisms [N*m], smoothing [rad/s]."""
 
 
-class Stiff(NamedTuple):
-    """What a stiff run gives."""
+class Plant:
+    """Constant matrices: the derivative of a state x is ``linear @ x + into @ torques``."""
 
-    speeds: Array
-    """Of the links at the end [rad/s]."""
-    locks: dict[int, float]
-    """Index of an element -> when its slip last fell to 0 [s]."""
+    def __init__(self, system: MotionSystem, motion: Motion, *constraints: Floats) -> None:
+        links = len(system.names)
+        rigid = [*(mesh.row for mesh in system.meshes), *constraints, np.zeros(links)]
+        self.free = null_space(np.array(rigid))
+        """Matrix from independent speeds to speeds of links."""
+        springs = system.springs
+        forms = np.array([spring.row for spring in springs]).reshape(-1, links) @ self.free
+        stiffness = np.array([spring.stiffness for spring in springs])
+        self.damping = np.array([spring.viscous for spring in springs])
+        self.speeds = self.free.shape[1]
+        self.springs = np.hstack([self.damping[:, None] * forms, np.diag(stiffness)])
+        """Rows from the state to the torques of springs."""
+        inverse = np.linalg.inv(self.free.T @ system.mass @ self.free)
+        self.into = np.vstack([inverse, np.zeros((len(springs), self.speeds))])
+        self.linear = -self.into @ forms.T @ self.springs
+        self.linear[self.speeds :, : self.speeds] = forms
+        torques = np.array([motion.torques[0, motion.devices.index(one.name)] for one in springs])
+        speeds = np.linalg.lstsq(self.free, motion.speeds[0], rcond=None)[0]
+        self.start = np.concatenate([speeds, torques / stiffness])
+
+
+class OpenLoop(Plant):
+    """Scenario of capacities over time; the last spring can slip at its limit."""
+
+    def __init__(self, scenario: Scenario, motion: Motion) -> None:
+        system = begun(scenario, step=None, rtol=1e-9).system
+        super().__init__(system, motion)
+        controls = scenario.controls or {}
+        laws = [control.law for control in controls.values() if isinstance(control, Capacity)]
+        self.points = [law for law in laws if isinstance(law, Points)]
+        self.formulas = [law for law in laws if isinstance(law, Formula)]
+        self.elements = len(controls)
+        self.duration = scenario.duration
+        rows = [system.contacts[number - 1].row for number in controls]
+        self.widths = np.full(len(rows), SMOOTHING)
+        self.loads = np.zeros(len(self.start))
+        if system.outside:
+            rows.append(np.eye(len(system.names))[-1])
+            self.widths = np.append(self.widths, DRAG_SMOOTHING)
+            self.loads = self.into @ self.free[0] * INPUT_TORQUE
+        self.slips = np.zeros((len(rows), len(self.start)))
+        self.slips[:, : self.speeds] = rows @ self.free
+        self.by_friction = self.into @ self.slips[:, : self.speeds].T
+        self.limit, self.last = np.inf, np.zeros(len(self.start))
+        if system.springs:
+            limit = scenario.case.springs[-1].limit
+            assert isinstance(limit, float)  # noqa: S101 - it is constant
+            self.limit, self.last = limit, self.springs[-1]
+            form = system.springs[-1].row @ self.free
+            self.by_excess = self.into @ form
+            self.by_excess[-1] = -1 / self.damping[-1]
+
+    def capacities(self, begin: float, end: float) -> Callable[[float], Floats]:
+        """Return capacities as a function of time between two break points."""
+        if self.formulas:
+            [law] = self.formulas
+            return lambda time: np.array([law.function(time, 0.0, 0.0)])
+        lines = [law.piece(law.piece_at((begin + end) / 2)) for law in self.points]
+        lines += [(OUTPUT_DRAG, 0.0)] * (len(self.widths) - len(lines))
+        constant, slope = np.array(lines).T
+        return lambda time: constant + slope * time
+
+    def derivative(self, capacities: Callable[[float], Floats], time: float, x: Floats) -> Floats:
+        """Return the derivative of the state."""
+        friction = capacities(time) * np.tanh(self.slips @ x / self.widths)
+        rates: Floats = self.linear @ x + self.loads - self.by_friction @ friction
+        torque = self.last @ x
+        if abs(torque) > self.limit:
+            rates += self.by_excess * (torque - np.copysign(self.limit, torque))
+        return rates
+
+    def jacobian(self, capacities: Callable[[float], Floats], time: float, x: Floats) -> Floats:
+        """Return the Jacobian of `derivative`."""
+        slopes = np.cosh(np.clip(self.slips @ x / self.widths, -300, 300)) ** -2 / self.widths
+        steep = (capacities(time) * slopes)[:, None] * self.slips
+        found: Floats = self.linear - self.by_friction @ steep
+        if abs(self.last @ x) > self.limit:
+            found += np.outer(self.by_excess, self.last)
+        return found
+
+    def lock_ups(self, tolerance: float) -> dict[int, float]:
+        """Return the last time at which the slip of each element falls to 0 [s]."""
+        stops = sorted({0.0, self.duration, *(time for law in self.points for time in law.x)})
+        last: dict[int, float] = {}
+        x = self.start
+        for begin, end in pairwise(stops):
+            law = self.capacities(begin, end)
+            run = solve_ivp(
+                partial(self.derivative, law),
+                (begin, end),
+                x,
+                "BDF",
+                jac=partial(self.jacobian, law),
+                events=[Passage(row) for row in self.slips[: self.elements]],
+                rtol=tolerance,
+                atol=tolerance,
+            )
+            x = run.y[:, -1]
+            last |= {n: float(t[-1]) for n, t in enumerate(run.t_events or []) if len(t)}
+        return last
 
 
 class Passage:
-    """Where the magnitude of a slip falls below a threshold."""
+    """Event: the magnitude of a slip falls below twice the smoothing."""
 
     direction = -1.0
 
-    def __init__(self, row: Array, threshold: float) -> None:
-        self.row, self.threshold = row, threshold
+    def __init__(self, row: Floats) -> None:
+        self.row = row
 
-    def __call__(self, _time: float, speeds: Array) -> float:
-        """By how much it is above."""
-        return float(abs(self.row @ speeds) - self.threshold)
-
-
-def sech2(value: Any) -> Any:
-    """The slope of tanh."""
-    return 1 / np.cosh(np.clip(value, -300, 300)) ** 2
-
-
-class Box:
-    """The box of seven links, reduced by its mechanisms to three speeds."""
-
-    def __init__(self, scenario: Scenario) -> None:
-        case = scenario.case
-        rows = np.zeros((len(case.mechanisms), case.links))
-        for row, one in zip(rows, case.mechanisms, strict=True):
-            row[[link - 1 for link in one.links]] = column(one.ratio)
-        slips = np.zeros((len(case.shift_elements), case.links + 1))
-        for row, element in zip(slips, case.shift_elements, strict=True):
-            row[element.first] += 1
-            row[element.second] -= 1
-        mass = np.diag([case.inertias[link] for link in range(1, case.links + 1)])
-        controls = scenario.controls or {}
-        self.laws = [one.law for one in controls.values() if isinstance(one, Capacity)]
-        self.points = [one for one in self.laws if isinstance(one, Points)]
-        self.tables = [(np.array(one.x), np.array(one.y)) for one in self.points]
-        self.free = null_space(rows)
-        self.inverse = np.linalg.inv(self.free.T @ mass @ self.free)
-        self.slips: Array = slips[[number - 1 for number in controls], 1:] @ self.free
-        self.ends: Array = self.free[[0, case.links - 1]]
-        given = np.vstack([self.ends, self.slips[0]])
-        self.start: Array = np.linalg.solve(given, np.array([60.0, 0.0, 0.0]))
-        self.smoothing = 0.0
-
-    def rates(self, capacities: Array, speeds: Array) -> Array:
-        """The derivative by the capacities at an instant."""
-        friction = capacities * np.tanh(self.slips @ speeds / self.smoothing)
-        drag = 1200.0 * np.tanh(self.ends[1] @ speeds / 0.05)
-        outside = self.ends.T @ np.array([1500.0, -drag])
-        found: Array = self.inverse @ (outside - self.slips.T @ friction)
-        return found
-
-    def at(self, time: float, speeds: Array) -> Array:
-        """The derivative, capacities interpolated at each call."""
-        return self.rates(np.array([np.interp(time, x, y) for x, y in self.tables]), speeds)
-
-    def on_line(self, line: Array, time: float, speeds: Array) -> Array:
-        """The derivative between two break points, where capacities are straight."""
-        return self.rates(line[0] + line[1] * time, speeds)
-
-    def jacobian(self, line: Array, time: float, speeds: Array) -> Array:
-        """Of `on_line`."""
-        slopes = (line[0] + line[1] * time) * sech2(self.slips @ speeds / self.smoothing)
-        drag = 1200.0 / 0.05 * sech2(self.ends[1] @ speeds / 0.05)
-        stiff = (self.slips.T * (slopes / self.smoothing)) @ self.slips
-        found: Array = -self.inverse @ (stiff + drag * np.outer(self.ends[1], self.ends[1]))
-        return found
-
-    def plain(self) -> Array:
-        """As one writes it first: the default method and tolerances, tanh of .01 rad/s."""
-        self.smoothing = 0.01
-        run = solve_ivp(self.at, (0.0, 6.0), self.start)
-        return np.asarray(self.free @ run.y[:, -1])
-
-    def stiff(self, smoothing: float, rtol: float) -> Stiff:
-        """BDF from break point to break point, with the times of locks."""
-        self.smoothing = smoothing
-        stops = sorted({0.0, 6.0, *(x for one in self.points for x in one.x)})
-        state, locks = self.start, {}
-        for begin, end in pairwise(stops):
-            pieces = [one.piece(one.piece_at((begin + end) / 2)) for one in self.points]
-            line = np.array(pieces).T
-            run = solve_ivp(
-                partial(self.on_line, line),
-                (begin, end),
-                state,
-                "BDF",
-                jac=partial(self.jacobian, line),
-                events=[Passage(row, 2 * smoothing) for row in self.slips],
-                rtol=rtol,
-                atol=rtol,
-            )
-            state = run.y[:, -1]
-            for number, times in enumerate(run.t_events or []):
-                if len(times):
-                    locks[number] = float(times[-1])
-        return Stiff(self.free @ state, locks)
-
-
-class Chain:
-    """A chain of springs behind a clutch; one of them, with a damper, slips at its limit."""
-
-    def __init__(self, scenario: Scenario) -> None:
-        case = scenario.case
-        self.scenario, self.smoothing = scenario, 0.0
-        self.inertias = np.array([case.inertias[link] for link in range(1, case.links + 1)])
-        self.twists = np.zeros((len(case.springs), case.links))
-        for row, spring in zip(self.twists, case.springs, strict=True):
-            for link, part in spring.form.items():
-                row[link - 1] = part
-        self.rates = np.array([one.rate for one in case.springs])
-        self.damping = np.array([getattr(one.damping, "viscous", 0.0) for one in case.springs])
-        [self.limited] = [n for n, one in enumerate(case.springs) if one.limit is not None]
-        limit = case.springs[self.limited].limit
-        assert isinstance(limit, float)  # noqa: S101 - it follows nothing
-        self.limit = limit
-        [self.law] = [
-            one.law for one in (scenario.controls or {}).values() if isinstance(one, Capacity)
-        ]
-        self.slip = np.zeros(case.links)
-        self.slip[:2] = 1.0, -1.0
-        self.linear = self._matrix()
-
-    def _matrix(self) -> Array:
-        """Of the linear part, nothing at its limit."""
-        links, springs = self.twists.shape[1], len(self.twists)
-        found = np.zeros((links + springs, links + springs))
-        by_speed = (self.twists.T * self.damping) @ self.twists
-        found[:links, :links] = -by_speed / self.inertias[:, None]
-        found[:links, links:] = -(self.twists.T * self.rates) / self.inertias[:, None]
-        found[links:, :links] = self.twists
-        return found
-
-    def _capacity(self, time: float) -> float:
-        if isinstance(self.law, Points):
-            return self.law.at(time)
-        return self.law.function(time, 0.0, 0.0)
-
-    def derivative(self, time: float, state: Array) -> Array:
-        """Of speeds and twists."""
-        links, tyre = self.twists.shape[1], self.limited
-        found = self.linear @ state
-        twist, rate = state[links + tyre], found[links + tyre]
-        torque = self.rates[tyre] * twist + self.damping[tyre] * rate
-        if abs(torque) > self.limit:
-            held = np.copysign(self.limit, torque)
-            found[:links] += self.twists[tyre] * (torque - held) / self.inertias
-            found[links + tyre] = (held - self.rates[tyre] * twist) / self.damping[tyre]
-        friction = self._capacity(time) * np.tanh(self.slip @ state[:links] / self.smoothing)
-        found[:links] -= self.slip * friction / self.inertias
-        return np.asarray(found)
-
-    def jacobian(self, time: float, state: Array) -> Array:
-        """Of `derivative`."""
-        links, tyre = self.twists.shape[1], self.limited
-        found = self.linear.copy()
-        row = self.twists[tyre]
-        by_state = np.zeros(len(state))
-        by_state[:links] = self.damping[tyre] * row
-        by_state[links + tyre] = self.rates[tyre]
-        if abs(by_state @ state) > self.limit:
-            found[:links] += np.outer(row / self.inertias, by_state)
-            found[links + tyre] = 0.0
-            found[links + tyre, links + tyre] = -self.rates[tyre] / self.damping[tyre]
-        slope = sech2(self.slip @ state[:links] / self.smoothing) / self.smoothing
-        steep = self._capacity(time) * slope
-        found[:links, :links] -= np.outer(self.slip / self.inertias, self.slip) * steep
-        return found
-
-    def stiff(self, smoothing: float, rtol: float) -> Stiff:
-        """BDF from break point to break point, with the time of the last lock."""
-        self.smoothing = smoothing
-        links = self.twists.shape[1]
-        state = np.zeros(links + len(self.twists))
-        for link, speed in self.scenario.start.speeds.items():
-            state[link - 1] = speed
-        slip = np.concatenate([self.slip, np.zeros(len(self.twists))])
-        breaks = self.law.x if isinstance(self.law, Points) else ()
-        stops = sorted({0.0, self.scenario.duration, *breaks})
-        locks: dict[int, float] = {}
-        for begin, end in pairwise(stops):
-            run = solve_ivp(
-                self.derivative,
-                (begin, end),
-                state,
-                "BDF",
-                jac=self.jacobian,
-                events=Passage(slip, 2 * smoothing),
-                rtol=rtol,
-                atol=rtol,
-            )
-            state = run.y[:, -1]
-            for times in run.t_events or []:
-                if len(times):
-                    locks[0] = float(times[-1])
-        return Stiff(state[:links], locks)
+    def __call__(self, _time: float, x: Floats) -> float:
+        """Return the distance above."""
+        return float(abs(self.row @ x) - 2 * SMOOTHING)

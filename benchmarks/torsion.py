@@ -1,39 +1,24 @@
-"""Natural frequencies: of one case, of a long chain, and of 100,000 variants to NPZ.
+"""Benchmarks of natural frequencies, against `scipy.linalg.eigh`."""
 
-The sweeps vary one stiffness of a chain of three masses, and of ten. Beside them, in the same
-process on one core, stands a loop that assembles the stiffness matrix of each variant from its
-springs and calls `scipy.linalg.eigh`, which keeps the same frequency in an array. A sweep reads
-its options and the case and leaves the file, as `vstatics sweep` does; imports are done before.
-Both have the same numbers to 1e-9.
-"""
+from __future__ import annotations
 
-import os
-import statistics
-import sys
-import tempfile
-from collections.abc import Callable
 from functools import partial
-from pathlib import Path
-from typing import Any
+from itertools import product
 
 import numpy as np
-from common import medians, options, print_table, timed
 from scipy import linalg
 
+from benchmarks.measuring import Race, Setting, timer
 from vstatics import Transmission, loads
-from vstatics.core.cli import main as command
+from vstatics.core.cli import main
+from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.vibration.gear_modes import modes
 
-VARIANTS = 100_000
-CHAIN, LOWEST = 2_000, 20
-CALLS = 50
-"""Of all modes of one gear in a turn."""
-ROUNDS = 5
-ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+CALLS = 20
 
 
 def chain(masses: int) -> str:
-    """A case in YAML: masses in a row, all different, a shaft between each two."""
+    """Return a case in YAML: different masses in a row, a shaft between each two."""
     names = [f"m{number}" for number in range(masses)]
     inertias = [f"  {name}: {0.1 + 0.3 * (number % 7)}" for number, name in enumerate(names)]
     springs = [
@@ -44,88 +29,70 @@ def chain(masses: int) -> str:
     return "\n".join(rows) + "\n"
 
 
-def loop(case: Transmission, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """The lowest frequency but the rigid one for each stiffness of the shaft `s1`."""
-    rows = np.zeros((len(case.springs), case.links))
-    for row, spring in zip(rows, case.springs, strict=True):
-        for link, part in spring.form.items():
-            row[link - 1] = part
-    stiffnesses = np.array([spring.rate for spring in case.springs])
-    mass = np.diag([case.inertias[link] for link in range(1, case.links + 1)])
-    found = np.empty(len(values))
-    for variant, value in enumerate(values):
-        stiffnesses[1] = value
-        stiffness = (rows.T * stiffnesses) @ rows
-        found[variant] = linalg.eigh(stiffness, mass, eigvals_only=True)[1]
-    return np.sqrt(found)
+class Matrices:
+    """Matrices of a chain, as they are written by hand."""
+
+    def __init__(self, case: Transmission) -> None:
+        self.rows = np.zeros((len(case.springs), case.links))
+        for row, spring in zip(self.rows, case.springs, strict=True):
+            for link, part in spring.form.items():
+                row[link - 1] = part
+        self.stiffnesses = np.array([spring.rate for spring in case.springs])
+        self.mass = np.diag([case.inertias[link] for link in range(1, case.links + 1)])
+
+    def stiffness(self) -> Floats:
+        """Return the stiffness matrix."""
+        stiffness: Floats = (self.rows.T * self.stiffnesses) @ self.rows
+        return stiffness
+
+    def lowest(self, *axes: Floats) -> Floats:
+        """Return the lowest frequency but 0 for each combination of the first stiffnesses."""
+        squares = []
+        for values in product(*axes):
+            self.stiffnesses[: len(values)] = values
+            squares.append(linalg.eigh(self.stiffness(), self.mass, eigvals_only=True)[1])
+        return np.sqrt(squares)
 
 
-def sweep(folder: Path, masses: int, variants: int) -> np.ndarray[Any, Any]:
-    """The same by the program, as it is called on a command line."""
-    output = folder / "out.npz"
-    output.unlink(missing_ok=True)
-    vary = f"--vary=s1.stiffness=500:50000:{variants}"
-    case = str(folder / f"{masses}.yaml")
-    command(["sweep", case, vary, "--out=omega[1,1]", f"-o{output}", "-q"], standalone_mode=False)
-    with np.load(output) as made:
-        found: np.ndarray[Any, Any] = made["omega[1,1]"]
-    return found
+def modes_of_a_chain(setting: Setting, masses: int, count: int) -> Race:
+    """Calculate the lowest modes of one gear of a chain.
 
-
-def sweeps(folder: Path, variants: int, rounds: int) -> list[tuple[object, ...]]:
-    """Rows of the table: loop and sweep for three masses and for ten."""
-    rows: list[tuple[object, ...]] = []
-    values = np.linspace(500, 50000, variants)
-    for masses, words in ((3, "three masses"), (10, "ten masses")):
-        text = chain(masses)
-        (folder / f"{masses}.yaml").write_text(text, encoding="utf-8")
-        case = loads(text)
-        if not np.allclose(loop(case, values), sweep(folder, masses, variants), rtol=1e-9, atol=0):
-            sys.exit(f"{words}: the loop has other frequencies")
-        actions: dict[str, Callable[[], float]] = {
-            "loop": partial(timed, partial(loop, case, values)),
-            "sweep": partial(timed, partial(sweep, folder, masses, variants)),
-        }
-        found = medians(actions, rounds)
-        times = f"{found['loop'] / found['sweep']:.0f}"
-        name = f"{variants:,} stiffnesses, {words}"
-        rows += [
-            (f"{name}: loop over `scipy.linalg.eigh`", f"{found['loop']:.2f} s", 1),
-            (f"{name}: `vstatics sweep` to NPZ", f"{found['sweep']:.3f} s", times),
-        ]
-    return rows
-
-
-def one_case(masses: int, calls: int, rounds: int, **asked: Any) -> float:
-    """Median time of the modes of a chain that was read before [s]."""
+    `modes` also creates the matrices, checks them and names the modes.
+    """
     case = loads(chain(masses))
-    modes(case, [1], **asked)
+    matrices = Matrices(case)
+    calls = CALLS if masses < 100 and not setting.is_trial else 1
 
-    def several() -> None:
+    def own() -> None:
         for _ in range(calls):
-            modes(case, [1], **asked)
+            modes(case, [1], count=count)
 
-    return statistics.median(timed(several) / calls for _ in range(rounds))
+    def peer() -> None:
+        for _ in range(calls):
+            linalg.eigh(matrices.stiffness(), matrices.mass, subset_by_index=[0, count - 1])
 
-
-def main() -> None:
-    """Measure and print."""
-    given = options(__doc__, peer=False)
-    if hasattr(os, "sched_setaffinity"):
-        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
-    rounds = 1 if given.quick else ROUNDS
-    of_ten = one_case(10, CALLS, rounds)
-    of_chain = one_case(CHAIN // (10 if given.quick else 1), 1, rounds, count=LOWEST)
-    with tempfile.TemporaryDirectory() as folder:
-        rows = sweeps(Path(folder), VARIANTS // (100 if given.quick else 1), rounds)
-    alone: list[tuple[object, ...]] = [
-        ("all modes of one gear, ten masses", f"{1e3 * of_ten:.2f} ms", ""),
-        (f"{LOWEST} modes of a chain of {CHAIN:,} masses", f"{of_chain:.2f} s", ""),
-    ]
-    print_table("Natural frequencies, one core", ("", "time", "times the loop"), [*alone, *rows])
+    return Race(timer(own, calls), timer(peer, calls))
 
 
-if __name__ == "__main__":
-    if any(os.environ.get(name) != value for name, value in ONE_THREAD.items()):
-        os.execve(sys.executable, [sys.executable, *sys.argv], {**os.environ, **ONE_THREAD})  # noqa: S606
-    main()
+def varied_stiffness(setting: Setting, masses: int, springs: int) -> Race:
+    """Sweep stiffnesses of a chain, read from a file and written to NPZ.
+
+    With one stiffness, each frequency is the root of a secular equation, with poles that all
+    variants share; with several, each variant is an eigenvalue problem of its own.
+    """
+    text, each = chain(masses), round(setting.some(100_000) ** (1 / springs))
+    count = each**springs
+    case, output = setting.folder / f"{masses}.yaml", setting.folder / "frequencies.npz"
+    case.write_text(text, encoding="utf-8")
+    varied = [f"--vary=s{number}.stiffness=500:50000:{each}" for number in range(springs)]
+    words = ["sweep", str(case), *varied, "--out=omega[1,1]", f"-o{output}", "-q"]
+
+    def own() -> None:
+        output.unlink(missing_ok=True)
+        main(words, standalone_mode=False)
+
+    peer = partial(Matrices(loads(text)).lowest, *[np.linspace(500, 50000, each)] * springs)
+    own()
+    with np.load(output) as arrays:
+        np.testing.assert_allclose(np.sort(arrays["omega[1,1]"]), np.sort(peer()), rtol=1e-9)
+    return Race(timer(own, count), timer(peer, count))

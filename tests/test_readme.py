@@ -38,7 +38,7 @@ FENCE = re.compile(
 FILES_OF = re.compile(r"^<!-- files of: (\S+) -->$", re.MULTILINE)
 SPAN = re.compile(r"(?<!`)`(vstatics [^`\n]+)`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
-NOT_RUN = ("make", "pip ", "python benchmarks", ".venv/bin/", "git ", "cd ")
+NOT_RUN = ("make", "pip ", ".venv/bin/", "git ", "cd ")
 """How commands start that need another machine than this folder."""
 DONE = "--- end of a command ---"
 

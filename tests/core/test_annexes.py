@@ -17,7 +17,7 @@ from tests.commands import CASES, ROOT
 from tests.installed import HERE, NAMES, needs
 from tests.without import removed_with
 from vstatics import CaseError, check, loads, solve
-from vstatics.core import annexes
+from vstatics.core import annexes, extras
 from vstatics.core.annexes import COMMANDS, DOCUMENTS
 from vstatics.core.cli import main
 from vstatics.core.readers.named.schema import json_schema
@@ -31,6 +31,21 @@ gears: {"1": []}
 vehicle: {mass: 1200, radius: 0.3, engine: [[100, 150], [500, 120]]}
 """
 MESSAGE = "vehicle belongs to vstatics.vehicle, which is not installed here"
+
+
+@needs("torsion")
+def test_a_function_whose_package_is_missing_names_the_extra(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The module of `mode_names` imports scipy, before the function can ask for it."""
+
+    def without_scipy(_: str) -> None:
+        raise ModuleNotFoundError("No module named 'scipy'", name="scipy")
+
+    monkeypatch.setattr(extras, "module", without_scipy)
+    message = r'^omega needs the package scipy: pip install "\.\[torsion\]" in the source folder'
+    with pytest.raises(CaseError, match=message):
+        extras.higher("mode_names", "omega")
 
 
 def test_every_name_of_a_record_is_in_its_module() -> None:

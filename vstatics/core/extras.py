@@ -94,7 +94,7 @@ def higher(function: str, purpose: str = "") -> Any:
     Raises
     ------
     CaseError
-        If no installed annex has the function.
+        If no installed annex has the function, or a package that it imports is missing.
 
     Examples
     --------
@@ -106,7 +106,10 @@ def higher(function: str, purpose: str = "") -> Any:
     if not name:
         what = purpose or function
         raise CaseError("E014", not_installed(what, PURPOSES[what]))
-    return getattr(module(name), function)
+    try:
+        return getattr(module(name), function)
+    except ImportError as error:
+        raise needed(error, purpose or function, name) from None
 
 
 @cache

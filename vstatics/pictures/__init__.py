@@ -138,10 +138,9 @@ def render(  # noqa: PLR0913 - what is drawn, and how
     motion: PicturedRun | None = None,
 ) -> bytes:
     """Draw a picture on one page as a file; parameters and errors as in `picture`."""
-    from vstatics.pictures.drawing.files import written
-
-    figure = picture(results, kind, style, gears, motion=motion)
-    return written(figure, form, style, _alternative(results, kind, style, gears))
+    style = style._replace(height=math.inf)
+    [file] = pages(results, kind, form, style, gears, motion=motion)
+    return file
 
 
 def pages(  # noqa: PLR0913 - what is drawn, and how
@@ -171,10 +170,10 @@ def of_each_gear(
     from vstatics.pictures.drawing.files import files_of
 
     shown = [(number,) for number in gears]
-    titles = (_alternative(results, kind, style, gears) for gears in shown)
+    drawn = drawn_pages(results, kind, style, shown)
     return [
-        files_of(figures, "svg", style, title)
-        for title, figures in zip(titles, drawn_pages(results, kind, style, shown), strict=True)
+        files_of(figures, "svg", style, _alternative(results, kind, style, gears))
+        for gears, figures in zip(shown, drawn, strict=True)
     ]
 
 

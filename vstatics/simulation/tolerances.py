@@ -87,7 +87,7 @@ FALLING_MARGIN = 1e-12
 TIGHT_SLACK = 1e-6
 """Largest distance from the smallest slack, relative to the largest slack, that counts as 0."""
 REGULAR_CORNER = 1e-9
-"""Determinant below which limits do not meet in a corner."""
+"""Determinant below which torque limits are nearly parallel and have no common corner."""
 NO_SPLIT = 1e-12
 """Residual of the least-squares problem below which no split lies within all limits."""
 WITHIN_LIMITS = 1e-6

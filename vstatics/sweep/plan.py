@@ -223,7 +223,7 @@ def _canonical(part: Any) -> Iterator[bytes]:
 
 
 def _parts(part: Any) -> Iterator[tuple[object, Any]]:
-    """Yield the components of a part of a plan, each with a name."""
+    """Yield the items or attributes of an object in a plan, each with a key or name."""
     if isinstance(part, Mapping):
         yield from sorted(part.items(), key=lambda item: str(item[0]))
     elif is_dataclass(part):

@@ -40,7 +40,7 @@ class SweepTask(NamedTuple):
         return f"variants {start} to {stop - 1}"
 
     def workers(self, jobs: int, scheduler: str | None = None) -> Workers:
-        """Return workers for the pieces, at most a process per piece."""
+        """Return workers for the pieces, with at most one process per piece."""
         jobs = min(jobs, self.plan.pieces)
         return workers(self, self.describe, jobs=jobs, scheduler=scheduler)
 

@@ -48,7 +48,7 @@ TOLD_ERROR = 1e-3
 NARROW_WINDOW = 1e-4
 """Width of a part, in ln(ratio), at which the part is not divided further. [-]"""
 FIRST_ERROR_LIMIT = 1e-5
-"""Distance of the first limit of errors above the least possible error. [-]"""
+"""Difference of the first tried limit of errors and the least possible error. [-]"""
 ROUNDED_TEETH = 1e-6
 """Largest deviation of a calculated tooth number that counts as rounding. [-]"""
 ROUNDED_ERROR = 1e-12

@@ -24,6 +24,7 @@ ANNEX = Annex(
         "DeviceDamage": "vstatics.vehicle.damage.devices",
         "DriveCycle": "vstatics.vehicle.operation.drive_cycle",
         "Fatigue": "vstatics.vehicle.case.fatigue",
+        "Machine": "vstatics.vehicle.case.vehicle",
         "Performance": "vstatics.vehicle.operation.traction",
         "RayleighLife": "vstatics.vehicle.damage.rayleigh",
         "ResizedShaft": "vstatics.vehicle.damage.resize",

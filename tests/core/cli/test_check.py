@@ -206,3 +206,29 @@ def test_a_neutral_gear_is_not_part_of_steps_and_spread() -> None:
 def test_a_case_without_gears_that_only_moves_is_no_fault() -> None:
     text = f"{TWO_SPEED}inertias: {{in: 0.1, ring: 0.1, carrier: 1}}\n"
     assert [problem.id for problem in library.check(io.StringIO(text))] == ["N420"]
+
+
+@pytest.mark.parametrize(
+    ("teeth", "words"),
+    [
+        ("", "`teeth` has no number for planets inner and outer, so their speeds are unknown"),
+        (", inner: 22", "`teeth` has no number for planet outer, so its speed is unknown"),
+        (", inner: 22, outer: 24", ""),
+    ],
+)
+def test_a_planet_without_teeth_gets_a_note(teeth: str, words: str) -> None:
+    """The teeth of two planets in mesh do not follow from sun and ring."""
+    case = f"""
+links: [a, b, c]
+shift_elements: {{B: [b, housing]}}
+gears: {{1: [B]}}
+elements:
+  P: {{kind: double_planet, sun: a, ring: b, carrier: c, teeth: {{sun: 30, ring: 90{teeth}}}}}
+"""
+    stdin = case.encode()
+    said = json_answer("check", "-", stdin=stdin)
+    assert [one["message"] for one in said if one["id"] == "N305"] == [
+        f"elements.P: {words}"
+    ] * bool(words)
+    speeds = json_answer("run", "-", stdin=stdin)["planet_speeds"]
+    assert ([None] in speeds) == bool(words)

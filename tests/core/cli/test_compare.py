@@ -83,7 +83,7 @@ def test_cases_of_one_file_name_are_paired_by_their_folders(form: str) -> None:
     expected = results(f"expected.{form}", "boxes/**/*.yaml")
     less = ["boxes/open/b.yaml", "boxes/open/a.yaml", "boxes/locked/b.yaml"]
     less += [f"{Path.cwd()}/boxes/neutral/{name}.yaml" for name in "ab"]
-    told = ["locked/a: gone", "5 same, 0 changed, 0 added, 1 gone"]
+    told = ["locked/a: gone (no actual result)", "5 same, 0 changed, 0 added, 1 gone"]
     assert lines(results("actual.csv", *less), expected) == told
 
 
@@ -94,13 +94,17 @@ def test_a_case_that_is_there_again_is_named() -> None:
     Path("b.jsonl").write_text("\n".join([text[2], *text[:2]]), "utf-8")
     assert lines("b.jsonl", twice) == []
     Path("c.jsonl").write_text("\n".join([text[2], text[0]]), "utf-8")
-    assert lines("b.jsonl", "c.jsonl")[0] == "neutral (there twice): added"
+    assert lines("b.jsonl", "c.jsonl")[0] == "neutral (there twice): added (no expected result)"
 
 
 def test_cases_of_one_stem_are_named_with_their_suffixes() -> None:
     assert vstatics("convert", "neutral.yaml", "neutral.dat").status == 0
     both = results("both.jsonl", "neutral.yaml", "neutral.dat")
-    told = ["neutral.dat: gone", "locked: added", "1 same, 0 changed, 1 added, 1 gone"]
+    told = [
+        "neutral.dat: gone (no actual result)",
+        "locked: added (no expected result)",
+        "1 same, 0 changed, 1 added, 1 gone",
+    ]
     assert lines(results("other.jsonl", "neutral.yaml", "locked.yaml"), both) == told
 
 

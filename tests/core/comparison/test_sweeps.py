@@ -23,7 +23,7 @@ def test_a_name_stays_whatever_is_in_it() -> None:
     sweeps = [WrittenSweep([1], ["ok"], {name: [value]}) for value in (math.nan, 2.5)]
     assert told(*sweeps) == [
         "new: 1 of 1 variant, 1 of 1 column differ",
-        f"  {name}  variant 1  2.5 -> no value",
+        f"  {name}  variant 1  2.500 -> no value",
     ]
 
 
@@ -39,8 +39,8 @@ def test_the_first_line_counts_what_differs_and_what_only_one_has() -> None:
         "  v                      there -> not there",
         "  w                      not there -> there",
         "  status      variant 3  ok -> tied up",
-        "  u           variant 2  2.000 -> 2.500      +25.00 %",
-        "  u           variant 3  4.000 -> 4.100      +2.50 %",
+        "  u           variant 2  2.000 -> 2.500  +25.00 %",
+        "  u           variant 3  4.000 -> 4.100  +2.50 %",
     ]
 
 

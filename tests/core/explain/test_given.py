@@ -17,7 +17,7 @@ from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.explain import explain_gear
-from vstatics.core.explain.exercise import worksheet
+from vstatics.core.explain.exercise import exercise, worksheet
 from vstatics.core.explain.given import given
 from vstatics.core.tables import markdown
 from vstatics.core.writers.named import mapping
@@ -159,6 +159,14 @@ gears: {g: {speed_ratios: {TC: 0.3}}}
         explain_gear(solve(loads(text)), "g")
 
 
+def test_sentences_of_a_sheet_are_as_wide_as_a_terminal() -> None:
+    text = exercise(solve(load(CASES / "zf-8hp70.yaml")), "1").worksheet()
+    sentences = [part for part in text.split("\n\n") if part.rstrip().endswith((".", "> 0"))]
+    assert len(sentences) == 4
+    assert max(len(line) for part in sentences for line in part.splitlines()) <= 80
+    assert "In a plain set, the ratio of the first link to a planet is (u + 1)/2" in text
+
+
 def test_a_sheet_tells_over_what_a_law_goes() -> None:
     """Those of efficiency and drag, each where the case has such; a belt has no teeth."""
     told = said_and_asked(loads(LAWFUL), 0)[0]
@@ -171,7 +179,7 @@ def test_a_sheet_tells_over_what_a_law_goes() -> None:
         assert law not in plain
     belt = "{B: {kind: belt, first: in, second: out, diameters: {first: 120, second: 90}}}"
     told = said_and_asked(loads(f"links: [in, out]\nelements: {belt}\ngears: {{g: []}}\n"), 0)[0]
-    assert "| B | belt | first in, second out | diameters: first 120, second 90 |" in told
+    assert "| B | belt | first: in, second: out | diameters: first 120, second 90 |" in told
     assert told.count("120") == 1
 
 

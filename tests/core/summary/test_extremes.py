@@ -15,6 +15,7 @@ from vstatics import CaseError, Gear, Load, ReadError, solve
 from vstatics.core.readers.named.reader import read_json, read_yaml
 from vstatics.core.summary import summarize
 from vstatics.core.summary.extremes import margins, needed_capacities
+from vstatics.core.summary.tables import summary_grids
 from vstatics.core.writers import deck, named
 
 LOAD = "load: {speed: 1000 rpm, torque: 200 N*m}\n"
@@ -94,6 +95,18 @@ def test_with_a_load_the_gear_of_the_largest_torque_may_be_another() -> None:
     assert_largest(found["torques"][0], 2.5 / 3.5, "direct")
     assert [one.value for one in found["torques_Nm"]] == pytest.approx([10000 * 2.5 / 3.5, -250])
     assert found["slip_speeds_rpm"][0].value == pytest.approx(2100)
+
+
+def test_tables_of_relative_numbers_say_so_beside_tables_in_units() -> None:
+    def titles(load: Load | None) -> list[str]:
+        grids = summary_grids(summarize(solve(differential().replace(load=load))))
+        return [grid.title for grid in grids if grid.title.startswith("Largest")]
+
+    planets, elements = "speeds of planets relative to their carriers", "slip and torque of shift"
+    expected = [f"Largest {planets}", f"Largest {elements} elements"]
+    assert titles(None) == expected
+    units = [f"{title}, {unit}" for title, unit in zip(expected, ("rpm", "rpm, N*m"), strict=True)]
+    assert titles(Load(2100.0, 100.0)) == [*(f"{title}, input = 1" for title in expected), *units]
 
 
 def test_a_gear_that_is_tied_up_has_no_largest_torque() -> None:

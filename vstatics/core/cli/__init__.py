@@ -1,4 +1,4 @@
-"""Command line of the program: the only part that prints, opens files and exits.
+"""Command line of the program: the only part that prints and exits.
 
 A command line gives results on stdout, messages on stderr, and an exit status.
 

@@ -7,12 +7,13 @@ from collections.abc import Iterable
 from itertools import zip_longest
 from typing import Any
 
-from vstatics.core.comparison.numbers import Difference, shown
+from vstatics.core.comparison.numbers import NOT_THERE, Difference, shown
 from vstatics.core.comparison.sweeps import VARIANT
 from vstatics.core.comparison.verdicts import PLURALS, CaseVerdict
 from vstatics.core.errors import plural
 from vstatics.core.tables.markdown import escaped
 from vstatics.core.tables.numbers import fixed, rounded
+from vstatics.core.tables.text import INDENT, TABLE_WIDTH, broken
 
 CASE_LINES = 20
 """Largest number of lines about a case, unless all lines are requested."""
@@ -34,13 +35,19 @@ def text(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
       ratio       R  -3.297 -> -3.343  -1.40 %
     """
     rows, further = _rows(verdict, all_numbers=all_numbers)
-    parts = [
-        (kind, place, f"{old} -> {new}", deviation) for kind, place, old, new, deviation in rows
-    ]
-    widths = [max(map(len, column)) for column in zip(*parts, strict=True)] or [0] * 4
-    widths[0] = max(widths[0], len("efficiency"))
-    lines = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in parts]
-    return [verdict.headline, *(f"  {line}" for line in lines), *(f"  {line}" for line in further)]
+    kinds = max((len(row[0]) for row in rows), default=0)
+    places = max((len(row[1]) for row in rows), default=0)
+    values = max((len(f"{old} -> {new}") for *_, old, new, percent in rows if percent), default=0)
+    lines = [verdict.headline]
+    for kind, place, old, new, deviation in rows:
+        head = f"  {kind.ljust(max(kinds, len('efficiency')))}  {place}"
+        line = f"{head.ljust(len(head) + places - len(place))}  {f'{old} -> {new}'.ljust(values)}"
+        line = f"{line}  {deviation}".rstrip()
+        if len(line) <= TABLE_WIDTH:
+            lines.append(line)
+        else:
+            lines += broken([f"{head} ", old, f"-> {new}  {deviation}".rstrip()], indent=3 * INDENT)
+    return [*lines, *(f"  {line}" for line in further)]
 
 
 def markdown(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
@@ -103,7 +110,8 @@ def _cells(difference: Difference, *, is_sweep: bool) -> Cells:
 def _numbers(old: float, new: float) -> tuple[str, str]:
     """Format two numbers with enough digits that the texts differ."""
     if old != old or new != new:  # noqa: PLR0124 - NaN
-        return shown(old), shown(new)
+        first, second = (shown(x) if x != x else rounded(x) for x in (old, new))  # noqa: PLR0124
+        return first, second
     for digits in (None, *range(4, 16)):
         texts = rounded(old, digits=digits), rounded(new, digits=digits)
         if texts[0] != texts[1]:
@@ -126,10 +134,10 @@ def percent(deviation: float) -> str:
 
 
 def shown_values(old: Any, new: Any) -> tuple[str, str]:
-    """Format two values of a case, shortened to `LONGEST_VALUE`."""
+    """Format two values of a case, shortened to `LONGEST_VALUE`; None is an absent key."""
     texts = [
         value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
-        for value in (old, new)
+        for value in (NOT_THERE if value is None else value for value in (old, new))
     ]
     first, second = (
         text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 3] + "..." for text in texts

@@ -91,7 +91,8 @@ class CaseVerdict(NamedTuple):
     def headline(self) -> str:
         """Summary of the verdict in a line."""
         if self.state in ("added", "gone"):
-            return f"{self.name}: {self.state}"
+            missing = "expected" if self.state == "added" else "actual"
+            return f"{self.name}: {self.state} (no {missing} result)"
         if self.problems:
             return f"{self.name}: {self.state}: {self.problems[0]}"
         if self.is_sweep:

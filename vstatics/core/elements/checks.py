@@ -40,7 +40,7 @@ def problems(drawing: DrawingFields) -> Iterator[Problem]:
 
 
 def hints(drawing: DrawingFields) -> Iterator[Problem]:
-    """Yield notes on unused or equal gears, shared planets and missing losses."""
+    """Yield notes on unused or equal gears, shared planets, missing losses and teeth."""
     for number, element in enumerate(drawing.elements, 1):
         if element.kind in ("belt", "chain") and element.efficiency is None:
             message = (
@@ -55,6 +55,12 @@ def hints(drawing: DrawingFields) -> Iterator[Problem]:
                     yield Problem("W301", message, ("elements", number, "teeth", wheel))
             group = group_of(element)
             yield from _alike(group, ("elements", number))
+            unknown = [planet for planet in group.planets if not group.is_known(planet)]
+            if unknown:
+                planets = f"{plural('planet', len(unknown))} {spoken(unknown)}"
+                lacking = "its speed is" if len(unknown) == 1 else "their speeds are"
+                message = f"`teeth` has no number for {planets}, so {lacking} unknown"
+                yield Problem("N305", message, ("elements", number))
             if group.is_shared and not at_meshes(element, group, drawing):
                 yield Problem(
                     "N301",

@@ -102,7 +102,9 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
         yield from _rules_of_losses(state)
         yield from _rules_of_drag(state)
     if any(item.is_plain(item.ratio) and item.planet_ratio is None for item in case.mechanisms):
-        yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
+        yield tr(
+            "In a plain set, the ratio of the first link to a planet is (u + 1)/2, carrier held."
+        )
     if any(map(fills_a_gap, drawing.elements if drawing else ())):
         yield tr("A planet between a sun and a ring has (ring - sun)/2 teeth where none are given.")
     if case.freewheels:
@@ -237,7 +239,7 @@ def _idle(state: GearState) -> Grid:
 
 
 def told_signs(state: GearState) -> list[bool]:
-    """Return for each mechanism whether the sign is given, as not determined by the rule."""
+    """Return for each mechanism whether its sign is given, because no rule determines it."""
     return [
         idle or turned is True
         for idle, turned in zip(state.search.idle, state.search.turned, strict=True)

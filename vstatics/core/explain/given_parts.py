@@ -65,10 +65,10 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
     rows = []
     for element in drawing.elements if drawing else ():
         links = [
-            f"{in_words(name)} {link_text(case, link)}" for name, link in element.members.items()
+            f"{in_words(name)}: {link_text(case, link)}" for name, link in element.members.items()
         ]
         links += [
-            f"{wheel.member} {link_text(case, wheel.link)}"
+            f"{wheel.member}: {link_text(case, wheel.link)}"
             for wheel in element.wheels
             if wheel.member not in element.members
         ]
@@ -175,10 +175,10 @@ def kind_of(element: ShiftElement) -> Cell:
 
 
 def shift_elements(case: Transmission, gear: Gear, engaged: Sequence[int]) -> Grid:
-    """Return the table of shift elements: open ones can drag; freewheels that hold are engaged."""
+    """Return the table of shift elements, with the drag of disengaged ones."""
     rows, drags = [], case.gear_open_drag(gear)
     for number, element in enumerate(case.shift_elements, 1):
-        on, off = ("holds", "overruns") if element.is_freewheel else ("engaged", "open")
+        on, off = ("holds", "overruns") if element.is_freewheel else ("engaged", "disengaged")
         rows.append(
             (
                 element.name,

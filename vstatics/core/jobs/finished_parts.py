@@ -201,7 +201,7 @@ class FinishedParts:
 
 
 def _whole_parts(file: IO[bytes]) -> Iterator[tuple[str, _Stretch]]:
-    """Give the parts behind the first line, each with its case, without damaged parts.
+    """Yield the parts behind the first line, each with its case, without damaged parts.
 
     Reading stops at a truncated or damaged line, because the start of the next part is unknown.
     """

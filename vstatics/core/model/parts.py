@@ -776,8 +776,8 @@ class OwnDevice(NamedTuple):
     members: tuple[Member, ...]
     planets: tuple[Planet, ...]
     meshes: tuple[bool, ...] = ()
-    """Flags of mechanisms that are meshes of planets: True if the teeth of the first gear, and so
-    the torque, are known."""
+    """Flags of the mechanisms that are meshes of planets: True if the torque is known, because the
+    teeth of the first gear are known."""
 
     @property
     def meshes_by_index(self) -> list[tuple[int, bool]]:

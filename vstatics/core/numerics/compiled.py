@@ -44,7 +44,7 @@ def _cache() -> str:
                 with suppress(FileNotFoundError):  # another process has just finished a file
                     _check(os.path.join(inner, name))  # noqa: PTH118
         if not os.access(folder, os.W_OK):
-            CACHE_TROUBLE.append(f"{folder} can't be written")
+            CACHE_TROUBLE.append(f"{folder} cannot be written")
             return ""
     except OSError as error:
         CACHE_TROUBLE.append(f"{error.filename or folder}: {error.strerror}")

@@ -357,7 +357,7 @@ def _lies_below(left: Interval, right: Interval) -> bool:
 
 
 def guarded_sum(first: Either, second: Either, part: float) -> Either:
-    """Return a sum that must leave more than a part of the terms in all variants."""
+    """Return a sum that is larger than `part` of its largest term in all variants."""
     total = first + second
     if not isinstance(total, Signed):
         return total
@@ -369,7 +369,7 @@ def guarded_sum(first: Either, second: Either, part: float) -> Either:
 
 
 def guard_equal(number: Either, reference: Either, rounding: Either, part: float) -> None:
-    """Guard that two numbers differ by rounding only, and by a part at most."""
+    """Guard that two numbers differ by no more than their rounding, nor by more than a part."""
     if (
         isinstance(number, Signed)
         and isinstance(reference, Signed)

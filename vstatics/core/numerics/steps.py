@@ -46,11 +46,11 @@ class Steps:
     number: int
 
     def __len__(self) -> int:
-        """Number of the evenly spaced numbers."""
+        """Return the number of the evenly spaced numbers."""
         return self.number
 
     def __getitem__(self, indices: Integers) -> Floats:
-        """The numbers at these indices, in an array of the same shape."""
+        """Return the numbers at some indices, in an array of the same shape."""
         if self._whole is not None:
             first, step, divisor = self._whole
             numbers: Floats = indices * np.float64(step)
@@ -74,9 +74,9 @@ class Steps:
 
 
 def stepped(start: float, stop: float, step: float) -> Steps | None:
-    """Numbers from `start` on by `step`, up to `stop`, which is included if it is hit.
+    """Return numbers from `start` in steps of `step`, at most up to `stop`.
 
-    None if the step does not lead there.
+    The result is None if the step is 0 or leads away from `stop`.
 
     >>> stepped(0.9, 1, 0.05), stepped(0.9, 1, 0.03)
     (Steps(start=0.9, stop=1.0, number=3), Steps(start=0.9, stop=0.99, number=4))
@@ -94,7 +94,7 @@ def stepped(start: float, stop: float, step: float) -> Steps | None:
 
 
 def _exact(value: float) -> Fraction:
-    """The decimal number that a double stands for.
+    """Return the shortest decimal number that is stored as the given double.
 
     >>> _exact(0.1)
     Fraction(1, 10)

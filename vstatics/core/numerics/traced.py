@@ -126,7 +126,7 @@ _ROUNDED = float, int, Traced, Signed
 
 
 def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
-    """Return whether a magnitude is at most a part of a second one; a fraction must be 0.
+    """Return whether a magnitude is at most `part` times a second; an exact fraction must be 0.
 
     >>> is_nothing_beside(1e-12, 1.0, 1e-9), is_nothing_beside(1e-6, 1.0, 1e-9)
     (True, False)
@@ -242,7 +242,7 @@ def _tape(first_number: Number, second_number: Number) -> Tape:
 
 
 def guard_same(number: Number, reference: Number, part: float) -> None:
-    """Guard that two numbers above 0, at least one of them traced, differ by a part at most."""
+    """Guard that two numbers above 0, at least one of them traced, are equal within a part."""
     tape = _tape(number, reference)
     if _magnitude(number).operand != _magnitude(reference).operand:
         _compare(tape, "less_equal", number, reference * (1 + part))

@@ -44,6 +44,8 @@ class GearState(NamedTuple):
     >>> from vstatics import Mechanism, ShiftElement, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1])])
     >>> state = solve(case).gear(1)
+    >>> state
+    <GearState '1': ratio 3.5, efficiency 0.9714>
     >>> state.speeds, state.relative_speeds, state.signs
     ([1.0, 0.0, 0.2857142857142857], [0.7142857142857143], (1.0,))
     >>> round(state.lossy_torques.on_first_link[-1], 9), state.status.name
@@ -56,6 +58,11 @@ class GearState(NamedTuple):
     """True if no state exists, as a freewheel can neither hold nor overrun."""
     exact: bool = False
     """True if calculated in fractions, as floats leave too few digits."""
+
+    def __repr__(self) -> str:
+        """Return a short description: gear, ratio and efficiency."""
+        numbers = f"ratio {self.ratio:.4g}, efficiency {self.search.lossy.efficiency:.4g}"
+        return f"<GearState {self.gear.name!r}: {numbers}>"
 
     @property
     def case(self) -> Transmission:

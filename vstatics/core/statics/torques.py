@@ -69,7 +69,7 @@ def drag_torques(
     --------
     >>> from vstatics.core.model.transmission import Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear(drag={2: 0.1})])
-    >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:]
+    >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:4]
     ({2: 0.1}, [0.025])
     """
     torques, of_links = _drag_of_open_elements(case, gear), case.gear_drag(gear)

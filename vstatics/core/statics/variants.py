@@ -251,9 +251,12 @@ _OF_CASE = _kept(
     *("shift_elements", "mechanisms", "springs", "gears", "drag"),
 )
 _OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields, "drag")
-"""Fields of a shift element in the key; drag is part of gears (`Transmission.with_all_drag`)."""
+"""Function that returns the fields of a shift element for the key of stored plans.
+
+Drag is left out, because gears contain it (`Transmission.with_all_drag`).
+"""
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
-"""Fields of a mechanism in the key; the numbers left out are inputs of a plan."""
+"""Function that returns the fields of a mechanism for the key; other numbers are plan inputs."""
 _OF_SPRING = _kept(Spring, Spring._fields)
 _OF_GEAR = _kept(Gear, Gear._fields)
 

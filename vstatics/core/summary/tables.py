@@ -137,8 +137,9 @@ def _planets(summary: Summary, *, loaded: bool) -> Grid:
     # Gear pairs have rows without a planet, which are left out.
     known = (line for line in lines if line.row in without_teeth or not math.isnan(line.value))
     rows = [[line.row, *_cells(shown, line)] for line in known]
-    title = "Largest speeds of planets relative to their carriers"
-    return grid_of(headed(title, shown.unit), headings, rows, key="planets" + WITH_LOAD * loaded)
+    parts = ["Largest speeds of planets relative to their carriers"]
+    parts += [UNITS[shown.unit].text] if loaded else _relative(summary, [PLANETS])
+    return grid_of(", ".join(parts), headings, rows, key="planets" + WITH_LOAD * loaded)
 
 
 def _elements(summary: Summary, *, loaded: bool) -> Grid:
@@ -153,9 +154,16 @@ def _elements(summary: Summary, *, loaded: bool) -> Grid:
         for pairs in zip(*columns, strict=True)
     ]
     units = dict.fromkeys(UNITS[item.unit].text for item, _ in shown if item.unit)
-    title = ", ".join(["Largest slip and torque of shift elements", *units])
+    relative = [] if loaded else _relative(summary, named)
+    title = ", ".join(["Largest slip and torque of shift elements", *units, *relative])
     key = "shift elements" + WITH_LOAD * loaded
     return grid_of(title, ["shift element", *headings], rows, key=key)
+
+
+def _relative(summary: Summary, names: Iterable[str]) -> list[str]:
+    """Return the end of a relative table's title if another table has the numbers in units."""
+    has_units = any(summary.largest.get(quantity(name, loaded=True).name) for name in names)
+    return ["input = 1"] * has_units
 
 
 def _cells(shown: Quantity, line: Largest) -> Row:

@@ -94,7 +94,7 @@ _DEFINED: dict[Any, str] = {}
 
 
 def document(form: str) -> Callable[[T], T]:
-    """Make a record a document of a format.
+    """Return a decorator that declares a record as a document of a format, such as `form`.
 
     >>> from typing import NamedTuple
     >>> @document("vstatics-steps")
@@ -222,7 +222,7 @@ def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, 
 
 
 text = json.JSONEncoder(ensure_ascii=False, allow_nan=False, indent=1).encode
-"""Formats plain data as JSON on several lines, without a final line end."""
+"""Function that formats plain data as JSON on several lines, without a final line end."""
 _line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 

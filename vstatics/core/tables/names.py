@@ -275,7 +275,7 @@ def by_name(results: Results, key: Any) -> Any:
         raise TypeError(f"results of {type_and_value(name)}: {expected}")
     try:
         return _selected(results, name, selection)
-    except ReadError as error:  # the names are arguments of a call, not text of a file
+    except ReadError as error:  # names given in Python have no place in a file
         raise ValueError(str(error)) from None
 
 

@@ -125,7 +125,7 @@ def structural_zeros(table: Table, results: Results) -> Booleans:
     """Find the zeros of a table that follow from the layout; shape (rows, columns).
 
     Such zeros are torques of disengaged shift elements and unloaded members, slip speeds of
-    engaged shift elements, losses of idle mechanisms, and links that a device does not have.
+    engaged shift elements, losses of unloaded mechanisms, and links that a mechanism does not have.
     Links at rest and engaged shift elements without torque keep their 0.
 
     Examples

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
 
 from vstatics.core.tables.grid import Grid
 
@@ -31,7 +32,11 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     1     3.500
     """
     parts = [list(titles)] if titles else []
-    parts += [list(lines(grid)) for grid in tables]
+    for grid in tables:
+        part = list(lines(grid))
+        if grid.title:  # can be a sentence
+            part[:1] = wrap(part[0], TABLE_WIDTH, break_long_words=False, break_on_hyphens=False)
+        parts.append(part)
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
 
 

@@ -56,7 +56,7 @@ def _gear(explanation: Explanation, digits: int | None) -> Iterator[Markup]:
 
 
 _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")
-"""Start of a line before the equation: a name, or blanks below a named line."""
+"""Pattern of the text before an equation: a name, or the indentation below a named line."""
 
 
 def _lines(lines: Sequence[str]) -> Markup:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from vstatics.core.tables.grid import NOTHING
@@ -10,6 +11,8 @@ from vstatics.core.texts import tr
 from vstatics.page.report.sheets import MOST_SHEETS, left_out, with_room
 from vstatics.pictures.paged.drawn import Drawn, name_of
 from vstatics.pictures.paged.parts import PAPER, figures, gear_link
+
+_TITLE = re.compile("<title>[^<]*</title>")
 
 
 def in_gear(kind: str, gear: str) -> str:
@@ -22,7 +25,7 @@ def in_gear(kind: str, gear: str) -> str:
 
 
 def conventions(said: Mapping[str, str]) -> Markup:
-    """List the conventions of results; where JSON has null, tables have a dash.
+    """Return the list of conventions of results; the key `null` of JSON is a dash, as in tables.
 
     >>> conventions({"null": "does not exist"})
     '<dl><dt>-</dt><dd>does not exist</dd></dl>'
@@ -38,9 +41,14 @@ def chooser(gears: Iterable[str]) -> Markup:
     return tag("nav", tr("Gear"), *links, status, class_="chooser", aria_label=tr("Gear"))
 
 
+def _without_titles(drawn: Drawn) -> Drawn:
+    """Return a picture without the texts that appear under a pointer, which paper does not show."""
+    return drawn._replace(sheets=[Markup(_TITLE.sub("", sheet)) for sheet in drawn.sheets])
+
+
 def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
     """Return a picture for print only; sheets after the first `most` sheets are left out."""
-    first_sheets = drawn._replace(sheets=drawn.sheets[:most])
+    first_sheets = _without_titles(drawn._replace(sheets=drawn.sheets[:most]))
     shown = [*figures(first_sheets, name, captioned=False, scrolls=False)]
     omitted = len(drawn.sheets) - len(first_sheets.sheets)
     if omitted:
@@ -55,6 +63,6 @@ def side_by_side(gears: Sequence[str], drawn: Sequence[Drawn]) -> Markup:
     shown = (
         part
         for gear, picture in zip(gears[:count], drawn, strict=False)
-        for part in figures(picture, tr("Gear {gear}", gear=gear), scrolls=False)
+        for part in figures(_without_titles(picture), tr("Gear {gear}", gear=gear), scrolls=False)
     )
     return tag("div", *shown, *left_out(gears[count:]), class_=f"{PAPER} side-by-side")

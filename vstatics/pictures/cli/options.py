@@ -68,10 +68,10 @@ class AskedPicture(NamedTuple):
         )
 
 
-def _of_kinds(name: str, option: Option) -> Iterator[Option]:
-    """Yield an option if a kind of picture has the option."""
+def _of_kinds(name: str, *options: Option) -> Iterator[Option]:
+    """Yield options if a kind of picture has the option of this name."""
     if any(name in kind.options for kind in picture_kinds().values()):
-        yield option
+        yield from options
 
 
 _PICTURE = "Picture"
@@ -179,9 +179,6 @@ options = gathered(
             click.option(
                 "--x", metavar="COLUMN", default="", help="Column of the horizontal axis."
             ),
-        ),
-        *_of_kinds(
-            "columns",
             click.option(
                 "--y",
                 metavar="COLUMN",
@@ -189,13 +186,7 @@ options = gathered(
                 help="Column of the vertical axis of a map; columns of curves or histograms. "
                 "Repeatable.",
             ),
-        ),
-        *_of_kinds(
-            "columns",
             click.option("--z", metavar="COLUMN", default="", help="Column of the contours."),
-        ),
-        *_of_kinds(
-            "columns",
             click.option(
                 "--by",
                 metavar="COLUMN",

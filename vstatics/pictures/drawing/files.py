@@ -7,6 +7,7 @@ import threading
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from itertools import count
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from vstatics.core.jobs.page_files import PAGE_KEY
@@ -23,12 +24,6 @@ DPI = 200
 
 ALONE = threading.RLock()
 """Lock that a thread holds while it changes the settings of matplotlib, which threads share."""
-
-# Without dates and versions, equal cases give equal bytes.
-_METADATA: dict[str, dict[str, Any]] = {
-    "png": {"Software": None},
-    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
-}
 
 
 @contextmanager
@@ -55,33 +50,38 @@ def files_of(figures: Sequence[Figure], form: Format, style: Style, title: str) 
         Alternative text.
     """
     with settings_of(style):
-        if form == "pdf":
-            return [_pdf(figures)]
-        return [
-            written(figure, form, style, title, number) for number, figure in enumerate(figures, 1)
-        ]
+        if form == "svg":
+            from vstatics.pictures.drawing.svg import written_as_svg
+
+            return [
+                written_as_svg(figure, title, style, number)
+                for number, figure in enumerate(figures, 1)
+            ]
+        return [_pdf(figures)] if form == "pdf" else [*map(_png, figures, count(1))]
+
+
+def written(figure: Figure, form: Format, style: Style, title: str) -> bytes:
+    """Return a figure as a file; see `files_of`."""
+    [file] = files_of([figure], form, style, title)
+    return file
+
+
+# Without dates and versions, equal cases give equal bytes.
 
 
 def _pdf(figures: Sequence[Figure]) -> bytes:
     from matplotlib.backends.backend_pdf import PdfPages
 
     file = io.BytesIO()
-    with PdfPages(file, metadata=_METADATA["pdf"]) as pages_of_file:
+    without: dict[Any, Any] = {"CreationDate": None, "Creator": None, "Producer": None}
+    with PdfPages(file, metadata=without) as pages_of_file:
         for figure in figures:
             figure.savefig(pages_of_file, format="pdf")
     return file.getvalue()
 
 
-def written(figure: Figure, form: Format, style: Style, title: str, number: int = 1) -> bytes:
-    """Return a figure as a file, with the mark of a further page; see `files_of`."""
-    with settings_of(style):
-        if form == "pdf":
-            return _pdf([figure])
-        if form == "svg":
-            from vstatics.pictures.drawing.svg import written_as_svg
-
-            return written_as_svg(figure, title, style, number)
-        file = io.BytesIO()
-        mark = {PAGE_KEY: str(number)} if number > 1 else {}
-        figure.savefig(file, format=form, dpi=DPI, metadata={**_METADATA[form], **mark})
-        return file.getvalue()
+def _png(figure: Figure, number: int) -> bytes:
+    file = io.BytesIO()
+    mark = {PAGE_KEY: str(number)} if number > 1 else {}
+    figure.savefig(file, format="png", dpi=DPI, metadata={"Software": None, **mark})
+    return file.getvalue()

@@ -81,9 +81,10 @@ def joined(parts: Sequence[LetteredFigure], style: Style, *, side_by_side: bool 
     if side_by_side:  # aligned scales
         overs = [max(overs)] * len(parts)
     highs = [over + size[1] for over, size in zip(overs, sizes, strict=True)]
-    wide = sum(size[0] for size in sizes) if side_by_side else max(size[0] for size in sizes)
-    pen = blank(wide, max(highs) if side_by_side else sum(highs), style)
-    left, top = 0.0, max(highs) if side_by_side else sum(highs)
+    wides = [size[0] for size in sizes]
+    wide, tall = (sum(wides), max(highs)) if side_by_side else (max(wides), sum(highs))
+    pen = blank(wide, tall, style)
+    left, top = 0.0, tall
     for part, size, high in zip(parts, sizes, highs, strict=True):
         panel = pen.within("panel", case=part.letter)
         at = left + MARGIN, top - MARGIN

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import nullcontext
 from functools import cache, partial
 from typing import Any, NamedTuple
 
@@ -85,12 +86,17 @@ def _renderer() -> Any:
     return canvas.get_renderer()
 
 
+def _is_hinted() -> bool:
+    """Check whether the settings of matplotlib hint letters; changing them takes long."""
+    return any(mpl.rcParams[key] != value for key, value in HINTING.items())
+
+
 @cache
 def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
     """Return the width of a text [pt], independent of settings of matplotlib."""
     font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
     measure = _renderer().get_text_width_height_descent
-    with ALONE, mpl.rc_context(HINTING):
+    with ALONE, mpl.rc_context(HINTING) if _is_hinted() else nullcontext():
         return float(max(measure(line, font, ismath=False)[0] for line in text.split("\n")))
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -21,13 +22,14 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, POINTS_PER_INCH, Point
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.style import FRAME_WIDTH, LARGE_NUMBER, SIZE, TICK_LENGTH, Style
-from vstatics.pictures.drawing.svg import MarkGroup, halo, told, told_of_whole
+from vstatics.pictures.drawing.svg import MarkGroup, halo, told
 from vstatics.pictures.drawing.tolerances import SAME_TICK
 
 LINE_WIDTH = 1.3
 """Default width of lines. [pt]"""
 MOST_DECIMALS = 8
 """Largest number of decimals of the numbers of a scale."""
+NO_DATA: Mapping[str, str] = MappingProxyType({})
 GAP = (math.nan, math.nan)
 """Point that separates two pieces of a line."""
 Side = Literal["left", "right", "bottom", "top"]
@@ -88,7 +90,8 @@ class Pen(NamedTuple):
 
     def tell(self, **data: str) -> None:
         """Set attributes of the picture in SVG: ``tell(left_out="[]")`` gives ``data-left-out``."""
-        self.figure.set_gid(told_of_whole(_hyphened(data)))
+        attributes: dict[str, Any] = _hyphened(data)
+        self.figure.set_gid(told(**attributes))
 
     def fitted(self, low: Point, high: Point) -> Pen:
         """Return a pen that fits the area between two corners into the rectangle.
@@ -114,16 +117,14 @@ class Pen(NamedTuple):
         """Return the vertical place of a value on the scale of ordinates [pt]."""
         return self.y.part(y) * self.size[1]
 
-    def add(self, artist: Artist, title: str = "", kind: str = "") -> None:
-        """Add an artist in coordinates of the figure, with title and class in SVG."""
+    def add(
+        self, artist: Artist, title: str = "", kind: str = "", data: Mapping[str, Any] = NO_DATA
+    ) -> None:
+        """Add an artist in coordinates of the figure, with title, class and data in SVG."""
         artist.set_transform(self.points)
-        self._mark(artist, title, kind)
         self.figure.add_artist(artist)
-
-    def _mark(self, artist: Artist, title: str, kind: str = "", *, halo: bool = False) -> None:
-        """Set the mark of an artist for SVG."""
-        if title or kind or halo or self.groups:
-            artist.set_gid(told(title, halo=halo, kind=kind, groups=self.groups))
+        if title or kind or self.groups:
+            artist.set_gid(told(title, kind=kind, groups=self.groups, **data))
 
     def text(  # noqa: PLR0913 - a text has these
         self,
@@ -150,7 +151,8 @@ class Pen(NamedTuple):
             transform=self.points,
             **look,
         )
-        self._mark(artist, title, halo=over)
+        if title or over or self.groups:
+            artist.set_gid(told(title, halo=over, groups=self.groups))
 
     def line(
         self,
@@ -158,7 +160,7 @@ class Pen(NamedTuple):
         width: float = LINE_WIDTH,
         title: str = "",
         kind: str = "",
-        data: Mapping[str, str] | None = None,
+        data: Mapping[str, str] = NO_DATA,
         **look: Any,
     ) -> None:
         """Draw a line through places, with gaps at NaN.
@@ -167,11 +169,7 @@ class Pen(NamedTuple):
         """
         left, low = self.corner
         xs, ys = zip(*((left + x, low + y) for x, y in places), strict=True)
-        line = Line2D(xs, ys, linewidth=width * self.part, **look)
-        self.add(line, title, kind)
-        if data:
-            named: dict[str, Any] = {**data}
-            line.set_gid(told(title, kind=kind, groups=self.groups, **named))
+        self.add(Line2D(xs, ys, linewidth=width * self.part, **look), title, kind, data)
 
     def lines(self, pieces: Iterable[Sequence[Point]], **look: Any) -> None:
         """Draw lines of equal style."""

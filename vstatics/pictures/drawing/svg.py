@@ -17,7 +17,7 @@ from __future__ import annotations
 import io
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
@@ -68,7 +68,7 @@ def told(
     groups: Sequence[MarkGroup] = (),
     **data: str,
 ) -> str:
-    """Return the data of an artist for SVG, as the ``gid``.
+    """Return the data of an artist, or of the whole figure, for SVG, as the ``gid``.
 
     Parameters
     ----------
@@ -81,22 +81,19 @@ def told(
     groups : sequence of MarkGroup
         Groups of the artist, the outermost first; a group is at the place of its first part.
     **data
-        Attributes ``data-...`` of the path or text if it has a class, otherwise of its group.
-    """
-    mark = {"title": title, "halo": halo, "kind": kind, "groups": groups, "data": data}
-    return json.dumps(mark, ensure_ascii=False)
+        Attributes ``data-...`` of the path or text if it has a class, otherwise of its group. Data
+        of a figure become attributes of the root.
 
-
-def told_of_whole(data: Mapping[str, str]) -> str:
-    """Return the data of a figure at the root of SVG, as the ``gid``.
-
+    Examples
+    --------
     >>> from vstatics.pictures.drawing.pen import blank
     >>> pen = blank(9.0, 9.0, Style())
     >>> pen.tell(left_out="[]")
     >>> b'data-left-out="[]"' in written_as_svg(pen.figure, "", Style())
     True
     """
-    return json.dumps({"title": "", "data": dict(data)}, ensure_ascii=False)
+    mark = {"title": title, "halo": halo, "kind": kind, "groups": groups, "data": data}
+    return json.dumps(mark, ensure_ascii=False)
 
 
 def halo(style: Style) -> dict[str, Any]:

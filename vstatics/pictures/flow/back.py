@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.pictures.drawing.labels import Point, Span, height, width
-from vstatics.pictures.flow.columns import BAND_CLEARANCE, SPACE, Across, FlowCell, on_way_back
+from vstatics.pictures.flow.columns import BAND_CLEARANCE, SPACE, Across, FlowCell, length
 from vstatics.pictures.flow.graph import Band, Graph
 from vstatics.pictures.flow.places import Box, Line, Note
 from vstatics.pictures.flow.texts import FlowTexts
@@ -48,10 +48,13 @@ def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
     back = [number for number, band in enumerate(graph.bands) if band.back]
     for number in sorted(back, key=reach):
         band = graph.bands[number]
-        cell = on_way_back(band.between, band.power, scale, texts) if band.between else None
+        thick, cell = band.power * scale, None
+        if run := band.between:
+            said = texts.run(run, band.power, length(run), back=True)
+            cell = FlowCell(-1, run[::-1], said, thick=thick)
         text = "" if band.loop is None or band.loop in named else texts.loop(band.loop)
         named.add(band.loop)
-        all_rows.append(BackRow(number, band, band.power * scale, cell, text))
+        all_rows.append(BackRow(number, band, thick, cell, text))
     return all_rows
 
 

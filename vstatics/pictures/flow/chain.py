@@ -9,9 +9,7 @@ from vstatics.core.flow.circulation import Node
 from vstatics.core.flow.power_flow import GearFlow
 from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.drawing.pen import Pen
-from vstatics.pictures.drawing.style import SIZE
 from vstatics.pictures.flow.graph import Graph
-from vstatics.pictures.flow.texts import FlowTexts
 from vstatics.pictures.flow.titles import FlowTitles
 
 BETWEEN_NODES = ">"
@@ -68,7 +66,7 @@ class ChainLine(NamedTuple):
     @property
     def high(self) -> float:
         """Height of the lines [pt]."""
-        return height("", SIZE) * len(self.lines)
+        return height("") * len(self.lines)
 
     def draw(self, pen: Pen, left: float, top: float) -> None:
         """Draw the lines from an upper left corner [pt]."""
@@ -78,7 +76,7 @@ class ChainLine(NamedTuple):
                 colour = pen.style.lost if word.is_loss else pen.style.ink
                 pen.text(x, top, word.text, va="top", color=colour, title=word.title)
                 x += word.wide
-            top -= height("", SIZE)
+            top -= height("")
 
 
 def chain_line(drawn: Graph, said: FlowTitles, room: float) -> ChainLine:
@@ -99,22 +97,17 @@ def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
     """Return groups of words that stay together: a node, the loss and the next symbol."""
     texts = said.texts
     nodes = _in_line(drawn)
-    entering, leaving = texts.side.entering, texts.side.leaving
-    groups = [[ChainWord(_one_line(texts, entering))]]
+    groups = [[ChainWord(texts.line(texts.side.entering))]]
     for node in nodes:
         loss = drawn.losses.get(node, 0.0)
         title = said.node(node, drawn.through(node), loss)
         words = [ChainWord(_name(node, drawn), title)]
         if loss:
-            words.append(ChainWord(f"{_MINUS}{_one_line(texts, loss)}", title, is_loss=True))
+            words.append(ChainWord(f"{_MINUS}{texts.line(loss)}", title, is_loss=True))
         if node != nodes[-1]:
             words.append(ChainWord(BETWEEN_NODES))
         groups.append(words)
-    return [*groups, [ChainWord(_one_line(texts, leaving))]]
-
-
-def _one_line(texts: FlowTexts, power: float) -> str:
-    return texts.power(power).replace("\n", ", ")
+    return [*groups, [ChainWord(texts.line(texts.side.leaving))]]
 
 
 def _name(node: Node, drawn: Graph) -> str:

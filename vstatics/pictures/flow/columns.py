@@ -127,13 +127,6 @@ def _cell(graph: Graph, number: int, run: Run, scale: float, texts: FlowTexts) -
     )
 
 
-def on_way_back(run: Run, power: float, scale: float, texts: FlowTexts) -> FlowCell:
-    """Return the cell of the nodes on the way back of a loop, from left to right."""
-    return FlowCell(
-        -1, run[::-1], texts.run(run, power, length(run), back=True), thick=power * scale
-    )
-
-
 class Across(NamedTuple):
     """Horizontal positions [pt]."""
 

@@ -10,7 +10,6 @@ from matplotlib.figure import Figure
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import GearFlow
 from vstatics.core.statics.results import Results
-from vstatics.pictures.drawing.head import Meaning
 from vstatics.pictures.drawing.labels import title_width
 from vstatics.pictures.drawing.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.drawing.words import gear_title, title
@@ -26,7 +25,6 @@ from vstatics.pictures.flow.sheets import (
     row_blocks,
     sheets,
 )
-from vstatics.pictures.flow.signs import MILD_HATCH, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import titles
 
@@ -73,7 +71,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
             continue
         room = style.width - 2 * WIDE_MARGIN
         name = title(results.case, style.text("power flow"))
-        yield list(sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style))
+        yield list(sheets(list(gear_blocks(gears, room, style)), name, "", room, style))
 
 
 def placed(gear_flows: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
@@ -119,28 +117,4 @@ def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
     of_name = min(title_width(name), TITLE_WIDTH, room) if style.titled else 0.0
     wide = max(min(LEAST_FLOW_WIDTH, room), of_name, gear.wide)
     blocks = row_blocks(gear, wide) or [FlowBlock([], wide, 0.0, 0.0, nothing)]
-    yield from sheets(blocks, name, heading(gear.flow, wide, style), key, wide, style)
-
-
-def key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
-    """Return the meaning of the colours in the picture."""
-    drawn = [(gear.titles, row) for gear in shown if gear.titles for row in gear.rows]
-    pairs = [(said, line.band) for said, row in drawn for line in row.lines]
-    loops = [said.is_doubtful(band) for said, band in pairs if band.loop is not None]
-    lost = any(box.cell.lost for _, row in drawn for box in row.boxes)
-    pieces = [
-        said.is_mild(node) for said, row in drawn for node in row.graph.place if said.is_open(node)
-    ]
-    loop = loop_colour(style)
-    by_convention = "divided by convention, locked up"
-    mild = "divided within friction, locked up"
-    mild_look = {"facecolor": style.paper, "edgecolor": style.ink, "hatch": MILD_HATCH}
-    doubtful = "recirculating power, may be an artefact of the model"
-    return [
-        (drawn, "power", {"facecolor": style.power}),
-        (False in pieces, by_convention, hatched_look(style.power, style)),
-        (True in pieces, mild, {**mild_look, "width": 0.5}),
-        (lost, "lost", {"facecolor": style.lost}),
-        (False in loops, "recirculating power", {"facecolor": loop}),
-        (True in loops, doubtful, hatched_look(loop, style)),
-    ]
+    yield from sheets(blocks, name, heading(gear.flow, wide, style), wide, style)

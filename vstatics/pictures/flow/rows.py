@@ -8,7 +8,7 @@ from typing import NamedTuple
 from vstatics.core.flow.circulation import Node
 from vstatics.pictures.drawing.labels import Span
 from vstatics.pictures.flow.columns import PORT_ARROW, SPACE
-from vstatics.pictures.flow.graph import Band, EndPort, Graph
+from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.places import FlowLayout
 
 ELSEWHERE = Node("port", -1, "…")
@@ -38,7 +38,7 @@ def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> l
     """
     whole = lay_out(drawn)
     layouts, wanted = [whole], room
-    cuts = {layer: len(bands) for layer, bands in _cuts(drawn).items()}
+    cuts = _cuts(drawn)
     for _ in range(TRIES_OF_ROWS if whole.width > room and cuts else 0):
         ends = _best(_columns(whole), cuts, wanted)
         layouts = [lay_out(part) for part in parts(drawn, ends)]
@@ -74,8 +74,8 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
     ]
 
 
-def _cuts(drawn: Graph) -> dict[int, list[Band]]:
-    """Return the bands that are cut after each layer, without layers where loops would be cut."""
+def _cuts(drawn: Graph) -> dict[int, int]:
+    """Return the number of bands cut after each layer, without layers where loops would be cut."""
     by_layer = {}
     for layer in range(max(drawn.layers)):
         behind = [place > layer for place in drawn.layers]
@@ -85,7 +85,7 @@ def _cuts(drawn: Graph) -> dict[int, list[Band]]:
             if behind[drawn.place[band.source]] != behind[drawn.place[band.target]]
         ]
         if not any(band.back or band.loop is not None for band in crossing):
-            by_layer[layer] = crossing
+            by_layer[layer] = len(crossing)
     return by_layer
 
 

@@ -18,7 +18,7 @@ from vstatics.pictures.drawing.words import gear_title
 from vstatics.pictures.flow.chain import ChainLine, chain_line, is_chain
 from vstatics.pictures.flow.graph import graph
 from vstatics.pictures.flow.places import FlowLayout
-from vstatics.pictures.flow.signs import FlowView
+from vstatics.pictures.flow.signs import MILD_HATCH, FlowView, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import heading
 from vstatics.pictures.flow.titles import FlowTitles
 
@@ -64,19 +64,14 @@ class FlowBlock(NamedTuple):
     """True for a further row of a gear."""
 
 
-def sheets(  # noqa: PLR0913 PLR0917 - a page has these
-    blocks: Sequence[FlowBlock],
-    name: str,
-    note: str,
-    key: Callable[[Sequence[FlowGear], Style], Iterable[Meaning]],
-    room: float,
-    style: Style,
+def sheets(
+    blocks: Sequence[FlowBlock], name: str, note: str, room: float, style: Style
 ) -> Iterator[Figure]:
     """Yield pages with title, note and key, in a width without margins [pt]."""
 
     def head_of(shelves: Sequence[Sequence[FlowBlock]]) -> SheetHead:
         shown = [gear for shelf in shelves for block in shelf for gear in block.shown]
-        return sheet_head(name, note, key(shown, style), room, style)
+        return sheet_head(name, note, _key(shown, style), room, style)
 
     left_over = style.height - head_of([blocks]).high - BELOW_TEXT - 2 * WIDE_MARGIN
     for page in _pages(_shelves(blocks, room), left_over):
@@ -91,6 +86,30 @@ def sheets(  # noqa: PLR0913 PLR0917 - a page has these
                 left += block.wide + FLOW_GEAR_GAP
             top -= _high(shelf) + _gap(shelf, following)
         yield pen.figure
+
+
+def _key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
+    """Return the meaning of the colours in the picture."""
+    drawn = [(gear.titles, row) for gear in shown if gear.titles for row in gear.rows]
+    pairs = [(said, line.band) for said, row in drawn for line in row.lines]
+    loops = [said.is_doubtful(band) for said, band in pairs if band.loop is not None]
+    lost = any(box.cell.lost for _, row in drawn for box in row.boxes)
+    pieces = [
+        said.is_mild(node) for said, row in drawn for node in row.graph.place if said.is_open(node)
+    ]
+    loop = loop_colour(style)
+    by_convention = "divided by convention, locked up"
+    mild = "divided within friction, locked up"
+    mild_look = {"facecolor": style.paper, "edgecolor": style.ink, "hatch": MILD_HATCH}
+    doubtful = "recirculating power, may be an artefact of the model"
+    return [
+        (drawn, "power", {"facecolor": style.power}),
+        (False in pieces, by_convention, hatched_look(style.power, style)),
+        (True in pieces, mild, {**mild_look, "width": 0.5}),
+        (lost, "lost", {"facecolor": style.lost}),
+        (False in loops, "recirculating power", {"facecolor": loop}),
+        (True in loops, doubtful, hatched_look(loop, style)),
+    ]
 
 
 def _high(shelf: Sequence[FlowBlock]) -> float:

@@ -34,6 +34,10 @@ class FlowTexts(NamedTuple):
         text = number(value) if value >= LEAST_SHOWN_POWER else "<0.001"
         return text if math.isnan(self.flow.kilowatts) else f"{text}\n{self._kilowatts(value)}"
 
+    def line(self, value: float) -> str:
+        """Return a power as `power` does, in one line."""
+        return self.power(value).replace("\n", ", ")
+
     def run(
         self,
         run: Run,
@@ -76,9 +80,8 @@ class FlowTexts(NamedTuple):
         """Text of the total recirculating power of several loops."""
         if len(self.side.loops) < 2 or math.isnan(self.side.circulating):
             return ""
-        total = self.power(self.side.circulating).replace("\n", ", ")
         said = self.style.text("recirculating power in all")
-        return f"{said} {total}: {self._share(self.side.circulating)}"
+        return f"{said} {self.line(self.side.circulating)}: {self._share(self.side.circulating)}"
 
     def _share(self, power: float) -> str:
         share = power / self.side.entering if self.side.entering else math.nan

@@ -72,7 +72,7 @@ class FlowTitles(NamedTuple):
         if node.kind == "link":
             said += self._turning(power, node.name)
         if lost:
-            said.append(f"{self.texts.style.text('lost')} {self._one_line(lost)}")
+            said.append(f"{self.texts.style.text('lost')} {self.texts.line(lost)}")
         if self.is_open(node):
             said.append(
                 self.texts.style.text("within friction") if self.is_mild(node) else self._convention
@@ -89,10 +89,7 @@ class FlowTitles(NamedTuple):
                 yield f"{name}: {', '.join(self._torque(torque, speed))}"
 
     def _power(self, power: float) -> str:
-        return f"{self.texts.style.text('power')} {self._one_line(power)}"
-
-    def _one_line(self, power: float) -> str:
-        return self.texts.power(power).replace("\n", ", ")
+        return f"{self.texts.style.text('power')} {self.texts.line(power)}"
 
     def _turning(self, power: float, link: str) -> list[str]:
         speed = self.speeds[link]

@@ -32,7 +32,7 @@ from vstatics.pictures.lever.places import (
     any_freewheel,
     link_name,
 )
-from vstatics.pictures.lever.routes import BESIDE_SIGN, LeverRow
+from vstatics.pictures.lever.routes import BESIDE_SIGN, LeverRow, middle_of
 from vstatics.pictures.lever.view import LeverView
 
 
@@ -104,7 +104,7 @@ def _draw_line(view: LeverView) -> None:
     if math.isnan(cell.lever.ratio):
         first, *_, second = (view.speed(node) for node in range(len(cell.lever.nodes)))
         text = f"x = {number(second / first if first else math.nan)}"
-    middle = cell.middle + view.bottom
+    middle = middle_of(cell.rows) + view.bottom
     sheet.line((cell.at, low), (cell.at, middle - 0.8 * SIZE), colour=colour)
     sheet.line((cell.at, middle + 0.8 * SIZE), (cell.at, high), colour=colour)
     box(sheet, (cell.at, middle), (width(text) + 4, 1.6 * SIZE), colour)

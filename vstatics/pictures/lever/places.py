@@ -11,10 +11,10 @@ from vstatics.pictures.drawing.labels import Span, height, spread, widest, width
 from vstatics.pictures.drawing.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.drawing.tolerances import LEAST_POINT_DISTANCE
 from vstatics.pictures.drawing.words import word
-from vstatics.pictures.lever.gear import Spot, brakes_of, joins, spots_of
+from vstatics.pictures.lever.gear import brakes_of, joins, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
-from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of, middle_of
+from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of
 
 ARROW = 26.0
 """Length of the arrow of the largest torque."""
@@ -56,11 +56,6 @@ class LeverCell(NamedTuple):
         end = self.right - NUMBER_WIDTH - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
 
-    @property
-    def middle(self) -> float:
-        """Height of the middle of the lever."""
-        return middle_of(self.rows)
-
 
 class LeverPage(NamedTuple):
     """Positions of the levers of a case, which are equal in the pictures of all gears."""
@@ -89,10 +84,6 @@ class LeverPage(NamedTuple):
         """Return the lowest and highest point of a row of levers."""
         spans = [row.span for n in self.bands[band] for row in self.cells[n].rows.values()]
         return min(low for low, _ in spans), max(high for _, high in spans)
-
-    def row(self, spot: Spot) -> LeverRow:
-        """Return the row of a point."""
-        return self.cells[spot[0]].rows[spot[1]]
 
 
 def page_of(case: Transmission, style: Style) -> LeverPage | None:

@@ -208,7 +208,7 @@ def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
 
 
 def _hides(signed: LeverStep, other: LeverStep, *, is_after: bool) -> bool:
-    """Return whether a line next to a horizontal symbol runs through the symbol."""
+    """Return whether a line of `other`, a step next to `signed`, runs through its symbol."""
     height = signed.end if signed.is_late else signed.start
     levels = (abs(y - height) < 1 for y, is_left in other.levels if is_left == is_after)
     return signed.is_signed and not signed.is_upright and any(levels)

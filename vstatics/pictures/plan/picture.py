@@ -206,8 +206,7 @@ def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Figure:
             is_lowest = below is None or column >= len(below.plans)
             is_last = column == len(row.plans) - 1
             _name_scales(panel, plan_drawn, sheet, is_lowest=is_lowest, is_last=is_last)
-            if plan_drawn.run is not None:
-                _draw_run(panel, plan_drawn, row, sheet)
+            _draw_run(panel, plan_drawn, row, sheet)
         bottom -= row.below
     return pen.figure
 

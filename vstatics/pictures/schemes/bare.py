@@ -11,10 +11,11 @@ from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.coaxial.fitting import laid_out
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, painted, painted_within
+from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, draw_half_section, painted
 from vstatics.pictures.schemes.coaxial.rooms import extent
 from vstatics.pictures.schemes.coaxial.search.sweep import QUICK
 from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
+from vstatics.pictures.schemes.ink import SchemeInk
 from vstatics.pictures.schemes.planetary import as_sets, sections_of
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_of
 from vstatics.pictures.schemes.titles import Titles
@@ -38,7 +39,8 @@ class BareStick(NamedTuple):
 
     def draw(self, within: Pen) -> None:
         """Draw the diagram at a place of a larger figure."""
-        painted_within(within, self.layout)
+        pen, scheme = within.fitted(*extent(self.layout)), self.layout.coaxial.scheme
+        draw_half_section(SchemeInk(pen, scheme, SchemeState(), Titles()), self.layout)
 
 
 def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> BareStick:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
-from vstatics.core.model.transmission import HOUSING
 from vstatics.pictures.drawing.labels import Point, Segment, wrapped
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 
@@ -51,20 +50,17 @@ def hatching(low: Point, high: Point) -> Iterator[Segment]:
 
 
 ABOVE, BELOW = 1, -1
-Reach = Literal["row", "none"]
-"""Extent of a tap: ``row`` to a line of the link, or ``none`` for a fixed member."""
 
 
 class Tap(NamedTuple):
     """Point where a link meets a gear set."""
 
     wire: int
-    """Number of the link."""
+    """Number of the link; 0 for a fixed member."""
     side: int
     """Direction in which the link leaves, `ABOVE` or `BELOW`."""
     x: float
     """Distance from the left end of the gear set. [pt]"""
-    reach: Reach = "row"
     label: str = ""
     """Name of the member of the gear set."""
     depth: float = 0.0
@@ -106,16 +102,9 @@ class Glyph(NamedTuple):
 
 def member_tap(member: str, link: int, side: int, x: float, y: float) -> Tap:
     """Return the tap of a member that leaves the gear set at a point toward a side."""
-    reach: Reach = "none" if link == HOUSING else "row"
-    return Tap(link, side, x, reach, member, y if side == ABOVE else -y)
+    return Tap(link, side, x, member, side * y)
 
 
 def teeth(x: float, y: float, half: float = FACE) -> Stroke:
     """Return a horizontal line of teeth."""
     return Stroke(((x - half, y), (x + half, y)), TOOTH)
-
-
-def wheel(x: float, y: float, radius: float) -> list[Stroke]:
-    """Return a gear on a horizontal axis in side view."""
-    web = Stroke(((x, y - radius), (x, y + radius)))
-    return [web, teeth(x, y + radius), teeth(x, y - radius)]

@@ -76,10 +76,9 @@ class SchemeInk:
         return replace(self, pen=self.pen.within(kind, name=device.name))
 
     def ways(self, ports: Sequence[SchemePort]) -> set[bool]:
-        """Return whether power leaves or enters by ports, as far as known.
+        """Return the directions of power at ports: True if it leaves, False if it enters.
 
-        Without a solution, input and output have their usual direction, and other ports can do
-        both.
+        Without a solution, input and output have their usual direction, and other ports have both.
         """
         known = {self.state.leaving[port] for port in ports if port in self.state.leaving}
         meant = {port.role == "output" for port in ports if port.role != "given"}

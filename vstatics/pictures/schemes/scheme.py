@@ -115,15 +115,6 @@ class Scheme:
     links: Sequence[str]
     devices: Sequence[Device]
     ports: Sequence[SchemePort]
-    is_part: bool = False
-    """True for a selection of components, with only the links of the selection."""
-
-    @property
-    def wires(self) -> list[int]:
-        """Numbers of the drawn links."""
-        used = {link for device in self.devices for link in device.links}
-        every = range(1, len(self.links) + 1)
-        return [link for link in every if link in used or not self.is_part]
 
     def name(self, link: int) -> str:
         """Return the name of a link."""
@@ -139,7 +130,7 @@ class Scheme:
         right = [port.link for port in self.ports if not port.is_left]
         for link in range(1, len(self.links) + 1):
             joined = sum(link in device.links for device in self.devices)
-            if self.is_part <= joined < 2 and link not in [*left, *right]:
+            if joined < 2 and link not in [*left, *right]:
                 right.append(link)
         return left, list(dict.fromkeys(right))
 

@@ -43,14 +43,14 @@ class ModeChoices:
         rows = system.rows(contact.row for contact in system.contacts)
         touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
         self.touched = touched.max(axis=1, initial=0.0) > STANDING
-        """Contacts whose slip can jump, because a link without inertia moves along."""
+        """Contacts whose slip can jump, because it depends on a motion without inertia."""
         motions = np.hstack([loose.free, loose.light])
         self.idle = [not (np.abs(mesh.slip @ motions) > STANDING).any() for mesh in system.meshes]
         """Mechanisms whose links always rotate as a block: lossless, as in statics."""
         self.carried = [
             bool((np.abs(mesh.slip @ loose.light) > STANDING).any()) for mesh in system.meshes
         ]
-        """Mechanisms whose speeds can jump, because a link without inertia moves along."""
+        """Mechanisms whose speeds can jump, because they depend on a motion without inertia."""
         self.leaping = [
             bool((np.abs(loose.light[load.link]) > STANDING).any()) for load in system.outside
         ]

@@ -27,7 +27,10 @@ _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 """Matrix from values at nine Chebyshev nodes of an interval to coefficients, highest power first.
 """
 _LOW = 0.1
-"""Fraction of the fall of a margin next to a gap; a lower minimum in the gap is examined."""
+"""Fraction of the fall of a margin beside a minimum between two instants.
+
+A minimum below this fraction of the fall is examined closely, since it could be negative.
+"""
 _PLACES = 65
 """Number of points at which a polynomial is evaluated in a gap between two instants."""
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
@@ -200,7 +203,7 @@ class Finder:
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))
 
     def _after_rise(self, step: TimeStep, index: int, first: float, last: float) -> float:
-        """Return the zero of a margin that is 0 at the start of an interval as well.
+        """Return the next zero of a margin that is also 0 at the start of an interval.
 
         A margin that never rises ends at the start if a choice depends on it. Otherwise it ends
         where it is below 0 by more than rounding. The latter holds for margins of splits, too: they

@@ -98,7 +98,7 @@ class SplitRoom(NamedTuple):
 
     @property
     def tight(self) -> Booleans:
-        """Flags of the smallest slacks in the split that leaves most room."""
+        """True for the smallest slacks in the split that leaves most room."""
         return self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
 
     def on_other_side(self, rows: slice) -> SplitRoom:
@@ -228,8 +228,10 @@ class Margins:
                 self.gripping.append((index, SIGNS[state]))
                 self._watch("grip", index, torque=spring.viscous > 0)
         self.touching: list[tuple[int, float]] = []
-        """Springs in contact next to their play: index and sign of the torque. Spring and damper
-        together have this sign in contact, and the opposite sign after parting.
+        """Springs with play outside their play: index, and sign of the torque of the margin.
+
+        The sign is the sign of the elastic torque while spring and damper are in contact, and the
+        opposite sign while they are parted.
         """
         for index, (spring, state) in springs:
             side = spring.side(self._piece(index)) if spring.can_part else 0.0
@@ -464,7 +466,7 @@ class Margins:
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
-        """Return the watches at a limit in the split that leaves most room."""
+        """Return the watches of the torques nearest their limits, in the split with most room."""
         at, states = np.array([time]), state[:, None]
         rates, torques = self.equations.acting_at(at, states)
         seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None
@@ -480,7 +482,7 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return a watch; the side of a mesh becomes the side of the motion that begins."""
+        """Return the watch with the side on which motion begins; only for a mesh it can differ."""
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)

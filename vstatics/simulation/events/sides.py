@@ -77,7 +77,7 @@ class Judge:
         return self._known[comparison]
 
     def judged(self, pair: Compared) -> Awaited:
-        """Return the side of a pair of numbers, with their size and the change of difference."""
+        """Decide which of two numbers is larger from now on; return this side with error scales."""
         now = math.nextafter(self.now.time, math.inf), self.now.values  # after a jump at this time
         (first, second), (later, other) = pair.at(*now), pair.at(*self.ahead)
         apart, then = first - second, later - other
@@ -100,13 +100,13 @@ class Judge:
         return "0"
 
     def nearest(self, group: Sequence[Compared]) -> list[tuple[int, Awaited]]:
-        """Return the comparisons of a number with its nearest neighbours in a sorted group.
+        """Compare a number with its nearest neighbours in a sorted group of numbers.
 
         Returns
         -------
         list of (int, Awaited)
-            Place in the group and comparison: the last number below, and the next two numbers, as
-            far as the group has them.
+            Place in the group and comparison, for the last number below and for the next two
+            numbers, as far as the group has them.
         """
         judged = [*enumerate(map(self.judged, group))]
         above = next((n for n, awaited in judged if awaited.side != "+"), len(judged))

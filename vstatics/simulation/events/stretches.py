@@ -62,7 +62,7 @@ class Exponential:
         self.dense = len(matrix) if rows is None else rows
         orders = np.arange(len(matrix)) - np.arange(self.dense, len(matrix))[:, None]
         self.doubling = 2.0 ** np.clip(orders, 0, _ORDERS)
-        """Factors by which entries of the exponential in chains grow when the time doubles."""
+        """Factors by which the entries of the lower rows grow when the time doubles."""
         chained = np.eye(len(matrix))[self.dense :]
         terms, lower = [np.eye(len(matrix))[: self.dense]], [chained]
         superdiagonal = np.append(0.0, np.diag(self.step, 1))

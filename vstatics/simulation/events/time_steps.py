@@ -46,7 +46,7 @@ class TimeStep(NamedTuple):
     states: Floats
     """States at the instants, shape (size, instants)."""
     nodes: Floats
-    """Positions of the instants in each equal part, from 0 to 1; the last is 1."""
+    """Positions of the instants in each of the equal parts of a step, from above 0 to 1."""
 
 
 _PATIENCE = 1000

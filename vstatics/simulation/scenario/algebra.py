@@ -41,7 +41,7 @@ def applied(name: str, *operands: Tree) -> Tree:
 
 
 def bare(tree: Any) -> Tree:
-    """Return a tree without the places of the parts in the text."""
+    """Return a tree without places in a text, so that equal formulas are equal trees."""
     if isinstance(tree, Applied):
         return applied(tree.name, *map(bare, tree.operands))
     if isinstance(tree, TableName):

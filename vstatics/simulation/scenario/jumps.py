@@ -40,7 +40,10 @@ class LawJump(NamedTuple):
 
     @property
     def change(self) -> Curve:
-        """Acceleration of a motion that slides along the jump [rad/s^2]."""
+        """Acceleration of a motion that slides along the jump, without the part by the angle.
+
+        [rad/s^2]
+        """
         return curve_slope(self.speed)
 
     @property

@@ -512,9 +512,9 @@ class Equations:
         return slopes
 
     def _sight(self, time: float) -> float:
-        """Return the time step for differences of seen quantities, negative if possible [s].
+        """Return the time step for finite differences of quantities that formulas see [s].
 
-        A step backward cannot cross a corner that is ahead.
+        It is negative if possible, because a step backward cannot cross a corner that is ahead.
         """
         step = SIGHT * self.system.scenario.span
         return -step if time - step > self.time else step

@@ -10,7 +10,7 @@ from vstatics.simulation.system.ports import Ports
 from vstatics.simulation.system.structure import MotionStructure
 
 DISTANCES = (1.0, 16.0, 256.0)
-"""Times ahead at which a number that is 0 now is examined again, as multiples of `within`."""
+"""Times of the look-ahead for a number that is 0 now, as multiples of `within`."""
 
 
 class KnownMotion(Protocol):

@@ -232,7 +232,7 @@ class PortLayout:
         seen = {quantity for formula in formulas(system.scenario) for quantity in formula.seen}
         of_links = {quantity for quantity in seen if quantity.word == "speed"}
         self.sensed = tuple(sorted(system.names.index(quantity.of) for quantity in of_links))
-        """Indices of the links whose speeds formulas see: ports without a torque."""
+        """Indices of the links whose speeds occur in formulas; their ports have no torque."""
         self.variators = self.sensors + len(self.sensed)
         self.ports = self.variators + len(system.variators)
         self.frictions = self.outside + self.converters

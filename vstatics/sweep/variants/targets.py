@@ -62,7 +62,7 @@ class Target(NamedTuple):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Key of the number; a compliance has the key of the stiffness."""
+        """Key that identifies the number; a compliance has the key of the stiffness."""
         quantity = "stiffness" if self.quantity == "compliance" else self.quantity
         return frozenset([(self.owner, quantity)])
 

@@ -86,7 +86,7 @@ class _RenamingSearch:
         self.ends: list[_Renamings] = []
 
     def follow(self, renamings: _Renamings, place: int) -> None:
-        """Put every set in a place, and follow the renamings that agree there."""
+        """Try every set at a place of the order; follow the renamings whose codes agree there."""
         if place == self.sets:
             self.ends.append(renamings)
             return
@@ -102,7 +102,10 @@ class _RenamingSearch:
     def _agreeing(
         self, before: _Renamings, place: int, number: int, order: tuple[int, ...]
     ) -> _Renamings:
-        """Return renamings that agree with a set in a place; mark codes that can be reduced."""
+        """Extend renamings by a set at a place, as far as the codes agree with the given codes.
+
+        A code that becomes less than the given code shows that the given code is not the least.
+        """
         free = (before.used >> np.uint16(number)) & np.uint16(1) == 0
         rows = np.flatnonzero(free & self.least[before.which])
         counts = before.next[rows]

@@ -18,7 +18,8 @@ MOST_TEETH_ROWS = 1_000_000
 class TeethTable(NamedTuple):
     """Rows of tooth numbers of a gear set, grouped by ratios.
 
-    The order of `ratios` is such that both halves of any node are contiguous.
+    A place of the table contains all rows with equal ratios. Places are in such an order that both
+    halves of any node are contiguous.
     """
 
     layout: TeethLayout
@@ -29,7 +30,7 @@ class TeethTable(NamedTuple):
     rows: Integers
     """Different tooth numbers, grouped by ratios, shape (rows, wheels + 1 + components)."""
     starts: Integers
-    """First row of each place, and the end, shape (places + 1,)."""
+    """First row of each place, then the number of rows, shape (places + 1,)."""
     ratios: Floats
     """Different ratios, shape (places, ratios of the gear set). [-]"""
     nodes: Integers

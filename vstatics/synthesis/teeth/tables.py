@@ -7,11 +7,15 @@ from collections.abc import Iterator
 import numpy as np
 
 from vstatics.core.tables.grid import Cell, Grid, Values, exact, grid_of, whole
+from vstatics.core.tables.text import broken
 from vstatics.synthesis.ratios.tables import number
 from vstatics.synthesis.teeth.finding import FoundTeeth
 from vstatics.synthesis.teeth.layout import named_ratios
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
+
+TEETH_WIDTH = 30
+"""Characters of the column of teeth; the teeth of a larger gear set continue in the next row."""
 
 
 def teeth_grids(result: FoundTeeth) -> Iterator[Grid]:
@@ -62,11 +66,16 @@ def _wanted(problem: TeethProblem, best: TeethSolution) -> Grid:
 def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
     rows = []
     for layout in problem.layouts:
-        teeth = ", ".join(f"{wheel} {count}" for wheel, count in best.teeth[layout.name].items())
+        counts = [f"{wheel} {count}," for wheel, count in best.teeth[layout.name].items()]
+        counts[-1] = counts[-1].rstrip(",")
+        teeth, *further = broken(counts, TEETH_WIDTH, indent="")
         ratios = ", ".join(f"{best.ratios[part.name]:.4f}" for part in layout.ratios)
         of_wheels = best.modules.get(layout.name, {}) if best.modules else {}
         modules = ", ".join(f"{wheel} {module:g}" for wheel, module in of_wheels.items())
+        if len({*of_wheels.values()}) == 1:
+            modules = f"{next(iter(of_wheels.values())):g}"
         rows.append((layout.name, teeth, best.planets.get(layout.name), ratios, modules))
+        rows += [("", line, "", "", "") for line in further]
     modules = "modules [mm]"
     return grid_of(
         "Teeth",

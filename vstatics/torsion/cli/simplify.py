@@ -104,7 +104,7 @@ class Reducing(NamedTuple):
         "--merge",
         metavar="A+B,C+D",
         callback=value(_names),
-        help="Masses to merge after that, such as masses of equal branches.",
+        help="Pairs of masses to merge after --remove, such as masses of equal branches.",
     ),
 )
 @gathered(

@@ -117,7 +117,7 @@ def driven(matrix: Floats, by_input: Floats) -> Driven:
 
 
 class FormVariances(NamedTuple):
-    """Variances of forms of angles, shape (forms,), with NaN for undefined variances."""
+    """Variances of linear forms of angles, shape (forms,); NaN for undefined variances."""
 
     angles: Floats
     """Variances of angles. [rad^2]"""
@@ -134,7 +134,7 @@ class FormVariances(NamedTuple):
 
 
 def form_variances(gear: ExcitedGear, spectrum: Spectrum, forms: Floats) -> FormVariances:
-    """Calculate the variances of forms of the angles of links, shape (forms, links)."""
+    """Calculate the variances of linear forms of link angles, shape (forms, links)."""
     if isinstance(spectrum, SpectrumPoints):
         exists = _existing_at_points(gear, spectrum, forms)
         edges = [omega for omega, _ in spectrum.points]
@@ -164,7 +164,10 @@ def _filters(spectrum: Correlation) -> list[tuple[float, _Filter | None]]:
 def _of_part(
     system: FirstOrder, forms: Floats, size: float, noise_filter: _Filter | None
 ) -> Floats:
-    """Calculate variances of forms under white or filtered noise, shape (3, forms)."""
+    """Calculate the variances of linear forms and of two derivatives, shape (3, forms).
+
+    The input is white noise, or white noise through a filter.
+    """
     states = len(system.matrix)
     matrix, by_input, output = system.matrix, system.input, np.zeros(states)
     extra = 0

@@ -94,14 +94,6 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     return Pencil(stiffness, resisted, hysteresis, count, rigid.shape[1], not system.converters)
 
 
-def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Return orthogonal rigid motions of modal mass 1."""
-    if not split.rigid.size:
-        return split.rigid
-    _, triangle = linalg.qr(weighted_bodies(system) @ split.rigid, mode="economic")
-    return linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
-
-
 def resisting_rows(system: TorsionalSystem, resistances: Floats) -> Floats:
     """Return the resisted motions of links, weighted by the roots of resistances.
 
@@ -111,6 +103,14 @@ def resisting_rows(system: TorsionalSystem, resistances: Floats) -> Floats:
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
     slips = np.diag(np.sqrt(links))[links > 0]
     return np.vstack([np.sqrt(resistances)[:, None] * system.twists, system.damper_rows, slips])
+
+
+def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
+    """Return orthogonal rigid motions of modal mass 1."""
+    if not split.rigid.size:
+        return split.rigid
+    _, triangle = linalg.qr(weighted_bodies(system) @ split.rigid, mode="economic")
+    return linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
 
 
 def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[Floats, Floats]:
@@ -217,15 +217,6 @@ def _require_finite(matrix: Floats) -> Floats:
     return matrix
 
 
-def settled(values: Complex) -> Complex:
-    """Remove rounding errors: no eigenvalue has a positive real part here, and some are real."""
-    return _real_if_close(np.minimum(values.real, 0.0) + 1j * values.imag)
-
-
-def _real_if_close(values: Complex) -> Complex:
-    return np.where(np.abs(values.imag) <= REAL_EIGENVALUE * np.abs(values), values.real, values)
-
-
 def _state(pencil: Pencil, stiffness: Floats, resistance: Floats) -> Floats:
     """Build the matrix A of ``x' = A x``, with x = modal coordinates, massless motions, speeds."""
     size, count = len(stiffness), pencil.massive
@@ -260,6 +251,15 @@ def _rates(resistance: Floats, right: Floats, *, symmetric: bool) -> Floats:
         scaled, scale * right, assume_a="pos" if symmetric else "gen"
     )
     return rates
+
+
+def settled(values: Complex) -> Complex:
+    """Remove rounding errors: no eigenvalue has a positive real part here, and some are real."""
+    return _real_if_close(np.minimum(values.real, 0.0) + 1j * values.imag)
+
+
+def _real_if_close(values: Complex) -> Complex:
+    return np.where(np.abs(values.imag) <= REAL_EIGENVALUE * np.abs(values), values.real, values)
 
 
 def order_of(values: Complex) -> NDArray[np.intp]:

@@ -248,6 +248,33 @@ def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
     )
 
 
+def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Iterator[str]:
+    if not system.elastic and not system.resists:
+        yield (
+            "nothing is elastic; expected `springs`, or a `stiffness` of a component that takes "
+            "part"
+        )
+    names = [name for name, loose in zip(system.names, split.undetermined, strict=True) if loose]
+    if names:
+        verb = "has" if len(names) == 1 else "have"
+        yield (
+            f"{spoken(names)} {verb} neither an inertia nor a component that resists: left out; "
+            "give an inertia, or join the link"
+        )
+    rigid = [device.name for device in system.rigid]
+    unknown = [name for name, known in zip(rigid, held.determined, strict=True) if not known]
+    if unknown:
+        sets = [involved for involved, _ in dependencies(system.rigid_twists)]
+        what = "; ".join(spoken([rigid[index] for index in involved]) for involved in sets)
+        counted = (
+            f"{len(sets)} {plural('component', len(sets))} {'is' if len(sets) == 1 else 'are'}"
+        )
+        yield (
+            f"{what}: {counted} in excess; the speeds agree, the torque of {spoken(unknown)} is "
+            "not determined"
+        )
+
+
 def _named(  # noqa: PLR0913, PLR0917
     case: Transmission,
     system: TorsionalSystem,
@@ -300,30 +327,3 @@ def _shares(shapes: Floats, parts: Sequence[tuple[str, float, Form]]) -> dict[st
 
 def _of_mode(by_name: Mapping[str, Floats], mode: int) -> dict[str, float]:
     return {name: float(values[mode]) + 0.0 for name, values in by_name.items()}
-
-
-def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Iterator[str]:
-    if not system.elastic and not system.resists:
-        yield (
-            "nothing is elastic; expected `springs`, or a `stiffness` of a component that takes "
-            "part"
-        )
-    names = [name for name, loose in zip(system.names, split.undetermined, strict=True) if loose]
-    if names:
-        verb = "has" if len(names) == 1 else "have"
-        yield (
-            f"{spoken(names)} {verb} neither an inertia nor a component that resists: left out; "
-            "give an inertia, or join the link"
-        )
-    rigid = [device.name for device in system.rigid]
-    unknown = [name for name, known in zip(rigid, held.determined, strict=True) if not known]
-    if unknown:
-        sets = [involved for involved, _ in dependencies(system.rigid_twists)]
-        what = "; ".join(spoken([rigid[index] for index in involved]) for involved in sets)
-        counted = (
-            f"{len(sets)} {plural('component', len(sets))} {'is' if len(sets) == 1 else 'are'}"
-        )
-        yield (
-            f"{what}: {counted} in excess; the speeds agree, the torque of {spoken(unknown)} is "
-            "not determined"
-        )

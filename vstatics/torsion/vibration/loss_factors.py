@@ -19,9 +19,12 @@ from vstatics.torsion.vibration.eigen_pairs import EigenPairs, Pencil, eigen_pai
 from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined, refined
 
 LIGHTLY_DAMPED = 0.3
-"""Largest damping ratio at which squares of parts of shapes in a mode add up to about 1. [-]"""
+"""Largest damping ratio of a mode whose parts in all shapes have squares with a sum near 1. [-]"""
 REST = 0.5
-"""Largest remainder of this sum, relative to the largest square, if no candidate is missing. [-]"""
+"""Largest difference of this sum from 1, relative to the largest square, if no shape is missing.
+
+[-]
+"""
 SAME_SHAPE = 0.9999
 """Smallest part in a heavily damped mode that identifies the shape with the mode. [-]"""
 MOST_CANDIDATES = 5
@@ -45,7 +48,10 @@ def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
 
 
 def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPairs) -> Complex:
-    """Calculate the eigenvalues of some modes with the D of each; NaN where uncertain."""
+    """Calculate the eigenvalues of some modes, each with its own damping matrix D.
+
+    Uncertain eigenvalues are NaN.
+    """
     pencils, pairs = pencil.at(omegas), np.full((len(modes), 2), np.nan, np.complex128)
     light = pencils.resistances[np.arange(len(modes)), modes, modes] <= 2 * LIGHTLY_DAMPED * omegas
     candidates_of_modes = [
@@ -73,6 +79,14 @@ def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPai
     return pairs
 
 
+def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
+    """Return the places of eigenvalues that can have the largest part in a lightly damped mode."""
+    squares = np.abs(common.shapes[mode]) ** 2
+    order = np.argsort(-squares, kind="stable")[:MOST_CANDIDATES]
+    enough = 1 - np.cumsum(squares[order]) < REST / 2 * squares[order[0]]
+    return [int(place) for place in order[: int(np.argmax(enough)) + 1]]
+
+
 def _roots(pencils: Pencils, shapes: Complex) -> Complex:
     """Return initial eigenvalues: the complex root of each shape, or the smaller real root."""
     slow, fast = pencils.roots(shapes)
@@ -86,14 +100,6 @@ def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[C
     parts = np.abs(near.shapes[np.arange(len(modes)), modes])
     parts /= pencil.lengths(near.shapes.T, near.eigenvalues)
     return np.where(near.converged, values, np.nan), np.where(near.converged, parts, 0.0)
-
-
-def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
-    """Return the places of eigenvalues that can have the largest part in a lightly damped mode."""
-    squares = np.abs(common.shapes[mode]) ** 2
-    order = np.argsort(-squares, kind="stable")[:MOST_CANDIDATES]
-    enough = 1 - np.cumsum(squares[order]) < REST / 2 * squares[order[0]]
-    return [int(place) for place in order[: int(np.argmax(enough)) + 1]]
 
 
 def _are_all(values: Complex, parts: Floats) -> bool:

@@ -189,6 +189,17 @@ def damping(  # noqa: PLR0913
     )
 
 
+def _check_number(what: str, number: float, *, above_0: bool = False) -> None:
+    """Raise ValueError for a number out of the range of measurements."""
+    if not _is_measured(number, above_0=above_0):
+        least = "above 0" if above_0 else "of 0 or more"
+        raise ValueError(f"{what}: read {number:g}, expected a number {least}")
+
+
+def _is_measured(number: float, *, above_0: bool) -> bool:
+    return 0 < number < math.inf or (number == 0 and not above_0)
+
+
 def _devices_and_mode(
     case: Transmission, gear: int | str, number: int, *, coast: bool | None
 ) -> tuple[list[TorsionalDevice], Mode]:
@@ -216,6 +227,21 @@ def _compliances(elastic: Sequence[TorsionalDevice]) -> dict[str, float]:
     return {device.name: 1 / (device.stiffness or math.inf) for device in elastic}
 
 
+def _check_results(results: ByDevice, *, above_0: bool = False) -> None:
+    for name, value in results.items():
+        if not _is_measured(value, above_0=above_0):
+            raise ValueError(f"numbers so large or so small give no value of {quoted(name)}")
+
+
+def _dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
+    try:
+        values = formulas.dampings(decrements, compliances, omega)
+    except ZeroDivisionError:
+        values = dict.fromkeys(decrements, math.inf)
+    _check_results(values)
+    return values
+
+
 def _message_of_missing_device(
     case: Transmission, gear: str, asked: str, elastic: Sequence[str]
 ) -> str:
@@ -237,29 +263,3 @@ def _notes_on_other_devices(
     if decrements:
         added = formulas.decrement(decrements, mode.elastic)
         yield f"by its damping in the case {spoken(decrements)} adds {added:.4g} to the decrement"
-
-
-def _check_number(what: str, number: float, *, above_0: bool = False) -> None:
-    """Raise ValueError for a number out of the range of measurements."""
-    if not _is_measured(number, above_0=above_0):
-        least = "above 0" if above_0 else "of 0 or more"
-        raise ValueError(f"{what}: read {number:g}, expected a number {least}")
-
-
-def _is_measured(number: float, *, above_0: bool) -> bool:
-    return 0 < number < math.inf or (number == 0 and not above_0)
-
-
-def _dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
-    try:
-        values = formulas.dampings(decrements, compliances, omega)
-    except ZeroDivisionError:
-        values = dict.fromkeys(decrements, math.inf)
-    _check_results(values)
-    return values
-
-
-def _check_results(results: ByDevice, *, above_0: bool = False) -> None:
-    for name, value in results.items():
-        if not _is_measured(value, above_0=above_0):
-            raise ValueError(f"numbers so large or so small give no value of {quoted(name)}")

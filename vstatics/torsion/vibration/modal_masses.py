@@ -17,18 +17,18 @@ from vstatics.torsion.tolerances import LOST_SQUARE
 
 
 class Split(NamedTuple):
-    """Forms of bodies and devices by the motions of a system, split as in `Coordinates`.
+    """Speeds of bodies and twists of devices in each motion of a system, split as in `Coordinates`.
 
     Leading axes stand for variants with other ratios.
 
     Attributes
     ----------
     bodies : ndarray, shape (..., bodies, heavy motions)
-        Speeds of bodies by motions with inertia.
+        Speeds of bodies in motions with inertia.
     twists : ndarray, shape (..., devices, heavy motions)
-        Twists of devices by motions with inertia.
+        Twists of devices in motions with inertia.
     massless : ndarray, shape (..., devices, massless motions)
-        Twists of devices by massless motions.
+        Twists of devices in massless motions.
     rigid : ndarray, shape (..., heavy motions, rigid motions)
         Rigid motions in terms of the motions with inertia.
     """
@@ -40,15 +40,15 @@ class Split(NamedTuple):
 
 
 class NormedTwists(NamedTuple):
-    """Twists of the elastic devices by motions of a system.
+    """Twists of the elastic devices in each motion of a system.
 
     Attributes
     ----------
     heavy : ndarray, shape (..., devices, modes)
-        Twists by motions of modal mass 1, orthogonal in M to each other and to rigid motions.
+        Twists in motions of modal mass 1, orthogonal in M to each other and to rigid motions.
         Leading axes are those of the inertias. [1/sqrt(kg*m^2)]
     massless : ndarray, shape (..., devices, massless motions)
-        Twists by massless motions.
+        Twists in massless motions.
     """
 
     heavy: Floats

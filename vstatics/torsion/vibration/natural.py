@@ -63,6 +63,40 @@ def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
     return NaturalModes(every[::-1], (basis @ vectors.T)[:, ::-1])
 
 
+def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> NaturalModes:
+    """Calculate the lowest modes that are not rigid by shifted Lanczos iteration.
+
+    Examples
+    --------
+    A shaft of 400 equal masses, free at its ends: ``omega_k = 2 sin(k pi/800)``.
+
+    >>> from vstatics import Spring, Transmission
+    >>> from vstatics.torsion.system.coordinates import coordinates
+    >>> from vstatics.torsion.system.gear_system import torsional_system
+    >>> springs = [Spring({n: 1, n + 1: -1}, stiffness=1.0) for n in range(1, 400)]
+    >>> case = Transmission(400, [], [], [], springs=springs,
+    ...                     inertias=dict.fromkeys(range(1, 401), 1.0))
+    >>> system = torsional_system(case, case.gears[0])
+    >>> omegas = lowest_modes(system, coordinates(system), 2).omegas
+    >>> np.allclose(omegas, 2*np.sin(np.pi*np.array([1, 2])/800), rtol=1e-9)
+    True
+    """
+    free = sparse.csc_matrix(split.free)
+    twists = sparse.csc_matrix(weighted_twists(system)) @ free
+    speeds = sparse.csc_matrix(weighted_bodies(system)) @ free
+    stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()
+    # The estimate of the lowest squared frequency is their mean divided by their number squared.
+    mean = float(stiffness.diagonal().sum() / mass.diagonal().sum())
+    below = -BELOW_SQUARES * mean / free.shape[1] ** 2
+    rigid = split.rigid.shape[1]
+    start = np.random.default_rng(1).standard_normal(free.shape[1])
+    squares, all_vectors = eigsh(stiffness, rigid + count, mass, sigma=below, v0=start)
+    vectors = all_vectors[:, np.argsort(squares)[rigid:]]
+    sizes = np.linalg.norm(np.asarray(speeds @ vectors), axis=0)
+    omegas = np.linalg.norm(np.asarray(twists @ vectors), axis=0) / sizes
+    return NaturalModes(omegas, np.asarray(free @ vectors) / sizes)
+
+
 def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     """Return motions of modal mass 1, mutually M-orthogonal and M-orthogonal to rigid motions.
 
@@ -107,37 +141,3 @@ def weighted_twists(system: TorsionalSystem) -> Floats:
 def weighted_bodies(system: TorsionalSystem) -> Floats:
     """Return the speeds of bodies by speeds of links, times roots of inertias."""
     return np.asarray(np.sqrt(system.inertias)[:, None] * system.speeds)
-
-
-def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> NaturalModes:
-    """Calculate the lowest modes that are not rigid by shifted Lanczos iteration.
-
-    Examples
-    --------
-    A shaft of 400 equal masses, free at its ends: ``omega_k = 2 sin(k pi/800)``.
-
-    >>> from vstatics import Spring, Transmission
-    >>> from vstatics.torsion.system.coordinates import coordinates
-    >>> from vstatics.torsion.system.gear_system import torsional_system
-    >>> springs = [Spring({n: 1, n + 1: -1}, stiffness=1.0) for n in range(1, 400)]
-    >>> case = Transmission(400, [], [], [], springs=springs,
-    ...                     inertias=dict.fromkeys(range(1, 401), 1.0))
-    >>> system = torsional_system(case, case.gears[0])
-    >>> omegas = lowest_modes(system, coordinates(system), 2).omegas
-    >>> np.allclose(omegas, 2*np.sin(np.pi*np.array([1, 2])/800), rtol=1e-9)
-    True
-    """
-    free = sparse.csc_matrix(split.free)
-    twists = sparse.csc_matrix(weighted_twists(system)) @ free
-    speeds = sparse.csc_matrix(weighted_bodies(system)) @ free
-    stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()
-    # The estimate of the lowest squared frequency is their mean divided by their number squared.
-    mean = float(stiffness.diagonal().sum() / mass.diagonal().sum())
-    below = -BELOW_SQUARES * mean / free.shape[1] ** 2
-    rigid = split.rigid.shape[1]
-    start = np.random.default_rng(1).standard_normal(free.shape[1])
-    squares, all_vectors = eigsh(stiffness, rigid + count, mass, sigma=below, v0=start)
-    vectors = all_vectors[:, np.argsort(squares)[rigid:]]
-    sizes = np.linalg.norm(np.asarray(speeds @ vectors), axis=0)
-    omegas = np.linalg.norm(np.asarray(twists @ vectors), axis=0) / sizes
-    return NaturalModes(omegas, np.asarray(free @ vectors) / sizes)

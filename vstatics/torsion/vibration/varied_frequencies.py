@@ -171,25 +171,6 @@ def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: F
     return kinds.reshape(-1)
 
 
-def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
-    """Yield the given variants in groups of equal kind."""
-    if not len(rows):
-        return
-    order = rows[np.argsort(kinds[rows], kind="stable")]
-    yield from np.split(order, np.flatnonzero(np.diff(kinds[order])) + 1)
-
-
-def _with_ratios(
-    case: Transmission, targets: Sequence[VariedQuantity], values: Floats
-) -> Transmission:
-    mechanisms = list(case.mechanisms)
-    for target, value in zip(targets, values.tolist(), strict=True):
-        if target.quantity in OF_MECHANISM:
-            changed = {target.quantity: value}
-            mechanisms[target.owner] = mechanisms[target.owner]._replace(**changed)
-    return case.with_numbers(mechanisms)
-
-
 def _by_ratios(
     case: Transmission,
     targets: Sequence[VariedQuantity],
@@ -214,6 +195,25 @@ def _by_ratios(
             twists[place] = rows
     others = _elastic_and_heavy(case, system, targets, values)
     return frequencies_of_ratios(VariedSystem(system, twists, *others), modes, len(values))
+
+
+def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
+    """Yield the given variants in groups of equal kind."""
+    if not len(rows):
+        return
+    order = rows[np.argsort(kinds[rows], kind="stable")]
+    yield from np.split(order, np.flatnonzero(np.diff(kinds[order])) + 1)
+
+
+def _with_ratios(
+    case: Transmission, targets: Sequence[VariedQuantity], values: Floats
+) -> Transmission:
+    mechanisms = list(case.mechanisms)
+    for target, value in zip(targets, values.tolist(), strict=True):
+        if target.quantity in OF_MECHANISM:
+            changed = {target.quantity: value}
+            mechanisms[target.owner] = mechanisms[target.owner]._replace(**changed)
+    return case.with_numbers(mechanisms)
 
 
 def _elastic_and_heavy(

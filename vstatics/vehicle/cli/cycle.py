@@ -133,7 +133,7 @@ def cycle_command(
     brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
     which the engine would exceed its full load or its largest speed. A gear with
     other machines, from a balance or from given speeds or torques, is an error. Fuel needs a
-    map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` in place of `engine` the
+    map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` instead of `engine` the
     vehicle is electric: energy of the battery, consumption, and recuperation.
 
     \b

@@ -99,7 +99,7 @@ def _spectrum(row: MemberRow, rows: MemberRows, classes: Classes, flanks: float)
         own = sign * torques > 0
         for number in range(len(upper)) if own.any() else ():
             among = own & (place == number)
-            ends = (sign * edges[number] + 0.0, sign * edges[number + 1])
+            ends = sign * float(edges[number]) + 0.0, sign * float(edges[number + 1])
             counted.append(_class(ends, among, row, rows.weights, flanks))
     idle = torques == 0
     time = float(rows.weights[idle].sum()) + rows.standing

@@ -55,7 +55,9 @@ class PointLoads(NamedTuple):
     def of(
         cls, case: Transmission, points: DutyPoints, further: Mapping[str, Floats] | None = None
     ) -> PointLoads:
-        """Solve all points in all gears; `further` are other numbers by path, as in `solve`.
+        """Solve all points in all gears.
+
+        `further` gives values of other numbers of the case by path, as `vary` of `solve`.
 
         Raises
         ------
@@ -96,7 +98,7 @@ class PointLoads(NamedTuple):
 
     @property
     def input_torques(self) -> Floats:
-        """Input torque at each point, with the direction of power of the case [N*m]."""
+        """Input torque at each point, acting against the speed if the case coasts [N*m]."""
         assert self.results.points is not None  # noqa: S101 - loads vary
         units = self.taken(self.results.points.scales["Nm"])
         return np.where(self.points.torques == 0, 0.0, units)

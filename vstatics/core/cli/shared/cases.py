@@ -326,7 +326,7 @@ def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
     UsageError
         If there are no cases, or standard input is both the list and a case.
     ReadError
-        If the list can't be read.
+        If the list cannot be read.
     """
     if files_from is None:
         if not cases:

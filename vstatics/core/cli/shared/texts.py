@@ -91,7 +91,7 @@ def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Seque
 def among_several(
     outcome: CalculatedCase, shown: CaseOutput | None, to: Destination, *, folders: bool = False
 ) -> Part:
-    """Return the part of a case in a stream; a failed case is reported only in JSON.
+    """Return the part of a case in the output of several cases; only JSON has failed cases.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ OF_BOTH: Mapping[str, str] = MappingProxyType({**OF_SPEED, TORQUE: "torque", "to
 FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 
 
-class _Formula(Law):
+class _LawFormula(Law):
     """Law as a formula of speed, or of speed and torque."""
 
     quantities: ClassVar[Mapping[str, str]]
@@ -59,7 +59,7 @@ class _Formula(Law):
         return values if is_array else float(values[0])
 
 
-class DragFormula(_Formula):
+class DragFormula(_LawFormula):
     """Drag torque [N*m] as a formula of the speed w [rad/s].
 
     Examples
@@ -72,7 +72,7 @@ class DragFormula(_Formula):
     quantities = OF_SPEED
 
 
-class EfficiencyFormula(_Formula):
+class EfficiencyFormula(_LawFormula):
     """Efficiency [-] as a formula of the speed w [rad/s] and the torque T [N*m].
 
     As a number it is the value at 0, or 1 if that is not an efficiency.
@@ -91,7 +91,7 @@ class EfficiencyFormula(_Formula):
         return float(values[0]) if 0 < values[0] <= 1 else 1.0
 
 
-def read_formula(text: str, law: type[_Formula]) -> _Formula:
+def read_formula(text: str, law: type[_LawFormula]) -> _LawFormula:
     """Parse a formula.
 
     Raises
@@ -114,7 +114,7 @@ one of abs, min, max, sqrt, exp, tanh
         raise ValueError(f"a formula of {of}: {error.problems[0].message}") from None
 
 
-def _value(text: str, law: type[_Formula], given: Mapping[str, Any]) -> Any:
+def _value(text: str, law: type[_LawFormula], given: Mapping[str, Any]) -> Any:
     size = max((len(values) for values in given.values()), default=1)
 
     def value_of(name: TableName) -> Any:
@@ -127,7 +127,7 @@ def _value(text: str, law: type[_Formula], given: Mapping[str, Any]) -> Any:
 
 
 @lru_cache(maxsize=256)
-def _tree(text: str, law: type[_Formula]) -> Tree:
+def _tree(text: str, law: type[_LawFormula]) -> Tree:
     """Parse a formula, and check all names."""
     torque = f", the torque {TORQUE} in N*m" if TORQUE in law.quantities else ""
     operands = f"a number, the speed {SPEED} in rad/s{torque}, pi, or one of {', '.join(FUNCTIONS)}"

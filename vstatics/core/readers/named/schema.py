@@ -251,7 +251,7 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
         case "relative_speed" | "drag" | "efficiency":
-            return {"type": ["number", "string"]}  # or a factor of a link's speed, or a formula
+            return {"type": ["number", "string"]}  # a text is `FACTOR * LINK`, or a formula
         case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
         case "speed" | "torque" | "power":

@@ -246,7 +246,7 @@ def _powers(text: str) -> Iterator[tuple[str, int]]:
 
 
 def _bases(word: str, *, of_words: bool) -> list[_Base]:
-    """Return the factors of a word, the last first, as an exponent belongs to the last."""
+    """Return the units of which a word is a product, the last first: an exponent belongs to it."""
     if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]

@@ -67,7 +67,7 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
 def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
     reason = " ".join(str(error).split()) or type(error).__name__
     of = f"sheet {quoted(sheet)}: " if sheet else ""
-    return ReadError([of_file("E117", file, f"can't be read as a workbook: {of}{reason}")])
+    return ReadError([of_file("E117", file, f"cannot be read as a workbook: {of}{reason}")])
 
 
 class _SheetElements:

@@ -157,7 +157,7 @@ class TreeOfSheets:
         return {heading: self._plain(heading) for heading in headings}
 
     def _plain(self, heading: str) -> str:
-        """Return the name in a heading."""
+        """Return the name in a heading, without the quotes of YAML."""
         node = self._value(ReadCell(heading, 1, 1))
         return node.text if isinstance(node, Scalar) else heading
 

@@ -29,7 +29,7 @@ POWERS = {
 }
 """Keys of quantities by the heading of their column in the table of powers of a gear."""
 PartLinks = Callable[[str], Sequence[int]]
-"""Function from the name of a part to the indices of connected links."""
+"""Function from the name of a part to the indices of its links."""
 _RELATIVE = {"speed": "rpm", "slip": "rpm", "torque": "Nm", "with losses": "Nm"}
 _RELATIVE |= {"power": "kW", "capacity": "Nm"}
 """Units of relative numbers at an operating point, by the heading of the column."""

@@ -7,7 +7,7 @@ from itertools import permutations
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
-from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station, taps_of
+from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station
 from vstatics.pictures.schemes.gear_glyphs import ABOVE, Glyph, Tap
 
 STUB = 12.0
@@ -96,7 +96,8 @@ def _fixed(
         yield from _of_ends(station, chosen.ways[index], x)
     elif station.kind == "set":
         glyph = station.glyphs[chosen.ways[index]]
-        yield from (_of_set(tap, x, glyph, device, chosen.drums) for tap in taps_of(glyph))
+        met = (tap for tap in glyph.taps if tap.wire)
+        yield from (_of_set(tap, x, glyph, device, chosen.drums) for tap in met)
 
 
 def _of_pair(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
@@ -96,7 +96,8 @@ def places(board: AxesBoard, chosen: StationOrder) -> AxesPlaces:
     for axis, links in enumerate(board.axes.axes):
         axis_links = [link for link in links if link in ends]
         axis_links.sort(key=lambda link: (link in board.cages, ends[link][0] - ends[link][1], link))
-        under, over = _levels(axis_links, ends, chosen.drums)
+        under = _levels([link for link in axis_links if link not in chosen.drums], ends)
+        over = _levels([link for link in axis_links[::-1] if link in chosen.drums], ends)
         bases[axis] = LEVEL * max(under.values(), default=0)
         top = bases[axis] + board.bands[axis]
         for link in axis_links:
@@ -106,33 +107,21 @@ def places(board: AxesBoard, chosen: StationOrder) -> AxesPlaces:
     return AxesPlaces(board, chosen, xs, meetings, spans, bases)
 
 
-def _levels(
-    links: Sequence[int], ends: Mapping[int, tuple[float, float]], drums: frozenset[int]
-) -> tuple[dict[int, int], dict[int, int]]:
-    """Return the number of shafts within each shaft, and of drums within each drum.
+def _levels(links: Iterable[int], ends: Mapping[int, tuple[float, float]]) -> dict[int, int]:
+    """Return the number of earlier shafts, or drums, that overlap with each link, one in another.
 
     Long shafts are within short shafts.
     """
-    under: dict[int, int] = {}
-    over: dict[int, int] = {}
+    levels: dict[int, int] = {}
     for link in links:
-        if link not in drums:
-            under[link] = _next(link, under, ends)
-    for link in reversed(links):
-        if link in drums:
-            over[link] = _next(link, over, ends)
-    return under, over
-
-
-def _next(link: int, levels: dict[int, int], ends: Mapping[int, tuple[float, float]]) -> int:
-    left, right = ends[link]
-    taken_levels = [
-        level
-        for placed_link, level in levels.items()
-        if ends[placed_link][0] < right - SPAN_OVERLAP
-        and ends[placed_link][1] > left + SPAN_OVERLAP
-    ]
-    return max(taken_levels, default=-1) + 1
+        left, right = ends[link]
+        taken = [
+            level
+            for placed, level in levels.items()
+            if ends[placed][0] < right - SPAN_OVERLAP and ends[placed][1] > left + SPAN_OVERLAP
+        ]
+        levels[link] = max(taken, default=-1) + 1
+    return levels
 
 
 def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:

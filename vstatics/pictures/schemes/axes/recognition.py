@@ -130,7 +130,7 @@ def joint_of(
         return AxisJoint(index, "idler", links[0], links[1], (1.0, device.ratio), FREE_IDLER), []
     if kind not in MESHED | FAR | CROSSED or len(set(links)) < 2:
         return None, [links]
-    sizes, between = (abs(1.0), abs(device.ratio)), 0.0
+    sizes, between = (1.0, abs(device.ratio)), 0.0
     if device.element is not None:
         teeth = device.element.teeth
         first, *idler, second = (float(teeth[gear]) for gear in device.element.shape.toothed)

@@ -163,10 +163,7 @@ def _misplaced(placing: AxesPlaces) -> float:
             through = (span.level >= 0 and span.left < x < span.right for span in spans)
             value += THROUGH * sum(through)
         elif board.entry & {*station.links}:
-            earlier = [
-                n for n, station in enumerate(board.stations) if {*station.axes} & {*station.axes}
-            ]
-            value += LEFT_OF_INPUT * sum(placing.xs[n] < x for n in earlier)
+            value += LEFT_OF_INPUT * sum(other < x for other in placing.xs)
     return value
 
 

@@ -15,7 +15,7 @@ from vstatics.pictures.drawing.words import word
 from vstatics.pictures.schemes.axes.recognition import AxisJoint, ParallelAxes, is_bare_differential
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
-from vstatics.pictures.schemes.gear_glyphs import ABOVE, BELOW, Glyph, Tap, lines_of
+from vstatics.pictures.schemes.gear_glyphs import Glyph, lines_of
 from vstatics.pictures.schemes.planetary import bare_group
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.schemes.sets import set_glyphs
@@ -215,8 +215,3 @@ def _drum(scheme: Scheme, drum: Sequence[int], axes: ParallelAxes) -> Station:
     half = PACK_PITCH * len(drum) / 2 + 2
     names = [lines_of(scheme.devices[index].name, 4) for index in drum]
     return Station("drum", drum, (axes.of(common),), (common, *others), half, names)
-
-
-def taps_of(glyph: Glyph) -> Iterator[Tap]:
-    """Yield the points where wires meet a gear set."""
-    return (tap for tap in glyph.taps if tap.reach != "none" and tap.side in (ABOVE, BELOW))

@@ -113,8 +113,7 @@ def figures(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     """Yield figures without a gear or with a gear number from 1, in a fixed layout."""
     for gears in shown:
         caption = told_of(results, scheme, style, gears, subject=subject)
-        state = caption.state, caption.titles, caption.name
-        yield [painted(sheet, style, *state, note).figure]
+        yield [painted(sheet, style, *caption, note).figure]
 
 
 def crossings_told(count: int, style: Style) -> list[str]:
@@ -140,14 +139,11 @@ def _chain_width(scheme: Scheme, chain: CoaxialChain, *, texts: Mapping[int, Box
 
 def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
     """Draw a half-section with the axis."""
-    (left, right), y = ends_of(layout), layout.places.axis
-    if layout.coaxial.has_boxes:
-        draw_parts(ink, layout)
-        draw_ports(ink, layout)
-        return
-    look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
-    ends = (left - ARROW, y), (right + ARROW, y)
-    ink.pen.line(*ends, color=ink.pen.style.faint, width=0.8, **look)
+    if not layout.coaxial.has_boxes:
+        (left, right), y = ends_of(layout), layout.places.axis
+        look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
+        ends = (left - ARROW, y), (right + ARROW, y)
+        ink.pen.line(*ends, color=ink.pen.style.faint, width=0.8, **look)
     draw_parts(ink, layout)
     draw_ports(ink, layout)
 
@@ -193,9 +189,3 @@ def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
             scheme = replace(ink.scheme, ports=row.chain.ports)
             draw_chain(replace(ink, scheme=scheme), row.chain, sheet.layout.coaxial.texts)
     return page
-
-
-def painted_within(pen: Pen, layout: CoaxialLayout) -> None:
-    """Draw a half-section without gear and head at a place of a larger figure."""
-    ink = SchemeInk(pen.fitted(*extent(layout)), layout.coaxial.scheme, SchemeState(), Titles())
-    draw_half_section(ink, layout)

@@ -16,7 +16,7 @@ NAMED_PITCH = 9.5
 ROW_CLEARANCE = 9.0
 """Distance from the row of planets to the nearest bars. [pt]"""
 WHEEL_NAME = 13.0
-"""Height of the name of a gear, with half the height of a link name on a bar. [pt of letters]"""
+"""Height for the name of a gear and half the name of a link on the bar above. [pt of letters]"""
 HOUSING_BAND = 24.0
 """Distance from the outermost drum to the housing. [pt]"""
 ROOM_GAP = 5.0
@@ -73,12 +73,6 @@ class SectionPlaces:
     names: dict[int, tuple[float, float]] = field(default_factory=dict)
     """Middle of the name of each link on a bar, by the link. [pt]"""
 
-    def span(self, bar: Bar, offsets: Mapping[int, Mapping[Bar, Sequence[float]]]) -> list[float]:
-        """Return the points at which uprights meet a bar, from left to right."""
-        return sorted(
-            self.at[place] + off for place, by_bar in offsets.items() for off in by_bar.get(bar, ())
-        )
-
 
 def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
     """Return the heights of bars, of the axis, and of the housing."""
@@ -124,9 +118,7 @@ def _pinned(frame: SectionFrame) -> Iterator[Bar]:
         arms = [up for up in met if up.kind == "set"]
         if not arms or any(bar in pair for up in arms for pair in up.wheels):
             continue
-        if any(up is not uprights[0] and up is not uprights[-1] for up in arms):
-            continue
-        side = 1 if bar.is_above else 0
+        side = int(bar.is_above)
         if any(
             bar in arm and arm[1 - side] is not None for up in arms for arm in (up.left, up.right)
         ):
@@ -137,12 +129,9 @@ def _pinned(frame: SectionFrame) -> Iterator[Bar]:
             for up in arms
         )
         passed = any(_spans_row(up) for up in uprights if bar not in up.all_bars)
-        rows = [row for rows in frame.rows for row in (rows[side],) if bar in row]
+        rows = [both[side] for both in frame.rows if bar in both[side]]
         is_next = all(row[0 if bar.is_above else -1] is bar for row in rows)
-        goes_off = any(
-            up.kind in ("start", "end") or (up.kind == "top" and not bar.is_above and False)
-            for up in met
-        )
+        goes_off = any(up.kind in ("start", "end") for up in met)
         if ends_well and not passed and is_next and not goes_off and len(met) > 1:
             yield bar
 

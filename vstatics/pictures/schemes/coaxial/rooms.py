@@ -45,10 +45,10 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
     ys = [places.heights[bar] for bar in up.bars]
     if up.kind in ("start", "end"):
         yield SignRoom(-3, 3, min(places.axis, *ys) - 3, max(ys) + 3)
-    elif up.kind == "wall":
+    elif up.kind in ("wall", "pair"):
         yield SignRoom(-3, 3, min(ys) - 3, max(ys) + 3)
-    elif up.kind == "pair":
-        yield SignRoom(-3, 3, min(ys) - 3, max(ys) + 3)
+        if up.kind == "wall":
+            return
         middle, (wide, high) = layout.middle(up), layout.box_size(up)
         if wide:
             wide, high = wide / 2 + 2, high / 2 + 2

@@ -27,7 +27,7 @@ NARROW_CELL = 1.001
 MOST_SWEEPS = 4
 """Largest number of times that a cell is reduced by all targets in turn."""
 LESS = 0.8
-"""Remaining share of a cell along a gear-set ratio above which sweeps end. [-]"""
+"""Least share of a cell that a sweep leaves along a gear-set ratio; above it, sweeps end. [-]"""
 
 
 class RatioCells(NamedTuple):
@@ -47,7 +47,8 @@ class RatioCells(NamedTuple):
     shares: Floats
     """Start and end of the cell along each gear-set ratio, as shares of the bounds, (sets, 2)."""
     left: Floats
-    """Start and end of the part that all targets leave, as shares of the cell, (sets, 2)."""
+    """Start and end of the part of the cell in which all targets can be met, as shares of the
+    cell, shape (sets, 2)."""
     slack: Floats
     """Two polynomials that are not negative where a target is met, shape (2, corners)."""
     planes: PlaneRoom
@@ -73,7 +74,7 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
 
 @compiled_part
 def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, top: int) -> bool:
-    """Reduce a cell by all targets; return False if nothing remains.
+    """Reduce a cell to the part in which all targets can be met; return False if it is empty.
 
     First, each gear ratio loses the targets that it cannot meet in the cell. Then each target that
     only a single gear ratio can meet reduces the cell.
@@ -170,7 +171,7 @@ def _only_ratio(reach: Integers, target: int) -> int:
 
 @compiled_part
 def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
-    """Reduce `left` to the part of a cell where a gear can be within a range.
+    """Reduce `left` to the part of a cell where the ratio of a gear can be within a range.
 
     The quotient is in the range where two polynomials are non-negative. Along one gear-set ratio,
     the maximum of a polynomial over the other corners is convex. If this maximum is negative at one
@@ -200,7 +201,10 @@ def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
 
 @compiled_part
 def _positive(slack: Floats, bit: int) -> tuple[float, float]:
-    """Return the shares of an edge between which a polynomial can be non-negative, or 1 and 0."""
+    """Return the range along a gear-set ratio in which a polynomial can be non-negative.
+
+    The range is given in shares of the cell; it is (1, 0) if the polynomial is negative everywhere.
+    """
     here = there = -math.inf
     for block in range(0, len(slack), 2 * bit):
         for corner in range(block, block + bit):

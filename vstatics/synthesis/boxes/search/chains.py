@@ -36,7 +36,7 @@ class ChainRoom(NamedTuple):
     searches: Integers
     """Number of searches so far, shape (1,)."""
     gears: Integers
-    """Combination of each target, shape (targets,)."""
+    """Number of the combination assigned to each target, shape (targets,)."""
 
 
 def chain_room(table: Combinations, targets: int, shifts: Integers) -> ChainRoom:

@@ -26,11 +26,11 @@ class PortGears(NamedTuple):
     elements: int
     """Available shift elements, as bits."""
     ratio_of: Integers
-    """Number of the ratio of each combination, negative without a ratio, shape (combinations,)."""
+    """Index of the ratio of each combination, negative without a ratio, shape (combinations,)."""
     reach: Integers
     """Targets that each ratio reaches, as bits; 0 after the last; shape (combinations,)."""
     useful: Integers
-    """Combinations with a ratio, then -1, shape (combinations,)."""
+    """Numbers of the combinations that have a ratio, filled up with -1, shape (combinations,)."""
     brakes: int
     """Allowed numbers of brakes in a set, as bits."""
     shifts: Integers

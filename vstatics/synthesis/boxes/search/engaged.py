@@ -33,13 +33,14 @@ class Combinations(NamedTuple):
     masks: Integers
     """Elements of each combination, as bits, shape (combinations,)."""
     rests: Integers
-    """Number of the combination that remains without a member, shape (combinations, engaged)."""
+    """Number of the smaller combination that remains without each member, shape (combinations,
+    engaged)."""
     ranks: Integers
     """Binomials of an element and a place counted from 1, shape (elements, engaged + 1)."""
     places: Integers
     """Combinations of the places in a set, shape (combinations of a set, engaged)."""
     starts: Integers
-    """Number of combinations of the places before a place, shape (size + 1,)."""
+    """Number of combinations that only use places before a place, shape (size + 1,)."""
 
 
 @cache

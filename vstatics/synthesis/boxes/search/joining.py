@@ -17,9 +17,9 @@ from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
-"""Branch of a single element: all targets are reached, or a single place is left."""
+"""Branch that adds a single element: all targets are reached, or a single place is left."""
 NO_END = 2**62
-"""Limit of a count that is never reached."""
+"""Limit of the number of attempts that is never reached."""
 
 
 class SetRoom(NamedTuple):
@@ -42,7 +42,7 @@ class SetRoom(NamedTuple):
     """Elements that add at least as many uncommon ratios as the row number, as bits, shape
     (targets + 1,)."""
     able: Integers
-    """Elements that reach each target together with the chosen elements, as bits, shape
+    """Elements that form, with some chosen elements, a combination for each target, as bits, shape
     (targets,)."""
     sets: Integers
     """Elements of the partial set at each depth, as bits, shape (depths,)."""
@@ -152,9 +152,9 @@ def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int)
 
 @compiled_part
 def _last_elements(table: Combinations, room: SetRoom, members: int, there: int, held: int) -> int:
-    """Return the last elements that reach all missing targets with enough ratios, as bits.
+    """Return the elements that complete a set, as bits: all targets reached, with enough ratios.
 
-    Most combinations lock up the gearbox; apart from their common ratio there are often too few.
+    Most combinations lock up the gearbox, and share a ratio; often too few other ratios remain.
     """
     engaged, targets, lacking = table.places.shape[1], len(room.lengths), room.lacking[0]
     room.able[:] = 0

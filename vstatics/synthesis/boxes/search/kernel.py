@@ -38,7 +38,7 @@ class Room(NamedTuple):
     """Numerators and denominators of all different ratios, shape (speeds, 2,
     corners)."""
     within: Floats
-    """Values of all different ratios at a point within the bounds, shape (speeds,). [-]"""
+    """All different ratios, each at the point within the bounds, shape (speeds,). [-]"""
     kinds: Integers
     """Number of the ratio of each row of speeds, negative without a ratio, shape (speeds,)."""
     parts: Floats

@@ -90,10 +90,11 @@ def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
 
 @compiled_part
 def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
-    """Remove from each ratio the targets that it has in no complete matching.
+    """Remove from each ratio the targets that no complete matching assigns to it.
 
-    An edge is in some matching if the target that loses its ratio can take another ratio, and so
-    on, up to a free ratio or around a cycle (Regin's filter for all-different, AAAI 1994).
+    An assignment is in some complete matching if the target that loses its ratio can take another
+    ratio, and so on, up to a free ratio or around a cycle (Regin's filter for all-different, AAAI
+    1994).
 
     Parameters
     ----------

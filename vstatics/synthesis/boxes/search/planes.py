@@ -27,8 +27,8 @@ class PlaneRoom(NamedTuple):
     values: Floats
     """Values of a polynomial at the corners, shape (corners,)."""
     planes: Floats
-    """Planes per width: slope along each ratio, then the middle, shape (targets, sets
-    + 1)."""
+    """Planes divided by their widths: slope along each ratio, then the value in the middle of the
+    cell, shape (targets, sets + 1)."""
     system: Floats
     """Normal equations and inverse, shape (sets, 2 sets)."""
     solving: Floats
@@ -36,7 +36,7 @@ class PlaneRoom(NamedTuple):
     middle: Floats
     """Least-squares solution, shape (sets,)."""
     errors: Floats
-    """Distance of each plane from the solution, per width of the plane, shape (targets,)."""
+    """Distance of each plane from the solution, divided by the width, shape (targets,)."""
 
 
 def plane_room(targets: int, sets: int) -> PlaneRoom:
@@ -54,7 +54,7 @@ def plane_room(targets: int, sets: int) -> PlaneRoom:
 
 @compiled_part
 def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, left: Floats) -> bool:
-    """Reduce a cell by all targets that only a single ratio can meet.
+    """Cut off the parts of a cell in which targets with a single possible ratio cannot be met.
 
     Parameters
     ----------
@@ -145,7 +145,7 @@ def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
 
 @compiled_part
 def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int) -> bool:
-    """Find the plane near a gear's equation; return False without a plane.
+    """Find the plane that approximates the equation of a gear in a cell; return False without one.
 
     The equation N/D = i is used as N - i D or D - N/i, whichever quotient has no pole in the cell.
     """

@@ -185,7 +185,10 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
 
 @compiled_part
 def _give(target: int, cells: RatioCells, top: int) -> None:
-    """Copy a cell: in the upper copy its first ratio has the target alone, in the lower never."""
+    """Branch on the first ratio that can meet a target, by a copy of the cell.
+
+    In the upper copy the ratio serves only this target, in the lower it never serves the target.
+    """
     double(cells, top)
     bit = 1 << target
     is_given = False

@@ -249,7 +249,7 @@ options = gathered(
                 click.option(
                     "--falling",
                     is_flag=True,
-                    help="Let no step ratio be larger than the step ratio below it.",
+                    help="Require step ratios that never grow towards the higher gears.",
                 ),
             ),
         ),
@@ -288,7 +288,7 @@ options = gathered(
             multiple=True,
             callback=value(free_parts, "--free"),
             metavar="shift-elements=N",
-            help="Largest number of shift elements of that case that can be left out.",
+            help="Largest number of shift elements of the case of --keep that can be left out.",
         ),
     ),
     under(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from matplotlib.figure import Figure
 
 from vstatics.core.statics.results import Results
-from vstatics.pictures.drawing.head import BELOW, sheet_head
+from vstatics.pictures.drawing.head import BELOW, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, widest, width, wrapped
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import MARGIN, Style, number
@@ -256,7 +256,7 @@ def _high(part: _GearModesPart, columns: _ModeColumns) -> float:
 def _on_pages(results: Results, part: _GearModesPart, style: Style) -> Iterator[_GearModesPart]:
     """Yield parts of the modes of a gear that fit on a page each."""
     columns = _columns([part], style)
-    room = style.height - _page_head(results, columns.right, style) - 3 * MARGIN
+    room = style.height - _page_head(results, columns.right, style).high - 3 * MARGIN
     room -= _head_high(part, columns)
     page: list[_ModeRow] = []
     for row in part.rows:
@@ -267,19 +267,16 @@ def _on_pages(results: Results, part: _GearModesPart, style: Style) -> Iterator[
     yield part._replace(rows=page)
 
 
-def _page_head(results: Results, wide: float, style: Style) -> float:
-    return sheet_head(_title(results, style), "", [], wide - 2 * MARGIN, style).high
-
-
-def _title(results: Results, style: Style) -> str:
-    return title(results.case, style.text("natural modes"))
+def _page_head(results: Results, wide: float, style: Style) -> SheetHead:
+    name = title(results.case, style.text("natural modes"))
+    return sheet_head(name, "", [], wide - 2 * MARGIN, style)
 
 
 def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> Figure:
     columns = _columns(parts, style)
     wide = columns.right
     high = sum(_high(part, columns) for part in parts) + GEAR_GAP * (len(parts) - 1) - MODE_GAP
-    head = sheet_head(_title(results, style), "", [], wide - 2 * MARGIN, style)
+    head = _page_head(results, wide, style)
     pen = head.over((wide, high + 2 * MARGIN), MARGIN, style)
     pen, top = pen._replace(size=(wide, high)), high + MARGIN
     for part in parts:

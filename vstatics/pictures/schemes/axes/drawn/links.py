@@ -141,19 +141,13 @@ def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment
 
 def draw_ends(sheet: AxesSheet) -> None:
     """Draw the ports with link names, and further link names in free places."""
-    named: set[int] = set()
+    placing = sheet.placing
     for port in sheet.scheme.ports:
-        span = sheet.placing.spans[port.link]
-        way = 1 if port.link in sheet.placing.chosen.rightward else -1
-        at = (
-            (span.right if way > 0 else span.left),
-            sheet.placing.y(sheet.placing.axis_of(port.link), sheet.placing.port_height(port.link)),
-        )
-        _draw_port(sheet, port, at, way)
-        named.add(port.link)
-    for link, at, aligned in free_names(
-        sheet.placing, sheet.scheme, named, [*obstacles(sheet.placing)]
-    ):
+        span = placing.spans[port.link]
+        x, way = (span.right, 1) if port.link in placing.chosen.rightward else (span.left, -1)
+        y = placing.y(placing.axis_of(port.link), placing.port_height(port.link))
+        _draw_port(sheet, port, (x, y), way)
+    for link, at, aligned in free_names(placing, sheet.scheme, [*obstacles(placing)]):
         sheet.text(at, sheet.scheme.name(link), ha=aligned, color=sheet.name_color(link))
 
 

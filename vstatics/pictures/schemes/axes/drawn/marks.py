@@ -155,7 +155,7 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
         points = [at(*point) for point in stroke.points]
         looks.setdefault((stroke.width, stroke.dashed), []).append(points)
     for tap in glyph.taps:
-        if tap.reach == "none":
+        if not tap.wire:
             end = tap.side * (glyph.half + 5)
             lines: list[Segment] = [(at(tap.x, tap.side * tap.depth), at(tap.x, end))]
             lines += ground(at(tap.x, end), tap.side * side)

@@ -22,24 +22,18 @@ def ends_of(placing: AxesPlaces, axis: int) -> tuple[float, float]:
 
 
 def free_names(
-    placing: AxesPlaces, scheme: Scheme, named: set[int], solid: Sequence[Obstacle]
+    placing: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]
 ) -> Iterator[tuple[int, Point, str]]:
-    """Yield names of links that have room at an end of their row, or on its far side.
+    """Yield names of links without a port that have room at an end or on the far side of their row.
 
     Parameters
     ----------
-    named : set of int
-        Links that already have names.
     solid : sequence of Obstacle
         Obstacles that names must not cover.
     """
-    taken = {
-        link
-        for station in placing.board.stations
-        if station.layout
-        for link in station.layout.places.names
-    }
-    has_port = {port.link for port in scheme.ports}
+    taken = {port.link for port in scheme.ports}
+    for station in placing.board.stations:
+        taken.update(station.layout.places.names if station.layout else ())
     for axis, links in enumerate(placing.board.axes.axes):
         drawn_links = [link for link in sorted(links) if link in placing.spans]
         if not drawn_links:
@@ -50,14 +44,10 @@ def free_names(
                 continue
             span = placing.spans[link]
             y = placing.y(axis, span.height)
-            if link in named or link in has_port:
-                continue
             wide, off = placing.wide(scheme.name(link)), 10 + END_NAME_GAP
             if span.left == left and not _covers(placing, solid, (left - off - wide, y), wide):
-                named.add(link)
                 yield link, (left - off, y), "right"
             elif span.right == right and not _covers(placing, solid, (right + off, y), wide):
-                named.add(link)
                 yield link, (right + off, y), "left"
             else:
                 place = _room(placing, axis, link, wide + 4)
@@ -65,7 +55,6 @@ def free_names(
                 if place is not None and not (
                     span.level and _covers(placing, solid, (place - wide / 2, low), wide)
                 ):
-                    named.add(link)
                     yield link, (place, low), "center"
 
 
@@ -93,13 +82,13 @@ def _room(placing: AxesPlaces, axis: int, link: int, wide: float) -> float | Non
         for number, other in placing.spans.items()
         if placing.axis_of(number) == axis and other.level > span.level
     ]
-    taken = sorted(
+    taken = [
         x
         for x, station in zip(placing.xs, placing.board.stations, strict=True)
         if axis in station.axes and station.kind in ("pair", "differential")
-    )
-    taken = sorted([*taken, *(end for other in around for end in (other.left, other.right))])
-    stops = [span.left, *(x for x in taken if span.left < x < span.right), span.right]
+    ]
+    taken += (end for other in around for end in (other.left, other.right))
+    stops = [span.left, *sorted(x for x in taken if span.left < x < span.right), span.right]
     for start, end in pairwise(stops):
         is_inside = any(other.left < (start + end) / 2 < other.right for other in around)
         if end - start - 14 > wide and not is_inside:
@@ -112,15 +101,11 @@ def fixed_names(placing: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]) 
     boxes, tall = [], 5.0 * placing.letters
     for port in scheme.ports:
         span, axis = placing.spans[port.link], placing.axis_of(port.link)
-        y, way = placing.y(axis, placing.port_height(port.link)), -1
-        if port.link in placing.chosen.rightward:
-            way = 1
-        start = span.right if way > 0 else span.left
+        y = placing.y(axis, placing.port_height(port.link))
+        start, way = (span.right, 1) if port.link in placing.chosen.rightward else (span.left, -1)
         end = start + way * (ARROW + END_NAME_GAP + placing.wide(scheme.name(port.link)))
         boxes.append(Rectangle(min(start, end), y - tall, max(start, end), y + tall))
-    for link, (x, y), aligned in free_names(
-        placing, scheme, {port.link for port in scheme.ports}, solid
-    ):
+    for link, (x, y), aligned in free_names(placing, scheme, solid):
         wide = placing.wide(scheme.name(link))
         left = x - wide * {"right": 1.0, "center": 0.5, "left": 0.0}[aligned]
         boxes.append(Rectangle(left, y - tall, left + wide, y + tall))

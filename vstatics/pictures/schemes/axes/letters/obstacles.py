@@ -86,18 +86,19 @@ def _of_pair(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obs
     x, radii = placing.xs[number], placing.board.radii[number]
     middles = [placing.y(end, 0.0) for end in station.axes]
     bell, off = placing.board.bell(number, placing.chosen.ways[number])
-    is_far = station.joint is not None and station.joint.kind in FAR
-    is_crossed = station.joint is not None and station.joint.kind in CROSSED
+    kind = station.joint.kind if station.joint is not None else ""
     for place, (y, radius) in enumerate(zip(middles, radii[::2], strict=True)):
         web = x + (off if place == bell else 0.0)
         yield Obstacle(about((web, y - radius), (web, y + radius)), ON_LINE)
         for rim in (y - radius, y + radius):
             ends = (min(x - WHEEL, web), rim), (max(x + WHEEL, web), rim)
             yield Obstacle(
-                about(*ends, CONE_RIM if is_crossed else 3.5 if off else 2.5),
+                about(*ends, CONE_RIM if kind in CROSSED else 3.5 if off else 2.5),
                 device=station.devices[0],
             )
-    yield Obstacle(about((x, middles[0]), (x, middles[1]), 3.5 if is_far else HALF_LINE), ON_LINE)
+    yield Obstacle(
+        about((x, middles[0]), (x, middles[1]), 3.5 if kind in FAR else HALF_LINE), ON_LINE
+    )
     if radii[1]:
         low = min(middles)
         radius = radii[0] if low == middles[0] else radii[2]
@@ -119,7 +120,7 @@ def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obst
     for stroke in glyph.strokes:
         yield from (Obstacle(about(at(*a), at(*b))) for a, b in pairwise(stroke.points))
     for tap in glyph.taps:
-        if tap.reach == "none":
+        if not tap.wire:
             end = tap.side * (glyph.half + 5)
             yield Obstacle(about(at(tap.x, tap.side * tap.depth), at(tap.x, end)))
             wall = tap.side * (glyph.half + 5 + GROUND)

@@ -94,8 +94,7 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> 
     starts = [0.0, *(x + by for x, by in zip(at, half, strict=True))]
     ends = [*(x - by for x, by in zip(at, half, strict=True)), end]
     loaded = ink.state.loaded
-    for link, left, right in zip(chain.links, starts, ends, strict=True):
-        place = list(chain.links).index(link)
+    for place, (link, left, right) in enumerate(zip(chain.links, starts, ends, strict=True)):
         neighbours = chain.devices[max(place - 1, 0) : place + 1]
         is_used = loaded is None or all(loaded[index] for index in neighbours)
         color = ink.pen.style.ink if is_used else ink.pen.style.faint
@@ -104,13 +103,12 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> 
         if link in chain.links[1:-1]:
             name = (left + right) / 2, -BELOW_SIGN
             centred(pen, name, _link_name(scheme, link), va="top", color=ink.name_color(link))
-    for index, x, by in zip(chain.devices, at, half, strict=True):
+    for place, (index, x, by) in enumerate(zip(chain.devices, at, half, strict=True)):
         if index in texts:
-            number = list(chain.devices).index(index)
-            draw_chain_box(ink, index, texts[index], (x, 0.0), chain.links[number : number + 2])
+            draw_chain_box(ink, index, texts[index], (x, 0.0), chain.links[place : place + 2])
             continue
         device, closed = scheme.devices[index], index in ink.state.engaged
-        before = chain.links[: list(chain.devices).index(index) + 1]
+        before = chain.links[: place + 1]
         way = 1 if next(iter(device.members.values())) in before else -1
         colors = ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
         pen = ink.of_device(index).pen

@@ -75,7 +75,7 @@ def _joints(pen: Pen, lines: Sequence[Segment], points: set[Point]) -> None:
 
 
 def _port_points(ink: SchemeInk, layout: CoaxialLayout) -> Iterator[tuple[int, int, Point]]:
-    """Yield the points where torque enters and leaves by ports, with -1 as the component."""
+    """Yield the link, -1 for no component, and the point of each port of the transmission."""
     (left, right), train = ends_of(layout), layout.coaxial.train
     used = {port.link for port in layout.coaxial.scheme.ports if port not in ink.state.idle_ports}
     for link, x in ((train.start, left), (train.end, right)):

@@ -27,7 +27,7 @@ class Moves(NamedTuple):
 
     train: CoaxialTrain
     crossing: int = 0
-    """Bits of the parts that may cross bars."""
+    """Parts that may cross bars, as bits."""
     is_ordered: bool = False
     """True to keep the given order of gear sets."""
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.pictures.schemes.coaxial.search.state import Bars, SectionState, SweepStep, links_of
+from vstatics.pictures.schemes.coaxial.search.set_moves import without_ended
+from vstatics.pictures.schemes.coaxial.search.state import SectionState, SweepStep, links_of
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 STACKED_CROSSING = 10
@@ -56,20 +57,13 @@ def _ways(train: CoaxialTrain, state: SectionState) -> Iterator[_Stacked]:
                 yield way(train, number, state)
 
 
-def _ended(train: CoaxialTrain, below: Bars, above: Bars, done: int) -> SectionState:
-    low, high = (
-        tuple(bar for bar in row if train.masks[bar >> 3] & ~done) for row in (below, above)
-    )
-    return SectionState(low, high, done)
-
-
 def _top(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
     below, above, done = state
     bar, bars = 8 * train.tops[number], below + above
     crossed = bars[::-1].index(bar) if bar in bars else 0
     above = above if bar in bars else (*above, bar)
     step = SweepStep("top", number, [(below, above)])
-    after = _ended(train, below, above, done | train.top_bits[number])
+    after = without_ended(train, SectionState(below, above, done | train.top_bits[number]))
     return _Stacked(STACKED_CROSSING * crossed, (step,), after)
 
 
@@ -94,7 +88,7 @@ def _pair(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
         place = above.index(first_bar)
         above = (*above[:place], second_bar, *above[place:])
     step = SweepStep("pair", number, [(below, above)])
-    after = _ended(train, below, above, done | train.pair_bits[number])
+    after = without_ended(train, SectionState(below, above, done | train.pair_bits[number]))
     return _Stacked(STACKED_CROSSING * crossed, (step,), after)
 
 
@@ -131,5 +125,5 @@ def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
         left=(is_there and is_low, is_there and not is_low),
         right=(low != below, False),
     )
-    after = _ended(train, low, high, done)
+    after = without_ended(train, SectionState(low, high, done))
     return _Stacked(STACKED_CROSSING * crossed, (*walls, step), after)

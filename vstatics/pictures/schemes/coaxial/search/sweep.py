@@ -7,6 +7,7 @@ is never worse.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from heapq import heappop, heappush
@@ -254,20 +255,22 @@ def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
     for bar in dict.fromkeys(bars):
         group = [place for place, other_bar in enumerate(bars) if other_bar == bar]
         if len(group) > 1:
+            others = [{*group} - {chosen} for chosen in group]
             ways += [
-                tuple(place for place in way if place not in group or place == chosen)
+                tuple(place for place in way if place not in left_out)
                 for way in ways
-                for chosen in group
+                for left_out in others
             ]
     for way in ways:
         if len(way) - len(links) <= MOST_FURTHER:
-            rows = [p for p in way if p < low], [p for p in way if p >= low]
-            under, over = (tuple(bars[place] for place in row) for row in rows)
-            yield under, over
+            chosen_bars, start = tuple([bars[place] for place in way]), bisect_left(way, low)
+            yield chosen_bars[:start], chosen_bars[start:]
 
 
 def _numbered(below: Bars, above: Bars) -> tuple[Bars, Bars]:
     """Number the parts of links in order of appearance."""
+    if not any(bar & 7 for bar in below + above):  # a single part of each link
+        return below, above
     names: dict[int, int] = {}
     parts: dict[int, int] = {}
     for bar in below + above:

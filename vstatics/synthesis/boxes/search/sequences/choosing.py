@@ -24,7 +24,7 @@ class Goal(NamedTuple):
     fewest: int
     """Smallest number of gears in the sequence."""
     looks: int
-    """Largest number of gears to put into choices before the search is aborted."""
+    """Largest number of trial assignments of ratios to gears before the search is aborted."""
 
 
 @compiled_part

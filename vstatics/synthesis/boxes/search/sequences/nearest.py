@@ -19,7 +19,7 @@ from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 MOST_NEAREST_LOOKS = 20_000
-"""Largest number of gears to put into choices."""
+"""Largest number of trial assignments of ratios to gears."""
 MOST_NEAREST_FITS = 200
 """Largest number of choices to fit."""
 GRID = 3

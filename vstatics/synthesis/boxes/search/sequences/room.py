@@ -21,7 +21,7 @@ NARROW_SEQUENCE_CELL = 1.01
 
 
 class Sequence(NamedTuple):
-    """Forward gears that a gearbox shall have; quotients of ratios as logarithms."""
+    """Number and spacing of the forward gears that a gearbox shall have."""
 
     least: int
     """Smallest number of gears."""
@@ -79,7 +79,7 @@ class ChoiceRoom(NamedTuple):
     free: Booleans
     """True if a ratio is not assigned to a gear, shape (ratios,)."""
     looks: Integers
-    """Number of gears put into choices so far, shape (1,)."""
+    """Number of trial assignments of ratios to gears so far, shape (1,)."""
 
 
 class SequenceRoom(NamedTuple):

@@ -40,9 +40,9 @@ from vstatics.synthesis.boxes.search.sequences.room import NARROW_SEQUENCE_CELL,
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 MOST_CELL_LOOKS = 2000
-"""Largest number of gears to put into choices before a cell is halved."""
+"""Largest number of trial assignments of ratios to gears before a cell is halved."""
 MOST_AT_POINT = 50_000
-"""Largest number of gears to put into choices at a point."""
+"""Largest number of trial assignments of ratios to gears at a point."""
 MOST_SEQUENCE_CELLS = 20_000
 """Number of cells after which a set of elements is given up."""
 MORE_CELLS = 1000
