@@ -101,6 +101,7 @@ def scattered_life(
     --------
     Without a threshold the life goes with the endurance to the power m, so it is lognormal, too:
 
+    >>> from vstatics.vehicle.damage.scatter import Scattered
     >>> strength = Fatigue(Scattered(100e6, "lognormal", 0.08), 3, 4e6, threshold=0.0)
     >>> found = scattered_life(strength, 60e6, 100, 20000)
     >>> round(found.samples.B10 / found.life / math.exp(-1.2815516 * 3 * 0.08), 1)
