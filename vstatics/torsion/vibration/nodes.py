@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.motions import Form
@@ -56,36 +60,45 @@ def _chains(system: TorsionalSystem) -> Iterator[Integers]:
     """Yield the links of each chain: bodies with separate speeds, joined in a row by devices."""
     free = system.free()
     heavy = [body.form for body in system.bodies if body.inertia > 0]
-    moved = [set(np.flatnonzero(row).tolist()) for row in system.rows(heavy) @ free]
-    twisted = [set(np.flatnonzero(row).tolist()) for row in system.twists @ free]
-    group = list(range(free.shape[1]))
-    for joined in (*moved, *twisted):
-        groups = {group[motion] for motion in joined}
-        group = [min(groups) if label in groups else label for label in group]
-    for first in sorted(set(group)):
-        motions = {motion for motion, label in enumerate(group) if label == first}
-        pairs = [pair for pair in twisted if pair <= motions and len(pair) > 1]
-        ends = [motion for pair in pairs for motion in pair]
-        single = all(len(body) <= 1 for body in moved if body <= motions)
+    moved = [np.flatnonzero(row).tolist() for row in system.rows(heavy) @ free]
+    twisted = [np.flatnonzero(row).tolist() for row in system.twists @ free]
+    group = _connected(free.shape[1], (*moved, *twisted))
+    separate = {group[body[0]] for body in moved if len(body) > 1}
+    by_group: dict[int, list[list[int]]] = {}
+    for device in twisted:
+        if len(device) > 1:
+            by_group.setdefault(group[device[0]], []).append(device)
+    motions_of: dict[int, list[int]] = {}
+    for motion, number in enumerate(group):
+        motions_of.setdefault(number, []).append(motion)
+    for number, motions in motions_of.items():
+        pairs = by_group.get(number, [])
+        ends = Counter(motion for pair in pairs for motion in pair)
         if (
-            single
+            number not in separate
             and len(pairs) == len(motions) - 1
             and all(len(pair) == 2 for pair in pairs)
-            and max(map(ends.count, motions), default=0) <= 2
+            and max(ends.values(), default=0) <= 2
         ):
-            yield np.flatnonzero(free[:, sorted(motions)].any(axis=1))
+            yield np.flatnonzero(free[:, motions].any(axis=1))
+
+
+def _connected(count: int, joined: Iterable[Sequence[int]]) -> list[int]:
+    """Return the number of the connected group of each item, from lists of joined items."""
+    pairs = [pair for items in joined for pair in pairwise(items)]
+    rows, columns = np.array(pairs, np.intp).reshape(-1, 2).T
+    graph = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(count, count))
+    groups: list[int] = connected_components(graph, directed=False)[1].tolist()
+    return groups
 
 
 def _standing_groups(twists: list[Form], stands: Booleans, moves: Booleans) -> int:
     """Count the connected groups of links at rest that lie between moving links."""
-    group = list(range(len(stands)))
-    for twist in twists:
-        joined = {group[link] for link in twist if stands[link]}
-        if len(joined) > 1:
-            group = [min(joined) if label in joined else label for label in group]
+    standing_in = [[link for link in twist if stands[link]] for twist in twists]
+    group = _connected(len(stands), standing_in)
     sides: dict[int, int] = {}
-    for twist in twists:
-        standing = {group[link] for link in twist if stands[link]}
-        for label in standing if any(moves[link] for link in twist) else ():
-            sides[label] = sides.get(label, 0) + 1
+    for twist, standing in zip(twists, standing_in, strict=True):
+        groups = {group[link] for link in standing}
+        for number in groups if any(moves[link] for link in twist) else ():
+            sides[number] = sides.get(number, 0) + 1
     return sum(count > 1 for count in sides.values())
