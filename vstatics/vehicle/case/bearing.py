@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vstatics.core.model.carried import as_type
 
@@ -55,8 +55,9 @@ class Bearing(NamedTuple):
 
     def completed(self) -> Bearing:
         """Return the bearing with all numbers as floats."""
+        on: Any = self.on if isinstance(self.on, str) else tuple(self.on)
         return self._replace(
-            on=self.on if isinstance(self.on, str) else tuple(self.on),
+            on=on,
             load_per_torque=float(self.load_per_torque),
             dynamic=float(self.dynamic),
             exponent=float(self.exponent),

@@ -123,6 +123,11 @@ class TorqueStrength(NamedTuple):
 
     def completed(self) -> TorqueStrength:
         """Return the strength with all numbers as floats."""
-        names = ("torque", "exponent", "cycles", "threshold", "sum", "contacts")
-        given = {name: getattr(self, name) for name in names}
-        return self._replace(**{name: float(v) for name, v in given.items() if v is not None})
+        return self._replace(
+            torque=float(self.torque),
+            exponent=float(self.exponent),
+            cycles=float(self.cycles),
+            contacts=None if self.contacts is None else float(self.contacts),
+            threshold=float(self.threshold),
+            sum=float(self.sum),
+        )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vstatics.core.errors import Path, Problem, listed, quoted
 from vstatics.core.model.parts import element_names
@@ -41,7 +41,8 @@ class Members(NamedTuple):
         """Return the names of a case."""
         devices = case.own_devices
         planets = {}
-        for element in case.drawing.elements if case.drawing else ():
+        drawn: Any = case.drawing
+        for element in drawn.elements if drawn else ():
             if element.planets:
                 planets[element.name] = int(element.planets)
         links = case.link_names[: case.own_links] or range(1, case.own_links + 1)

@@ -71,7 +71,9 @@ class Machine(NamedTuple):
         >>> Machine([(0, 1)], efficiency=0.9).electric_power(powers, zeros, zeros).tolist()
         [100.0, -81.0]
         """
-        return -battery_power(-power, efficiency_at(self.efficiency, speed, torque, power))
+        efficiency = efficiency_at(self.efficiency, speed, torque, power)
+        electric: Floats = -battery_power(-power, efficiency)
+        return electric
 
     def battery_power(self, electric: Floats) -> Floats:
         """Return the power that the battery gives for an electric power; below 0 it is charged [W].

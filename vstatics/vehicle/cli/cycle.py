@@ -180,7 +180,7 @@ def _shown(
         )
         known = ((name, getattr(energy, name)) for name in parts)
         rows = [(word(_PARTS.get(name, name)), part) for name, part in known if part is not None]
-        rows += [(f"lost: {name}", loss) for name, loss in energy.lost.items() if loss]
+        rows += [(word(f"lost: {name}"), loss) for name, loss in energy.lost.items() if loss]
         yield grid_of("Energy over the cycle", ["", "energy, J"], rows, key="energy")
         row = [driven.duration, driven.distance, driven.fuel]
         headings = ["duration, s", "distance, m", "fuel, g"]

@@ -13,6 +13,7 @@ from vstatics.core.model.shape import Measure
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.scalars import number
 from vstatics.core.readers.named.si_units import in_any_unit
+from vstatics.core.tables.answer import json_keys
 
 SHARES = np.arange(1, 100) / 100
 """Shares of failed components at which the distribution of lives is given. [-]"""
@@ -92,10 +93,11 @@ def drawn(given: float, count: int, random: np.random.Generator) -> Floats:
     return np.full(count, float(given))
 
 
+@json_keys("B10", "B50", "mean", "curve", count="number")
 class LifeSamples(NamedTuple):
     """Distribution of lives of random samples."""
 
-    count: int
+    number: int
     B10: float
     """Life that 10 % do not reach; NaN for unlimited life, as for the other numbers."""
     B50: float

@@ -10,7 +10,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.tables.answer import json_keys
-from vstatics.core.tables.grid import Grid, grid_of
+from vstatics.core.tables.grid import Grid, Values, grid_of
 from vstatics.vehicle.life.member_rows import MemberRow, MemberRows
 from vstatics.vehicle.tolerances import SAME_TORQUE_CLASS
 
@@ -123,7 +123,7 @@ def spectrum_grid(spectra: Mapping[str, MemberSpectrum], *, are_shares: bool) ->
     return grid_of("Load spectrum", headings, rows, key="duty spectrum")
 
 
-def _rows(name: str, spectrum: MemberSpectrum) -> Iterator[tuple[object, ...]]:
+def _rows(name: str, spectrum: MemberSpectrum) -> Iterator[Values]:
     for each in spectrum.classes:
         yield name, each.from_, each.to, each.revolutions, each.contacts, each.time, each.speed
     idle = spectrum.idle

@@ -35,7 +35,7 @@ class _LawFormula(Law):
 
     def __new__(cls, text: str) -> Self:
         """Parse and store the text."""
-        tree = _tree(text, cls)
+        tree = _tree(text, tuple(cls.quantities))
         of = {cls.quantities[name] for name in map(_name, _names(tree)) if name in cls.quantities}
         law = super().__new__(cls, cls._at_0(_value(text, cls, dict.fromkeys(of, np.zeros(1)))))
         law.over = "both" if len(of) == 2 else "torque" if of == {"torque"} else "speed"
@@ -122,20 +122,20 @@ def _value(text: str, law: type[_LawFormula], given: Mapping[str, Any]) -> Any:
             return np.array([[math.pi]])
         return given[law.quantities[name.name]][:, None, None]
 
-    values = evaluate(_tree(text, law), value_of)
+    values = evaluate(_tree(text, tuple(law.quantities)), value_of)
     return np.broadcast_to(values, (size, 1, 1))[:, 0, 0]
 
 
 @lru_cache(maxsize=256)
-def _tree(text: str, law: type[_LawFormula]) -> Tree:
+def _tree(text: str, names: tuple[str, ...]) -> Tree:
     """Parse a formula, and check all names."""
-    torque = f", the torque {TORQUE} in N*m" if TORQUE in law.quantities else ""
+    torque = f", the torque {TORQUE} in N*m" if TORQUE in names else ""
     operands = f"a number, the speed {SPEED} in rad/s{torque}, pi, or one of {', '.join(FUNCTIONS)}"
     excerpt = Excerpt(text, "law")
     tree = parse(excerpt, Language(FUNCTIONS, operands, SPEED, caret=True))
     for part in _names(tree):
         known = isinstance(part, TableName) and not part.subscripts
-        if not known or _name(part) not in (*law.quantities, "pi"):
+        if not known or _name(part) not in (*names, "pi"):
             read = _name(part)
             message = f"read {quoted(read)} in it, expected {operands}"
             raise excerpt.error(message + nearest(read, FUNCTIONS), part.at)

@@ -127,7 +127,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
 }
 
 
-def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
+def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
     """Return the stand-in for an unreadable value."""
     match shape:
         case Leaf():
@@ -152,10 +152,8 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
             return None
         case Parsed():
             return shape.stand_in
-        case ByLaw(scalar=None):
-            return None
         case ByLaw() | ByForm():
-            return stand_in(shape.scalar)
+            return None if shape.scalar is None else stand_in(shape.scalar)
     return {}
 
 

@@ -224,8 +224,8 @@ def _of_law(shape: Balances | ByLaw) -> Words:
         words = _by_name(_shape(shape.links.item))
         return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
     forms = (shape.scalar, shape.row and ListOf(shape.row), shape.mapping)
-    words = [_shape(form) for form in forms if form is not None]
-    return {"anyOf": words} if len(words) > 1 else words[0]
+    several = [_shape(form) for form in forms if form is not None]
+    return {"anyOf": several} if len(several) > 1 else several[0]
 
 
 def _of_kind(shape: ByKind, kind: str) -> Words:
