@@ -15,12 +15,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from types import MappingProxyType, ModuleType
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple, Never, TypeVar
 
 Entry = TypeVar("Entry")
 
 _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
-_NOTHING: Mapping[str, str] = MappingProxyType({})
+_NOTHING: Mapping[str, Never] = MappingProxyType({})
 # These tables list all annexes, installed or not, so that messages can name a missing annex.
 KEYS = MappingProxyType(
     {"vehicle": "vehicle", "fatigue": "vehicle", "bearings": "vehicle", "dump": "torsion"}
@@ -144,28 +144,28 @@ class Annex(NamedTuple):
     """Name of the package in `vstatics`."""
     needs: tuple[str, ...] = ()
     """Annexes from which this annex imports."""
-    commands: Mapping[str, Command] = MappingProxyType({})
+    commands: Mapping[str, Command] = _NOTHING
     """Commands of `vstatics`, by name."""
     names: Mapping[str, str] = _NOTHING
     """Modules of the names that the annex adds to `vstatics`, by name."""
     methods: Mapping[str, str] = _NOTHING
     """Modules of the functions that the core or an earlier annex calls by name."""
-    groups: Mapping[str, Mapping[str, tuple[str, str]]] = MappingProxyType({})
+    groups: Mapping[str, Mapping[str, tuple[str, str]]] = _NOTHING
     """Sub-commands of each command: module and line of help, by name."""
     own_names: Mapping[str, str] = _NOTHING
     """Modules of the names that the annex package exports, by name."""
-    pictures: Mapping[str, PictureKind] = MappingProxyType({})
+    pictures: Mapping[str, PictureKind] = _NOTHING
     """Kinds of pictures, by the name of the kind."""
     picture_options: Mapping[str, str] = _NOTHING
     """Options that only some kinds of pictures have, each with the message for other kinds.
 
     The message can name the kinds by ``{kinds}``.
     """
-    documents: Mapping[str, DocumentKind] = MappingProxyType({})
+    documents: Mapping[str, DocumentKind] = _NOTHING
     """Kinds of documents other than cases, by the name of the kind."""
-    schemas: Mapping[str, Schema] = MappingProxyType({})
+    schemas: Mapping[str, Schema] = _NOTHING
     """JSON Schemas, by the name of the file in `schemas/`."""
-    report: Mapping[str, ReportPart] = MappingProxyType({})
+    report: Mapping[str, ReportPart] = _NOTHING
     """Sections for the page of a case, by the word that selects the section."""
     keys: Mapping[str, str] = _NOTHING
     """Modules whose `KEY` declares a key of a case, by the name of the key."""

@@ -242,6 +242,15 @@ def plural(noun: str, count: int) -> str:
     return noun if count == 1 else f"{noun}s"
 
 
+def count_of(noun: str, count: int) -> str:
+    """Return a number with its noun.
+
+    >>> count_of("gear", 1), count_of("gear", 2)
+    ('1 gear', '2 gears')
+    """
+    return f"{count} {plural(noun, count)}"
+
+
 def typed_number(text: str, last: int) -> int | None:
     """Return the number from 1 to `last` in a text, or None.
 

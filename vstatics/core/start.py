@@ -30,12 +30,8 @@ def is_command(argument: str, command_line: list[str]) -> bool:
     return os.path.splitext(os.path.basename(argument))[0] == PROGRAM  # noqa: PTH119, PTH122
 
 
-def end_without_a_trace() -> None:
-    """Make Ctrl-C end the process at once, with the exit status 128 + signal number of shells."""
-    if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
-        _signal.signal(_signal.SIGINT, lambda number, _: os._exit(128 + number))
-
-
 if is_command(sys.argv[0] if sys.argv else "", sys.orig_argv):
-    end_without_a_trace()
+    if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
+        # Ctrl-C ends the process at once, with the exit status of shells.
+        _signal.signal(_signal.SIGINT, lambda number, _: os._exit(128 + number))
     gc.set_threshold(NEW_OBJECTS)

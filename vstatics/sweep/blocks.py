@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from types import MappingProxyType
 from typing import NamedTuple, Protocol, TypeAlias, TypeVar
 
 import numpy as np
@@ -48,6 +47,11 @@ Made: TypeAlias = tuple[Chosen, Transmission | None]
 """Indices of variants in a block, and the case that they share; `None` for an impossible case."""
 Array = TypeVar("Array", Floats, Codes)
 
+MEASURED_RUNS = 8
+"""Number of runs from which the time of all runs is estimated."""
+BLOCK_BYTES = 32 * 2**20
+LEAST_BLOCK, MOST_BLOCK = 256, 16384
+
 
 class Frequencies(Protocol):
     """Natural frequencies of variants, which the annex of torsional vibration calculates."""
@@ -70,7 +74,7 @@ class BlockTables(NamedTuple):
 
     results: Results | None
     modes: Frequencies | None
-    numbers: Mapping[str, Floats] = MappingProxyType({})
+    numbers: Mapping[str, Floats]
     """Numbers of mechanisms by the table in `PART_NUMBERS`, shape (variants, 1, mechanisms). [-]"""
 
     def existing(self, name: str) -> Floats:
@@ -87,32 +91,6 @@ class BlockTables(NamedTuple):
         return self.results.existing(name)
 
 
-def possible_numbers(
-    case: Transmission, targets: Sequence[Varied], values: Floats
-) -> tuple[Floats, Booleans]:
-    """Return the varied numbers with impossible values replaced, and a mask of such variants."""
-    invalid = np.zeros(len(values), dtype=np.bool_)
-    possible = values
-    for column, target in enumerate(targets):
-        given = values[:, column]
-        wrong, stands_in = _wrong(case, target, given)
-        if wrong.any():
-            possible = values.copy(order="F") if possible is values else possible
-            possible[wrong, column] = stands_in
-            invalid |= wrong
-    return possible, invalid
-
-
-def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans, float]:
-    """Return a mask of impossible values, and a possible value that replaces them."""
-    if isinstance(target, Target):
-        value = own_number(case, target.owner, target.quantity)
-        between = [case.ratio_range(target.owner)] if target.quantity == "ratio" else []
-        return impossible(target.quantity, given, *between), value
-    assert isinstance(target, CasePath)  # noqa: S101 - a case has no other
-    return target.impossible(given), 1.0
-
-
 class OfCases(NamedTuple):
     """Tables of a block of variants that are calculated as several groups."""
 
@@ -127,93 +105,13 @@ class OfCases(NamedTuple):
     @property
     def outside(self) -> tuple[str, ...]:
         """Names of laws that were evaluated outside their points."""
-        points = [part.results.points for part in self.parts if part.results]
-        return tuple(
-            dict.fromkeys(
-                name for part_points in points if part_points for name in part_points.outside
-            )
+        names = (
+            name
+            for part in self.parts
+            if part.results and part.results.points
+            for name in part.results.points.outside
         )
-
-
-def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
-    if len(arrays) == 1:
-        return arrays[0]
-    order = np.argsort(np.concatenate([np.asarray(indices) for indices in places]))
-    whole: Array = np.concatenate(arrays)[order]
-    return whole
-
-
-def block_tables(
-    plan: SweepPlan, case: Transmission, values: Floats, cases: Sequence[Made] = ()
-) -> BlockTables:
-    """Return the tables that a plan uses, for a case and possible varied numbers.
-
-    `cases` replace the ratios and efficiencies of some variants.
-    """
-    targets, asked = plan.targets, plan.modes
-    results = modes = None
-    of_targets = values if len(targets) == values.shape[1] else values[:, plan.places]
-    paths = _by_path(plan, values)
-    if plan.asks_for_results and paths:
-        results = solve(case, vary=paths)
-    elif plan.asks_for_results:
-        numbers = _of_mechanisms(case, plan, values, cases)
-        results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
-    if asked:
-        first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
-        modes = higher("frequencies", OMEGA)(
-            case, targets, of_targets, asked, first[:, plan.places]
-        )
-    numbers_by_table = {
-        table: _numbers_of(case, plan, values, cases, quantity)[:, np.newaxis]
-        for quantity, table in PART_NUMBERS.items()
-        if table in plan.tables
-    }
-    return BlockTables(results, modes, numbers_by_table)
-
-
-def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
-    """Return the numbers that `vstatics.solve` varies by path, in SI."""
-    numbers: dict[str, Floats] = {}
-    of_solve = [path for path in plan.paths if path.of]
-    for target, column in zip(plan.variants.targets, values.T, strict=True):
-        if target in of_solve:
-            numbers[target.path] = target.in_si(column)
-        elif of_solve and isinstance(target, Target) and target.quantity in OF_MECHANISM:
-            name = plan.case.mechanisms[target.owner].name
-            numbers[f"{name}.{target.quantity}"] = column
-    return numbers
-
-
-def _of_mechanisms(
-    case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made] = ()
-) -> dict[str, Floats]:
-    """Return ratios and efficiencies if they vary, else ratios; shape (variants, mechanisms)."""
-    varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
-    asked = OF_MECHANISM if cases else varied or {"ratio"}
-    return {quantity: _numbers_of(case, plan, values, cases, quantity) for quantity in asked}
-
-
-def _numbers_of(
-    case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made], quantity: str
-) -> Floats:
-    table = np.empty((len(case.mechanisms), len(values)))
-    table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
-    for chosen, other_case in cases:
-        if other_case:
-            table.T[chosen] = [getattr(mechanism, quantity) for mechanism in other_case.mechanisms]
-    for column, target in enumerate(plan.variants.targets):
-        if isinstance(target, Target) and target.quantity == quantity:
-            table[target.owner] = values[:, column]
-        elif isinstance(target, CasePath) and target.quantity == quantity:
-            table[[number.owner for number in target.of]] = values[:, column]
-    return table.T
-
-
-MEASURED_RUNS = 8
-"""Number of runs from which the time of all runs is estimated."""
-BLOCK_BYTES = 32 * 2**20
-LEAST_BLOCK, MOST_BLOCK = 256, 16384
+        return tuple(dict.fromkeys(names))
 
 
 def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
@@ -234,15 +132,6 @@ def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
         return runs.calculate(plan, plan.subject, start, stop)
     unvaried = solve(plan.case) if plan.asks_for_results else None
     return joined([_block(plan, unvaried, *ends) for ends in blocks(plan.case, start, stop)])
-
-
-def middle(plan: SweepPlan) -> tuple[int, int]:
-    """Return the first variant and the end of a block in the middle of a sweep, for estimates."""
-    start, stop = plan.span(plan.pieces // 2)
-    if not isinstance(plan.subject, Transmission):
-        return start, min(stop, start + MEASURED_RUNS)
-    ends = list(blocks(plan.subject, start, stop))
-    return ends[len(ends) // 2]
 
 
 def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
@@ -281,26 +170,30 @@ def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> 
     return rows_of(plan, start, values, status, tables, invalid)._replace(outside=tables.outside)
 
 
-def _groups(
-    plan: SweepPlan, cases: Sequence[Made]
-) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
-    """Yield groups of variants that are solved together.
+def possible_numbers(
+    case: Transmission, targets: Sequence[Varied], values: Floats
+) -> tuple[Floats, Booleans]:
+    """Return the varied numbers with impossible values replaced, and a mask of such variants."""
+    invalid = np.zeros(len(values), dtype=np.bool_)
+    possible = values
+    for column, target in enumerate(targets):
+        given = values[:, column]
+        wrong, stands_in = _wrong(case, target, given)
+        if wrong.any():
+            possible = values.copy(order="F") if possible is values else possible
+            possible[wrong, column] = stands_in
+            invalid |= wrong
+    return possible, invalid
 
-    Cases that differ only in ratios and efficiencies form a group, unless planet speeds or natural
-    frequencies are used, which depend on each case.
-    """
-    efficiencies = [mechanism.back_efficiency for mechanism in plan.case.mechanisms]
-    of_each_case = plan.tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
-    if len(cases) == 1 or of_each_case or any(path.of for path in plan.paths):
-        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
-    elif all(
-        [m.back_efficiency for m in other_case.mechanisms] == efficiencies
-        for _, other_case in cases
-        if other_case
-    ):
-        yield slice(None), plan.case, cases
-    else:
-        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
+
+def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans, float]:
+    """Return a mask of impossible values, and a possible value that replaces them."""
+    if isinstance(target, Target):
+        value = own_number(case, target.owner, target.quantity)
+        between = [case.ratio_range(target.owner)] if target.quantity == "ratio" else []
+        return impossible(target.quantity, given, *between), value
+    assert isinstance(target, CasePath)  # noqa: S101 - a case has no other
+    return target.impossible(given), 1.0
 
 
 def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
@@ -317,6 +210,143 @@ def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
             yield chosen, with_part_numbers(plan.case, parts, row)
         except CaseError:
             yield chosen, None
+
+
+def _groups(
+    plan: SweepPlan, cases: Sequence[Made]
+) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
+    """Yield groups of variants that are solved together.
+
+    Cases that differ only in ratios and efficiencies form a group, unless planet speeds or natural
+    frequencies are used, which depend on each case.
+    """
+    efficiencies = [mechanism.back_efficiency for mechanism in plan.case.mechanisms]
+    of_each_case = plan.tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
+    if (
+        len(cases) == 1
+        or of_each_case
+        or any(path.of for path in plan.paths)
+        or any(
+            [m.back_efficiency for m in other_case.mechanisms] != efficiencies
+            for _, other_case in cases
+            if other_case
+        )
+    ):
+        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
+    else:
+        yield slice(None), plan.case, cases
+
+
+def block_tables(
+    plan: SweepPlan, case: Transmission, values: Floats, cases: Sequence[Made]
+) -> BlockTables:
+    """Return the tables that a plan uses, for a case and possible varied numbers.
+
+    `cases` replace the ratios and efficiencies of some variants.
+    """
+    results = modes = None
+    paths = _by_path(plan, values)
+    if plan.asks_for_results and paths:
+        results = solve(case, vary=paths)
+    elif plan.asks_for_results:
+        numbers = _of_mechanisms(case, plan, values, cases)
+        results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
+    if asked := plan.modes:
+        first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
+        of_targets, first_of_targets = values[:, plan.places], first[:, plan.places]
+        modes = higher("frequencies", OMEGA)(
+            case, plan.targets, of_targets, asked, first_of_targets
+        )
+    numbers_by_table = {
+        table: _numbers_of(case, plan, values, cases, quantity)[:, np.newaxis]
+        for quantity, table in PART_NUMBERS.items()
+        if table in plan.tables
+    }
+    return BlockTables(results, modes, numbers_by_table)
+
+
+def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
+    """Return the numbers that `vstatics.solve` varies by path, in SI."""
+    numbers: dict[str, Floats] = {}
+    of_solve = [path for path in plan.paths if path.of]
+    for target, column in zip(plan.variants.targets, values.T, strict=True):
+        if target in of_solve:
+            numbers[target.path] = target.in_si(column)
+        elif of_solve and isinstance(target, Target) and target.quantity in OF_MECHANISM:
+            name = plan.case.mechanisms[target.owner].name
+            numbers[f"{name}.{target.quantity}"] = column
+    return numbers
+
+
+def _of_mechanisms(
+    case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made]
+) -> dict[str, Floats]:
+    """Return ratios and efficiencies if they vary, else ratios; shape (variants, mechanisms)."""
+    varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
+    asked = OF_MECHANISM if cases else varied or {"ratio"}
+    return {quantity: _numbers_of(case, plan, values, cases, quantity) for quantity in asked}
+
+
+def _numbers_of(
+    case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made], quantity: str
+) -> Floats:
+    table = np.empty((len(case.mechanisms), len(values)))
+    table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
+    for chosen, other_case in cases:
+        if other_case:
+            table.T[chosen] = [getattr(mechanism, quantity) for mechanism in other_case.mechanisms]
+    for column, target in enumerate(plan.variants.targets):
+        if isinstance(target, Target) and target.quantity == quantity:
+            table[target.owner] = values[:, column]
+        elif isinstance(target, CasePath) and target.quantity == quantity:
+            table[[number.owner for number in target.of]] = values[:, column]
+    return table.T
+
+
+def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, variants: int) -> Codes:
+    """Return the worst status of each variant over the gears that the plan uses, or of each gear.
+
+    Whole arrays are tested first, because most variants are ok. If only natural frequencies are
+    used, they determine the status.
+    """
+    by_gear = plan.by_gear
+    status = np.zeros((variants, len(plan.gears)) if by_gear else variants, dtype=np.uint8)
+    results, modes = tables.results, tables.modes
+    if results is None or unvaried is None:
+        if modes is not None:
+            status[modes.tied_up] = TIED_UP
+            status[modes.conflict] = CONFLICT
+        return status
+    asked = plan.asked_gears
+    for code, affected in (
+        (DRAGGED, results.dragged),
+        (OPEN, (results.missing > 0) & (unvaried.missing == 0)),
+        (OPEN, ~results.balanced & unvaried.balanced),
+        (UNDECIDED, results.undecided),
+        (LOCKED, results.locked),
+        (TIED_UP, results.tied_up),
+        (CONFLICT, results.conflict),
+    ):
+        if affected.any():
+            status[affected if by_gear else affected[:, asked].any(axis=1)] = code
+    return status
+
+
+def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
+    if len(arrays) == 1:
+        return arrays[0]
+    order = np.argsort(np.concatenate([np.asarray(indices) for indices in places]))
+    whole: Array = np.concatenate(arrays)[order]
+    return whole
+
+
+def middle(plan: SweepPlan) -> tuple[int, int]:
+    """Return the first variant and the end of a block in the middle of a sweep, for estimates."""
+    start, stop = plan.span(plan.pieces // 2)
+    if not isinstance(plan.subject, Transmission):
+        return start, min(stop, start + MEASURED_RUNS)
+    ends = list(blocks(plan.subject, start, stop))
+    return ends[len(ends) // 2]
 
 
 def reason(plan: SweepPlan) -> list[Problem]:
@@ -341,35 +371,3 @@ def reason(plan: SweepPlan) -> list[Problem]:
     except CaseError as error:
         return error.problems
     return []
-
-
-def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, variants: int) -> Codes:
-    """Return the worst status of each variant over the gears that the plan uses, or of each gear.
-
-    Whole arrays are tested first, because most variants are ok. If only natural frequencies are
-    used, they determine the status.
-    """
-    by_gear = plan.by_gear
-    status = np.zeros((variants, len(plan.gears)) if by_gear else variants, dtype=np.uint8)
-    results, modes = tables.results, tables.modes
-    if results is None or unvaried is None:
-        if modes is not None:
-            status[modes.tied_up] = TIED_UP
-            status[modes.conflict] = CONFLICT
-        return status
-    asked = plan.asked_gears
-    unlike = (
-        (results.missing > 0) & (unvaried.missing == 0),
-        ~results.balanced & unvaried.balanced,
-    )
-    for code, affected in (
-        (DRAGGED, results.dragged),
-        *((OPEN, wrong) for wrong in unlike),
-        (UNDECIDED, results.undecided),
-        (LOCKED, results.locked),
-        (TIED_UP, results.tied_up),
-        (CONFLICT, results.conflict),
-    ):
-        if affected.any():
-            status[affected if by_gear else affected[:, asked].any(axis=1)] = code
-    return status

@@ -178,11 +178,11 @@ def _check_ratios(
     if not isinstance(subject, Transmission):
         subject.check_targets(targets, places)
         return
-    case = subject
     parts = [varied.part for varied in targets if isinstance(varied, CasePath) and varied.part]
     keys = [part.keys for part in parts]
     names = {name for key, name, *below in keys if key == "elements" and "teeth" in below}
-    follow = {n for device in case.own_devices if device.name in names for n in device.mechanisms}
+    sets = [device for device in subject.own_devices if device.name in names]
+    follow = {n for device in sets for n in device.mechanisms}
     for target, place in zip_longest(targets, places):
         if isinstance(target, Target) and target.quantity == "ratio" and target.owner in follow:
             raise varied_beside_teeth(target.name, place)

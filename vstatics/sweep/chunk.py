@@ -28,13 +28,15 @@ Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
 STATUS = (
     "ok",
-    *(
-        gear_status.name
-        for gear_status in (status.DRAGGED, status.NEUTRAL, status.UNDECIDED, status.LOCKED)
-    ),
+    status.DRAGGED.name,
+    status.NEUTRAL.name,
+    status.UNDECIDED.name,
+    status.LOCKED.name,
     "not assembled",
-    *(gear_status.name for gear_status in (status.TIED_UP, status.CONFLICT)),
-    *("invalid", "stopped"),
+    status.TIED_UP.name,
+    status.CONFLICT.name,
+    "invalid",
+    "stopped",
 )
 """Statuses of a variant in ascending order of severity; the worst of the gears counts."""
 DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STOPPED = range(
@@ -184,9 +186,13 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
     rows: dict[str, Any] = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in OF_ROWS
     }
-    rows |= {"counts": counted(parts), "removed": removed_in(parts)}
-    rows |= {"outside": outside_in(parts), "noticed": noticed_in(parts)}
-    return parts[0]._replace(**rows)
+    return parts[0]._replace(
+        counts=counted(parts),
+        removed=removed_in(parts),
+        outside=outside_in(parts),
+        noticed=noticed_in(parts),
+        **rows,
+    )
 
 
 def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
@@ -31,12 +30,23 @@ class SweepReport(NamedTuple):
     rows: int
     counts: dict[str, int]
     """Number of variants, or of gears of variants, by status."""
-    removed: tuple[int, ...] = ()
+    removed: tuple[int, ...]
     """Numbers of variants that the parts of the condition removed, in the order of the parts."""
-    outside: tuple[str, ...] = ()
+    outside: tuple[str, ...]
     """Names of laws that were evaluated outside their points."""
-    noticed: tuple[Noticed, ...] = ()
+    noticed: tuple[Noticed, ...]
     """Messages of runs."""
+
+    @classmethod
+    def of(cls, accounts: Sequence[Account]) -> SweepReport:
+        """Return the outcome of pieces."""
+        return cls(
+            sum(account.rows for account in accounts),
+            chunk.counted(accounts),
+            chunk.removed_in(accounts),
+            chunk.outside_in(accounts),
+            chunk.noticed_in(accounts),
+        )
 
     @property
     def variants(self) -> int:
@@ -133,34 +143,28 @@ class Output:
         OSError
             If the output cannot be written; the pieces stay.
         """
-        plan = self.task.plan
+        plan, form = self.task.plan, self.task.form
         accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
-        counts_and_notes = (
-            chunk.counted(accounts),
-            chunk.removed_in(accounts),
-            chunk.outside_in(accounts),
-            chunk.noticed_in(accounts),
-        )
+        report = SweepReport.of(accounts)
         if plan.objectives:
             accounts = list(self._select(accounts))
         try:
-            if self.task.form in ("parquet", *MOST_ROWS):
+            if form in ("parquet", *MOST_ROWS):
                 from vstatics.sweep.formats import tables
 
-                rows = self.task.plan.output_headings, self._chunks(accounts)
+                rows = plan.output_headings, self._chunks(accounts)
                 with self.store.folder.writing(piece_file.ASSEMBLED) as file:
-                    if self.task.form == "parquet":
-                        tables.write_parquet(file, *rows, by_gear=self.task.plan.by_gear)
+                    if form == "parquet":
+                        tables.write_parquet(file, *rows, by_gear=plan.by_gear)
                     else:
-                        by_gear = self.task.plan.by_gear
-                        file.write(tables.text(self.task.form, *rows, by_gear=by_gear))
+                        file.write(tables.text(form, *rows, by_gear=plan.by_gear))
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
-            self.store.discard(piece_file.ASSEMBLED)  # a large incomplete file is of no use
+            self.store.folder.remove(piece_file.ASSEMBLED)  # a large incomplete file is of no use
             raise
         self.store.finish()
-        return SweepReport(sum(account.rows for account in accounts), *counts_and_notes)
+        return report._replace(rows=sum(account.rows for account in accounts))
 
     def _layout(self, accounts: Sequence[Account]) -> ArchiveLayout:
         plan, form = self.task.plan, self.task.form
@@ -219,8 +223,6 @@ def stream(
         If `write` fails.
     """
     plan, form = task.plan, task.form
-    counts: Counter[str] = Counter()
-    rows = 0
     items = tasks.items(task, range(plan.pieces), remote=workers.remote)
     heads = [text.head(form, plan.output_headings, raw=task.raw)]
 
@@ -230,24 +232,18 @@ def stream(
     if plan.objectives:
         candidates: list[Chunk] = []
         for _, calculated in workers.each(tasks.calculate, items, ordered=True):
-            counts.update(calculated.counts)
             advance(sum(calculated.counts.values()))
             candidates = [best.within(plan, chunk.joined([*candidates, calculated]))]
+        rows = 0
         for selected in best.among(plan, lambda: candidates):
             rows += len(selected.variants)
             put(text.rows(form, selected))
         put()
         [whole] = candidates
-        return SweepReport(rows, dict(counts), whole.removed, whole.outside, whole.noticed)
-    removed: Counter[int] = Counter()
-    outside: dict[str, None] = {}
-    noticed: tuple[Noticed, ...] = ()
+        return SweepReport(rows, dict(whole.counts), whole.removed, whole.outside, whole.noticed)
+    accounts = []
     for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
-        counts.update(account.counts)
-        removed.update(dict(enumerate(account.removed)))
-        outside |= dict.fromkeys(account.outside)
-        noticed = chunk.noticed_in([account._replace(noticed=noticed), account])
-        rows += account.rows
+        accounts.append(account)
         put(data)
         advance(account.variants)
-    return SweepReport(rows, dict(counts), tuple(removed.values()), tuple(outside), noticed)
+    return SweepReport.of(accounts)

@@ -13,8 +13,14 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.sweep.results.columns import OutputColumns, output_headings
 from vstatics.sweep.results.documents import Subject
-from vstatics.sweep.results.expressions import Expression
-from vstatics.sweep.results.meanings import OF_RATIOS, OK, OMEGA, PART_NUMBERS, Tables
+from vstatics.sweep.results.meanings import (
+    OF_RATIOS,
+    OK,
+    OMEGA,
+    PART_NUMBERS,
+    Selection,
+    Tables,
+)
 from vstatics.sweep.results.selection import Objective, WhereCondition
 from vstatics.sweep.variants.numbered import Variants
 from vstatics.sweep.variants.path_numbers import CasePath
@@ -122,17 +128,23 @@ class SweepPlan:
         return piece * self.piece, min((piece + 1) * self.piece, self.variants.count)
 
     @property
-    def expressions(self) -> Iterator[Expression]:
-        """All expressions evaluated for a variant."""
-        yield from (part.expression for part in self.columns.parts)
-        yield from (objective.expression for objective in self.objectives)
-        if self.where is not None:
-            yield from self.where.parts
+    def selections(self) -> Iterator[Selection]:
+        """All parts of tables in expressions evaluated for a variant."""
+        for part in self.columns.parts:
+            yield from part.expression.selections
+        for objective in self.objectives:
+            yield from objective.expression.selections
+        yield from self._selections_of_condition
+
+    @property
+    def _selections_of_condition(self) -> Iterator[Selection]:
+        for part in () if self.where is None else self.where.parts:
+            yield from part.selections
 
     @property
     def tables(self) -> set[str]:
         """All tables used by expressions."""
-        return {part.table for expression in self.expressions for part in expression.selections}
+        return {part.table for part in self.selections}
 
     @property
     def asks_for_results(self) -> bool:
@@ -142,14 +154,13 @@ class SweepPlan:
     @property
     def takes_all(self) -> bool:
         """True if the condition allows variants that cannot be assembled."""
-        parts = () if self.where is None else self.where.parts
-        return any(selection.table == OK for part in parts for selection in part.selections)
+        return any(part.table == OK for part in self._selections_of_condition)
 
     @property
     def asked_gears(self) -> list[int]:
         """Indices of the gears used by expressions; all if an expression covers all."""
-        every = [part for expression in self.expressions for part in expression.selections]
-        parts = [part for part in every if part.table not in (OK, *PART_NUMBERS.values())]
+        of_parts = PART_NUMBERS.values()
+        parts = [part for part in self.selections if part.table not in (OK, *of_parts)]
         if not parts or any(part.gear is None or part.table in OF_RATIOS for part in parts):
             return [*range(len(self.case.gears))]
         return sorted({part.gear for part in parts if part.gear is not None})
@@ -158,14 +169,13 @@ class SweepPlan:
     def modes(self) -> dict[int, list[int]]:
         """Indices of the natural frequencies that expressions use, by the index of the gear."""
         asked: dict[int, set[int]] = {}
-        for expression in self.expressions:
-            for part in expression.selections:
-                if part.table == OMEGA:
-                    of_all = part.gear is None or self.by_gear
-                    gears = range(len(self.case.gears)) if of_all else [part.gear or 0]
-                    every = range(part.rows) if part.row is None else [part.row]
-                    for gear in gears:
-                        asked.setdefault(gear, set()).update(every)
+        for part in self.selections:
+            if part.table == OMEGA:
+                of_all = part.gear is None or self.by_gear
+                gears = range(len(self.case.gears)) if of_all else [part.gear or 0]
+                every = range(part.rows) if part.row is None else [part.row]
+                for gear in gears:
+                    asked.setdefault(gear, set()).update(every)
         return {gear: sorted(modes) for gear, modes in sorted(asked.items())}
 
     def objective_values(self, tables: Tables, values: Floats) -> Floats:

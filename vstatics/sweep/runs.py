@@ -27,7 +27,7 @@ def piece_of_runs(count: int) -> int:
 
 def calculate(plan: SweepPlan, subject: SweptDocument, start: int, stop: int) -> Chunk:
     """Run the variants from `start` up to `stop`."""
-    asked = subject.asked(part for expression in plan.expressions for part in expression.selections)
+    asked = subject.asked(plan.selections)
     return joined([_row(plan, subject, number, asked) for number in range(start, stop)])
 
 

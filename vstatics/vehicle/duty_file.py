@@ -146,7 +146,7 @@ def read_duty_table(
     )
     if ("time" in table.numbers) == ("share" in table.numbers):
         message = "expected exactly one of the columns `time` and `share`"
-        raise ReadError([Problem("E121", message, (), table.source.place(1))])
+        raise ReadError("E121", message, place=table.source.place(1))
     return DutyTable(table, exponent or EXPONENT, classes)
 
 

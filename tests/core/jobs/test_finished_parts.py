@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from vstatics.core.jobs.finished_parts import FinishedParts, case_mark
+from vstatics.core.jobs.finished_cases import case_mark
+from vstatics.core.jobs.finished_parts import FinishedParts
 
 
 def test_a_first_part_that_was_cut_is_never_filled_by_the_next(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from vstatics.core.cli.shared.options import MESSAGES, OUTPUT, command, completi
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
-from vstatics.core.errors import Problem, ReadError, Severity, plural, quoted, spoken
+from vstatics.core.errors import Problem, ReadError, Severity, count_of, quoted, spoken
 from vstatics.core.readers.kinds import document_function
 from vstatics.core.statics.diagnosis import freedom, given_constraints, undriven_gears
 from vstatics.core.statics.freewheels import with_engaged
@@ -68,27 +68,23 @@ def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemR
 FORMATS = ("text", "json", "github", "sarif", "junit")
 
 
-def _count(number: int, noun: str) -> str:
-    return f"{number} {plural(noun, number)}"
-
-
 def constraints(file: str, results: Results) -> Grid:
     """Return a table of the parts of a case and the constraints on speeds in each gear."""
     case = results.case
     free = freedom(case)
     counts = [
-        _count(case.links, "link"),
-        _count(len(case.shift_elements), "shift element"),
-        _count(len(case.mechanisms), "mechanism"),
-        _count(len(case.gears), "gear"),
+        count_of("link", case.links),
+        count_of("shift element", len(case.shift_elements)),
+        count_of("mechanism", len(case.mechanisms)),
+        count_of("gear", len(case.gears)),
     ]
     if drawing := drawing_of(case):
         planets = case.links - drawing.links
-        counts[0] = _count(drawing.links, "link")
-        counts[2] = f"{_count(len(drawing.elements), 'gear set')} as {counts[2]}"
-        counts[2] += f" and {_count(planets, 'planet')}" * bool(planets)
+        counts[0] = count_of("link", drawing.links)
+        counts[2] = f"{count_of('gear set', len(drawing.elements))} as {counts[2]}"
+        counts[2] += f" and {count_of('planet', planets)}" * bool(planets)
     if case.springs:
-        counts.insert(3, _count(len(case.springs), "spring"))
+        counts.insert(3, count_of("spring", len(case.springs)))
     names = [element.name for element in case.shift_elements]
     rows = []
     states = zip(

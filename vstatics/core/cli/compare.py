@@ -22,7 +22,7 @@ from vstatics.core.comparison.compared_files import (
 )
 from vstatics.core.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.core.comparison.verdicts import Verdict, unreadable, verdict
-from vstatics.core.errors import ReadError, plural
+from vstatics.core.errors import ReadError, count_of
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.tables.answer import plain_data
@@ -33,9 +33,13 @@ FORMATS = ("text", "markdown", "json", "junit")
 
 
 def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Command]:
-    is_one = value(tolerance)
     return click.option(
-        name, type=float, default=default, show_default=True, callback=is_one, help=says
+        name,
+        type=float,
+        default=default,
+        show_default=True,
+        callback=value(tolerance),
+        help=says,
     )
 
 
@@ -130,7 +134,7 @@ def compare_command(
     if lines:
         files.write_output("\n".join(lines) + "\n", None)
     if count:
-        files.say(f"{actual} and {expected} differ in {count} {plural('place', count)}")
+        files.say(f"{actual} and {expected} differ in {count_of('place', count)}")
     return FAILED if count else DONE
 
 

@@ -10,7 +10,7 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import OUTPUT, command, under
 from vstatics.core.cli.shared.problems import Telling
-from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.errors import ReadError
 from vstatics.core.writers.saving import case_data
 
 
@@ -69,10 +69,8 @@ def convert_command(
     reading = arguments.read_data(*files.read_input(source), input_format, telling)
     if left_out := [problem for problem in reading.warnings if problem.id == "W807"]:
         raise ReadError(problem._replace(id="E014") for problem in left_out)
-    try:
+    with files.problems_of_file(source):
         data, lost = case_data(reading.case, wanted)
-    except CaseError as error:
-        raise ReadError(problem.in_file(source) for problem in error.problems) from error
     files.write_data(data, target)
     for loss in lost:
         files.say(f"{target}: not kept: {loss}")

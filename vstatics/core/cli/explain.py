@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import cases as arguments
-from vstatics.core.cli.shared import formats, texts
+from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import command, gathered, refuse
 from vstatics.core.cli.shared.texts import Job
-from vstatics.core.errors import CaseError, ReadError, listed
+from vstatics.core.errors import listed
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
 
@@ -118,10 +118,8 @@ def _exercise(
         names = listed(results.gears, 12)
         message = f"an exercise is of one gear, expected one of {names}"
         raise click.BadParameter(message, param_hint="--gear")
-    try:
+    with files.problems_of_file(outcome.file):
         sheet = exercise(results, results.case.gears[index].name, seed=seed)
-    except CaseError as error:
-        raise ReadError(problem.in_file(outcome.file) for problem in error.problems) from None
     shown = partial(grids, sheet, solved=solved)
     return texts.CaseOutput(sheet.titles(outcome.file), {}, shown, sheet.document)
 
@@ -133,10 +131,8 @@ def _shown(
 
     case = results.case
     indices = arguments.gear_indices(case, gears)
-    try:
+    with files.problems_of_file(outcome.file):
         explanations = [explain_gear(results, case.gears[index].name) for index in indices]
-    except CaseError as error:
-        raise ReadError(problem.in_file(outcome.file) for problem in error.problems) from None
 
     def as_text(_: str | None) -> str:
         from vstatics.core.explain import text

@@ -212,8 +212,6 @@ def _shown(
 
         return summary_answer(summary)
 
-    titles, problems = (
-        [results.case.name or outcome.file],
-        doubts(summary.cycle, outcome.file),
-    )
-    return texts.CaseOutput(titles, {}, tables, answer, problems=problems)
+    title = results.case.name or outcome.file
+    problems = doubts(summary.cycle, outcome.file)
+    return texts.CaseOutput([title], {}, tables, answer, problems=problems)

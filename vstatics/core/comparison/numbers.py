@@ -110,12 +110,8 @@ def same_gears(
         {name: place for place, name in enumerate(result.gear_names)}
         for result in (actual, expected)
     )
-    for name in there:
-        if name not in here:
-            yield Difference("", "", name, NOT_THERE, THERE)
-    for name in here:
-        if name not in there:
-            yield Difference("", "", name, THERE, NOT_THERE)
+    yield from (Difference("", "", old, NOT_THERE, THERE) for old in there if old not in here)
+    yield from (Difference("", "", new, THERE, NOT_THERE) for new in here if new not in there)
     both = [name for name in there if name in here]
     actual = _with_gears(actual, [here[name] for name in both])
     return actual, _with_gears(expected, [there[name] for name in both]), both
@@ -159,12 +155,8 @@ def _by_name(
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
     """Yield a difference for each unmatched row; return names and values of the matched rows."""
     here, there = (dict(zip(*pair, strict=True)) for pair in zip(names, figures, strict=True))
-    new = [name for name in here if name not in there]
-    gone = [name for name in there if name not in here]
-    for name in new:
-        yield Difference(table, name, "", THERE, NOT_THERE)
-    for name in gone:
-        yield Difference(table, name, "", NOT_THERE, THERE)
+    yield from (Difference(table, new, "", THERE, NOT_THERE) for new in here if new not in there)
+    yield from (Difference(table, old, "", NOT_THERE, THERE) for old in there if old not in here)
     both = [name for name in there if name in here]
     return both, [here[name] for name in both], [there[name] for name in both]
 

@@ -6,7 +6,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from itertools import zip_longest
 
 from vstatics.core.comparison.numbers import NOT_THERE, THERE, Difference, is_same
-from vstatics.core.errors import plural
+from vstatics.core.errors import count_of
 from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.tables.written_results import Figure, WrittenSweep
@@ -72,7 +72,7 @@ def sweep_headline(differences: Sequence[Difference], counts: Mapping[str, int])
     statuses = sum(item.table == "status" for item in both)
     differing = [len({(item.row, item.gear) for item in both}), len(columns - {"status"})]
     numbers = [
-        f"{number} of {count} {plural(kind, count)}"
+        f"{number} of {count_of(kind, count)}"
         for number, (kind, count) in zip(differing, counts.items(), strict=True)
         if number
     ]
@@ -85,7 +85,7 @@ def sweep_headline(differences: Sequence[Difference], counts: Mapping[str, int])
     ):
         for side, word in ((THERE, "added"), (NOT_THERE, "gone")):
             number = sum(item.actual == side for item in unmatched)
-            parts += [f"{number} {plural(kind, number)} {word}"] * bool(number)
+            parts += [f"{count_of(kind, number)} {word}"] * bool(number)
     return "; ".join(parts)
 
 

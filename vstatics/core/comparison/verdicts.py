@@ -221,9 +221,9 @@ def _steps(
     cases = actual.case or expected.case, expected.case or actual.case
     here, there = map(steps_of, (actual, expected), gears, cases)
     ratios = {item.gear for item in unequal if item.table in ("ratio", "")}
-    steps = list(step_differences(here, there, ratios, how.atol, how.rtol))
-    if "ratio" in how.leave_out:
-        steps = []
+    steps: Sequence[Difference] = ()
+    if "ratio" not in how.leave_out:
+        steps = list(step_differences(here, there, ratios, how.atol, how.rtol))
     counts = {table: max(_count(result, table) for result in (actual, expected)) for table in MAIN}
     return steps, counts | {"step": len({*here, *there})}
 

@@ -102,13 +102,33 @@ def why_not_taken(
     return "" if first.rstrip(b"\n") == described(options) else OTHER_BUILD
 
 
-class _Entry(NamedTuple):
-    """Line about a result."""
+class CaseMark(NamedTuple):
+    """Hashes that identify a case."""
 
     case: str
     """Hash of the case."""
     named_files: dict[str, str | None]
     """Hashes of the files that the case names."""
+
+    def is_of(self, file: str) -> bool:
+        """Return whether a case and all files that it names are unchanged."""
+        hashes = {file: self.case, **self.named_files}
+        return all(hash_of_file(name) == known for name, known in hashes.items())
+
+
+def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
+    """Return the mark of a case as read, and of further files named in the case.
+
+    >>> case_mark(b"links: 2", ["nowhere.csv"]).named_files
+    {'nowhere.csv': None}
+    """
+    return CaseMark(hash_of(data), {file: hash_of_file(file) for file in named_files})
+
+
+class _Entry(NamedTuple):
+    """Line about a result."""
+
+    mark: CaseMark
     run: str
     """Identification of the options and the build of the run."""
     state: list[int]
@@ -194,15 +214,14 @@ class FinishedCases:
         name, case, named_files, run, state, failed = json.loads(text)
         self._done.pop(name, None)
         if not failed:
-            self._done[name] = _Entry(case, dict(named_files), run, state)
+            self._done[name] = _Entry(CaseMark(case, named_files), run, state)
 
     def is_done(self, file: str, target: str) -> bool:
         """Return whether the run has a result for the present version of the case `file`."""
         entry = self._done.get(os.path.basename(target))  # noqa: PTH119
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False
-        hashes = {file: entry.case, **entry.named_files}
-        return all(hash_of_file(name) == known for name, known in hashes.items())
+        return entry.mark.is_of(file)
 
     def put(
         self,
@@ -230,8 +249,8 @@ class FinishedCases:
         from vstatics.core.jobs.page_files import replace_pages  # few runs write pages
 
         replace_pages(target, result, self.mark)
-        name, hashes = os.path.basename(target), {file: hash_of_file(file) for file in named_files}  # noqa: PTH119
-        entry = [name, hash_of(case), hashes, self._run, _state(target), failed]
+        name, mark = os.path.basename(target), case_mark(case, named_files)  # noqa: PTH119
+        entry = [name, *mark, self._run, _state(target), failed]
         self._append(sealed(json.dumps(entry).encode()))
 
 

@@ -12,13 +12,14 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import IO, NamedTuple, Self
 
 from vstatics.core.errors import ReadError, of_file, plural
-from vstatics.core.jobs.files import hash_of, hash_of_file, write_all
+from vstatics.core.jobs.files import hash_of, write_all
 from vstatics.core.jobs.finished_cases import (
     NO_RUN,
+    CaseMark,
     Description,
     described,
     sealed,
@@ -32,24 +33,6 @@ from vstatics.core.jobs.state_files import StateFolder
 PARTS, OVER = "parts", "over"
 """Name of the file of parts, and of a file that marks a run that was not stopped."""
 ANEW = "remove the directory to begin anew"
-
-
-class CaseMark(NamedTuple):
-    """Hashes that identify the case of a part."""
-
-    case: str
-    """Hash of the case."""
-    named_files: dict[str, str | None]
-    """Hashes of the files that the case names."""
-
-
-def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
-    """Return the mark of a case as read, and of further files named in the case.
-
-    >>> case_mark(b"links: 2", ["nowhere.csv"]).named_files
-    {'nowhere.csv': None}
-    """
-    return CaseMark(hash_of(data), {file: hash_of_file(file) for file in named_files})
 
 
 class _Stretch(NamedTuple):
@@ -175,10 +158,7 @@ class FinishedParts:
     def is_done(self, file: str) -> bool:
         """Return whether a part of the present version of a case exists."""
         part = self._parts.get(file)
-        if part is None:
-            return False
-        hashes = {file: part.mark.case, **part.mark.named_files}
-        return all(hash_of_file(name) == known for name, known in hashes.items())
+        return part is not None and part.mark.is_of(file)
 
     def part(self, file: str) -> bytes:
         """Return the part of a case."""
@@ -195,7 +175,7 @@ class FinishedParts:
             If the part cannot be written.
         """
         assert self._file is not None  # noqa: S101 - it was opened
-        entry = [file, mark.case, mark.named_files, len(part), hash_of(part)]
+        entry = [file, *mark, len(part), hash_of(part)]
         write_all(self._file, sealed(json.dumps(entry).encode()) + part)
         self._added = True  # what is new is in memory no longer than it takes to write it
 

@@ -69,10 +69,6 @@ class FinishedPieces:
         """Return whether a file or directory has the name of the directory of pieces."""
         return self.folder.exists()
 
-    def size(self) -> int:
-        """Return the size of all files in bytes."""
-        return self.folder.size()
-
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
         """Create the directory or load the pieces; return "", or why pieces cannot be used.
 
@@ -162,10 +158,6 @@ class FinishedPieces:
         """Release the directory."""
         unlock(self._lock)
         self._lock = None
-
-    def discard(self, name: str) -> None:
-        """Remove a file from the directory, if present."""
-        self.folder.remove(name)
 
     def finish(self) -> None:
         """Move the assembled output into place, and then remove the pieces.

@@ -300,8 +300,7 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
     ------
     TypeError, ValueError, OverflowError
     """
-    names = list(columns)
-    if not names:
+    if not columns:
         raise ValueError("it is empty")
     for name in (NUMBER, STATUS):
         if name not in columns:

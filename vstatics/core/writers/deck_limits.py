@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from vstatics.core.elements.drawing import drawing_of
-from vstatics.core.errors import CaseError, Path, Problem, listed
+from vstatics.core.errors import CaseError, Path, Problem, listed, plural
 from vstatics.core.model.parts import Law
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.statics.results import Results
@@ -36,8 +36,7 @@ def check_deck(case: Transmission) -> None:
     problems = [f"the {what} of {listed(names, SHOWN)}" for what, names in _unheld(case) if names]
     springs = [spring.name for spring in case.springs]
     if springs:
-        plural = "s" if springs[1:] else ""
-        problems.insert(0, f"the spring{plural} {listed(springs, SHOWN)}")
+        problems.insert(0, f"the {plural('spring', len(springs))} {listed(springs, SHOWN)}")
     if problems:
         message = (
             f"a deck cannot hold {', '.join(problems)}; expected YAML or JSON, which hold them"
@@ -98,8 +97,18 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
     case = results.case
     yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
-    yield "efficiencies over speed or torque", _mechanisms(case, "efficiency", _has_efficiency_law)
-    yield "second efficiencies", _mechanisms(case, "back_efficiency", _has_second_efficiency)
+    yield (
+        "efficiencies over speed or torque",
+        _mechanisms(case, "efficiency", lambda part: isinstance(part.efficiency, Law)),
+    )
+    yield (
+        "second efficiencies",
+        _mechanisms(
+            case,
+            "back_efficiency",
+            lambda part: part.back_efficiency not in (None, part.efficiency),
+        ),
+    )
     yield (
         "the drag of shift elements",
         {
@@ -161,14 +170,6 @@ def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear]
 def _load_path(index: int, key: str, of_gear: object) -> Path:
     """Return the path of a key that a gear takes from the case unless the gear has a value."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
-
-
-def _has_efficiency_law(part: Mechanism) -> bool:
-    return isinstance(part.efficiency, Law)
-
-
-def _has_second_efficiency(part: Mechanism) -> bool:
-    return part.back_efficiency not in (None, part.efficiency)
 
 
 def _acts(drag: float) -> bool:

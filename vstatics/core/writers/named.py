@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import printable
@@ -165,24 +165,17 @@ def _as_written(case: ByKey) -> ByKey:
 _CASE = _as_written(CASE)
 
 
-class _Writer:
-    """Converter of parts of the model to plain data, directed by shapes."""
+class _Writer(NamedTuple):
+    """Converter of parts of the model to plain data, directed by shapes.
 
-    def __init__(
-        self,
-        links: Sequence[int | str],
-        elements: Sequence[str],
-        mechanisms: Sequence[str],
-        wholes: Collection[float],
-    ) -> None:
-        """Store the written names by number, and the sizes of operating points.
+    It has the written names of links, shift elements and mechanisms by number.
+    """
 
-        A value relative to one of the sizes `wholes` is written with its unit.
-        """
-        self.wholes = wholes
-        self.links = links
-        self.mechanisms = [str(name) for name in mechanisms]
-        self.elements = [str(name) for name in elements]
+    links: Sequence[int | str]
+    elements: Sequence[str]
+    mechanisms: Sequence[str]
+    wholes: Collection[float]
+    """Sizes of operating points; a value relative to one of these is written with its unit."""
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
         """Return the keys of a part or mapping, without default values."""
@@ -325,9 +318,11 @@ def _dumper() -> type[yaml.SafeDumper]:
             style = "'"
         return dumper.represent_scalar("tag:yaml.org,2002:str", data, style=style)
 
-    def on_one_line(dumper: yaml.SafeDumper, data: _OnOneLine) -> yaml.MappingNode:
-        return dumper.represent_mapping("tag:yaml.org,2002:map", data, flow_style=True)
-
     Dumper.add_representer(str, text)
-    Dumper.add_representer(_OnOneLine, on_one_line)
+    Dumper.add_representer(
+        _OnOneLine,
+        lambda dumper, data: dumper.represent_mapping(
+            "tag:yaml.org,2002:map", data, flow_style=True
+        ),
+    )
     return Dumper

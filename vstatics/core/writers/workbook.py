@@ -7,7 +7,7 @@ from graphlib import CycleError, TopologicalSorter
 from itertools import pairwise
 from typing import Any
 
-from vstatics.core.errors import CaseError
+from vstatics.core.errors import CaseError, Path
 from vstatics.core.extras import require
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.workbook.cells import MOST_CELL_CHARACTERS, MOST_COLUMNS, MOST_ROWS
@@ -17,7 +17,6 @@ from vstatics.core.readers.workbook.sheets import (
     GEARS,
     LINKS,
     PART_SHEETS,
-    Part,
     can_be_path,
     flow_cell,
     path_cell,
@@ -28,7 +27,7 @@ from vstatics.core.tables.xlsx import sheet_data
 from vstatics.core.writers.named import mapping
 
 _Row = list[Any]
-_Values = Iterator[tuple[tuple[Part, ...], Any]]
+_Values = Iterator[tuple[Path, Any]]
 """Values, with the paths."""
 
 
@@ -158,13 +157,13 @@ def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[st
     return ordered
 
 
-def _flat(value: Mapping[str, Any], path: tuple[Part, ...] = ()) -> _Values:
+def _flat(value: Mapping[str, Any], path: Path = ()) -> _Values:
     """Yield the paths of plain data with the contents of cells."""
     for key, item in value.items():
         yield from _flat_value(item, (*path, str(key)))
 
 
-def _flat_value(value: Any, path: tuple[Part, ...]) -> _Values:
+def _flat_value(value: Any, path: Path) -> _Values:
     if isinstance(value, dict):
         if value and can_be_path([*map(str, value)]):
             yield from _flat(value, path)

@@ -55,7 +55,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
         "vary": {"multiple": True},
     }
     names = filter(None, [option.short, f"--{name}"])
-    more = kinds.get(option.kind, {})
+    more = kinds[option.kind]
     declaration = click.option(*names, metavar=option.metavar, help=option.help, **more)
     return under(option.heading, declaration)
 

@@ -42,7 +42,7 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
     free = free_room(pieces.output)
     if free is None:
         return
-    free += pieces.size()
+    free += pieces.folder.size()
     longest = sum(LONGEST_NUMBER + len(name.encode()) for name in plan.output_headings)
     if longest * plan.count <= free:
         return

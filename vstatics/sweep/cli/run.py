@@ -11,7 +11,7 @@ from vstatics.core.cli.shared.cases import outside_notes, show_problems
 from vstatics.core.cli.shared.exit_status import DONE, EMPTY, FAILED, stopped_by
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, going_on_later, kept_pieces
-from vstatics.core.errors import Problem, not_allowed, of_file, plural
+from vstatics.core.errors import Problem, count_of, not_allowed, of_file
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.jobs.piece_file import Noticed
@@ -145,7 +145,7 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
     ]
     unlike = f" ({', '.join(reasons)})" if reasons else ""
     before = f", {finished_before} of them before" if finished_before else ""
-    rows = f"{report.rows} {plural('row', report.rows)}"
+    rows = count_of("row", report.rows)
     variants = (
         "1 variant"
         if report.variants == 1 and not run.plan.by_gear

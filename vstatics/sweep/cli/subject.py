@@ -48,7 +48,7 @@ def read_subject(
         if not isinstance(file, PlacedFile):
             raise
         message = f"{file} {error.problems[0].message}"
-        raise ReadError([Problem("E018", message, place=file.place)]) from None
+        raise ReadError("E018", message, place=file.place) from None
     if input_format is None and (
         read_document := document_function("read_swept_document", data, name)
     ):

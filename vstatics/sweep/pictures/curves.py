@@ -23,6 +23,7 @@ from vstatics.sweep.pictures.columns import (
     DrawnRows,
     axis,
     numbers,
+    pages,
     parts,
     results_of,
     running,
@@ -95,7 +96,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     wide = style.width - CURVES_SCALE_WIDTH - max(map(width_of, ends)) - MARGIN
     room = style.height - head.high - MARGIN - CURVES_SCALE_HEIGHT
     figures = []
-    for some in _pages(highs, room):
+    for some in pages(highs, room):
         low = CURVES_SCALE_HEIGHT
         up = low + sum(highs[place] for place in some)
         pen = head.over((style.width, up), MARGIN, style)
@@ -106,20 +107,6 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
             low += highs[place]
         figures.append(pen.figure)
     return figures
-
-
-def _pages(highs: Sequence[float], room: float) -> list[list[int]]:
-    """Distribute panels with some heights to pages with the height `room`.
-
-    >>> _pages([2.0, 2.0, 2.0], 5.0)
-    [[0, 1], [2]]
-    """
-    pages: list[list[int]] = [[]]
-    for place, high in enumerate(highs):
-        if pages[-1] and sum(highs[index] for index in pages[-1]) + high > room:
-            pages.append([])
-        pages[-1].append(place)
-    return pages
 
 
 def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:

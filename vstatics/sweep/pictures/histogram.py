@@ -21,7 +21,7 @@ from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, ticks, widest,
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, Style, number
-from vstatics.sweep.pictures.columns import DrawnColumns, numbers, results_of, rows_by
+from vstatics.sweep.pictures.columns import DrawnColumns, numbers, pages, results_of, rows_by
 from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 HISTOGRAM_SIZE = (132.0, 84.0)
@@ -84,14 +84,15 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
         (True, style.text("{parts} % are below", parts=quantiles), _quantile(style)),
     ]
     head = sheet_head(title, note, key, style.width - 2 * MARGIN, style).high
-    for page in _pages(rows, wide, style.height - head - 1.5 * MARGIN):
-        highs = [_high(row, wide) for row in page]
-        top = sum(highs) + MARGIN / 2
+    highs = [_high(row, wide) for row in rows]
+    for page in pages(highs, style.height - head - 1.5 * MARGIN):
+        top = sum(highs[place] for place in page) + MARGIN / 2
         pen = headed(title, note, key, (style.width, top), style)
-        for row, high in zip(page, highs, strict=True):
-            for place, item in enumerate(row):
-                _draw(pen.panel((MARGIN + place * wide, top - high), (wide, high)), item)
-            top -= high
+        for place in page:
+            low = top - highs[place]
+            for column, item in enumerate(rows[place]):
+                _draw(pen.panel((MARGIN + column * wide, low), (wide, highs[place])), item)
+            top = low
         figures.append(pen.figure)
     return figures
 
@@ -126,25 +127,10 @@ def _high(row: Sequence[Histogram], wide: float) -> float:
     return names + HISTOGRAM_SIZE[1] + 3 * LINE_HEIGHT * SIZE
 
 
-def _pages(
-    rows: Sequence[Sequence[Histogram]], wide: float, room: float
-) -> Iterator[list[Sequence[Histogram]]]:
-    page: list[Sequence[Histogram]] = []
-    taken = 0.0
-    for row in rows:
-        high = _high(row, wide)
-        if page and taken + high > room:
-            yield page
-            page, taken = [], 0.0
-        page.append(row)
-        taken += high
-    yield page
-
-
 def _draw(pen: Pen, item: Histogram) -> None:
     style, whole = pen.style, pen.size[0]
-    up = ticks(0.0, max(item.counts) * 1.05, 4)
-    up = [value for value in up if value == round(value)]
+    upward = AxisScale(0.0, max(item.counts) * 1.05)
+    up = [value for value in ticks(upward.low, upward.high, 4) if value == round(value)]
     left = widest(tick_texts(up)) + SIZE
     wide = whole - left - HISTOGRAM_GAP
     low, top = 1.6 * LINE_HEIGHT * SIZE, HISTOGRAM_SIZE[1]
@@ -152,9 +138,7 @@ def _draw(pen: Pen, item: Histogram) -> None:
     low_edge, high_edge = float(item.edges[0]), float(item.edges[-1])
     gap = 0.02 * (high_edge - low_edge)
     across = AxisScale(low_edge - gap, high_edge + gap)
-    panel = pen.panel(
-        (x + left, y + low), (wide, top), across, AxisScale(0.0, max(item.counts) * 1.05)
-    )
+    panel = pen.panel((x + left, y + low), (wide, top), across, upward)
     panel = panel.within("panel", name=item.name)
     numbers_across = ticks(across.low, across.high, 4)
     while len(numbers_across) > 2 and _crowded(numbers_across, panel):

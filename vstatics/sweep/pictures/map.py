@@ -25,7 +25,6 @@ from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SMALL_NUMBER, Style
 from vstatics.sweep.pictures.columns import (
     DrawnColumns,
-    DrawnRows,
     axis,
     numbers,
     parts,
@@ -52,6 +51,8 @@ LEAST_FILLED = 0.5
 """Smallest fraction of filled places at which points count as a rectangular grid."""
 GRID_OF_POINTS = 121
 """Number of interpolated values in each direction, for points that do not form a grid."""
+PLACES_TRIED = 48
+"""Number of places on a line that are tried for its label."""
 
 
 class Surface(NamedTuple):
@@ -62,7 +63,7 @@ class Surface(NamedTuple):
     y: Floats
     z: Floats
     """Values of shape (y, x)."""
-    instead: str = ""
+    instead: str
     """Text that replaces a surface without any number."""
 
 
@@ -84,10 +85,9 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
         raise CaseError("E433", "the sweep has no column to draw apart from its varied numbers")
     surfaces = []
     for part in parts(sweep, selected, (x, y)):
-        surface = _surface(part, *(numbers(sweep, name)[part.rows] for name in (x, y, z)))
+        grid = _grid(*(numbers(sweep, name)[part.rows] for name in (x, y, z)))
         statuses = ", ".join(dict.fromkeys(sweep.status[row] for row in part.rows))
-        instead = f"{style.text('no number')}: {statuses}"
-        surfaces.append(surface._replace(instead=instead))
+        surfaces.append(Surface(part.name, *grid, f"{style.text('no number')}: {statuses}"))
     values = np.concatenate([surface.z[np.isfinite(surface.z)] for surface in surfaces])
     if not values.size:
         raise CaseError("E433", f"no row of the sweep has {z}, so there is nothing to draw")
@@ -100,7 +100,8 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     wide = min(MAP_SIZE[0], (style.width - MARGIN) / columns - MAP_SCALE_WIDTH - MARGIN)
     size = wide, wide * MAP_SIZE[1] / MAP_SIZE[0]
     up = MAP_HEAD_HEIGHT * bool(surfaces[0].name) + size[1] + MAP_SCALE_HEIGHT
-    across = columns * (MAP_SCALE_WIDTH + wide + MARGIN) + MARGIN
+    pitch = MAP_SCALE_WIDTH + wide + MARGIN
+    across = columns * pitch + MARGIN
     head = sheet_head(f"{z}: {x}, {y}", "", meanings, across - 2 * MARGIN, style)
     most = columns * int(min(max(1, (style.height - head.high - MARGIN) // up), len(surfaces)))
     figures = []
@@ -110,23 +111,14 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
         pen = head.over((across, rows * up), MARGIN, style)
         for place, surface in enumerate(shown):
             row, column = divmod(place, columns)
-            corner = (
-                column * (MAP_SCALE_WIDTH + wide + MARGIN) + MAP_SCALE_WIDTH,
-                (rows - 1 - row) * up + MAP_SCALE_HEIGHT,
-            )
-            panel = pen.panel(corner, size, *scales)
-            _draw(panel, surface, levels, (x, y))
+            corner = column * pitch + MAP_SCALE_WIDTH, (rows - 1 - row) * up + MAP_SCALE_HEIGHT
+            _draw(pen.panel(corner, size, *scales), surface, levels, (x, y))
         figures.append(pen.figure)
     return figures
 
 
-def _axis_scale(surfaces: Sequence[Surface], name: str) -> AxisScale:
-    values = np.concatenate([getattr(surface, name) for surface in surfaces])
-    return AxisScale(float(values.min()), float(values.max()))
-
-
-def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
-    """Return the rows of a panel as values on a grid, interpolated if necessary.
+def _grid(x: Floats, y: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return points as the axes of a grid and the values on it, interpolated if necessary.
 
     Raises
     ------
@@ -142,7 +134,7 @@ def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
     if len(x) >= LEAST_FILLED * len(xs) * len(ys):
         table = np.full((len(ys), len(xs)), np.nan)
         table[row, column] = z
-        return Surface(part.name, xs, ys, table)
+        return xs, ys, table
     xs, ys = (np.linspace(points.min(), points.max(), GRID_OF_POINTS) for points in (x, y))
     exists = np.isfinite(z)
     try:
@@ -150,7 +142,7 @@ def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
         drawn = LinearTriInterpolator(net, z[exists])(*np.meshgrid(xs, ys))
     except (ValueError, RuntimeError):
         raise CaseError("E434", "the points of the sweep span no area to draw a map on") from None
-    return Surface(part.name, xs, ys, np.ma.filled(drawn, np.nan))
+    return xs, ys, np.ma.filled(drawn, np.nan)
 
 
 def contour_levels(values: Floats) -> list[float]:
@@ -180,6 +172,11 @@ def contour_levels(values: Floats) -> list[float]:
             if before < level < after and level not in levels:
                 levels.append(level)
     return levels
+
+
+def _axis_scale(surfaces: Sequence[Surface], name: str) -> AxisScale:
+    values = np.concatenate([getattr(surface, name) for surface in surfaces])
+    return AxisScale(float(values.min()), float(values.max()))
 
 
 def _draw(pen: Pen, surface: Surface, levels: Sequence[float], names: tuple[str, str]) -> None:
@@ -254,10 +251,6 @@ def _label(
             centred: Look = {"ha": "center", "va": "center_baseline"}
             pen.text(x, y, text, size=SMALL_NUMBER, over=True, **centred)
             return
-
-
-PLACES_TRIED = 48
-"""Number of places on a line that are tried for its label."""
 
 
 def _places(lines: Sequence[Floats]) -> Iterator[Point]:

@@ -236,10 +236,11 @@ class SweepNames:
         if written[0] == "#":
             what = ROWS[kind].singular
             return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
-        second = f"; a gear goes in the second place: [:,{written}]"
-        hint = second if kind != "one" and name in self.gears else ""
         if kind == "one":
             hint = nearest(name, names) + numbered_gear(written, names)
+        else:
+            second = f"; a gear goes in the second place: [:,{written}]"
+            hint = second if name in self.gears else ""
         return no_row(name, kind, names, hint)
 
     def _no_table(self, name: str) -> str:

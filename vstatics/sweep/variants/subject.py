@@ -9,7 +9,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
-from vstatics.core.errors import Place, Problem, ReadError
+from vstatics.core.errors import Place, ReadError
 from vstatics.core.model.paths import typed_by_name
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.suggestions import nearest
@@ -117,4 +117,4 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
 def varied_beside_teeth(name: str, place: Place | None) -> ReadError:
     """Return the error of a ratio that varies together with its teeth."""
     message = f"{name} is varied together with teeth that determine it, expected one of the two"
-    return ReadError([Problem("E706", message, place=place)])
+    return ReadError("E706", message, place=place)

@@ -221,15 +221,10 @@ def _hinted(problems: Sequence[Problem], name: str) -> list[Problem]:
 def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
     if len(name) > LONGEST_HEADING:
         message = f"a heading has {len(name)} characters, expected the name of a number"
-        raise ReadError([Problem("E715", message, place=place)])
+        raise ReadError("E715", message, place=place)
     varied = target_of(name, subject, place)
-    return _with_unit(varied, place) if isinstance(varied, CasePath) else varied
-
-
-def _with_unit(varied: CasePath, place: Place) -> CasePath:
-    """Return a varied number with the unit in its heading; refuse a missing unit."""
     try:
-        return varied.in_unit("")
+        return varied.in_unit("") if isinstance(varied, CasePath) else varied
     except ValueError as error:
         raise refusal(f"{error}; in brackets behind it", place) from None
 

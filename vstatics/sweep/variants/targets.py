@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple, Protocol, get_args
 
 import numpy as np
 
-from vstatics.core.errors import Place, Problem, ReadError, listed, quoted, spoken, typed_number
+from vstatics.core.errors import Place, ReadError, listed, quoted, spoken, typed_number
 from vstatics.core.model.parts import Mechanism, ShiftElement, damping
 from vstatics.core.model.paths import owner_and_key
 from vstatics.core.model.springs import Spring
@@ -206,7 +206,7 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
 
 def refusal(message: str, place: Place | None, offset: int = 0) -> ReadError:
     """Return an error at the place that is `offset` letters after a place."""
-    return ReadError([Problem("E717", message, place=behind(place, offset))])
+    return ReadError("E717", message, place=behind(place, offset))
 
 
 def behind(place: Place | None, offset: int) -> Place | None:

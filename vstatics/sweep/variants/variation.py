@@ -26,7 +26,7 @@ FORMS = "START:STOP:COUNT, START:STOP:step=STEP or a list such as 0.95,0.97"
 
 _ASSIGNED = re.compile(rf"(.*?\.(?:{'|'.join(NAMES)})\s*)=")
 _UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
-_STEP = re.compile(r"\s*step\s*=")
+_STEP = re.compile(r"\s*step\s*=\s*")
 _COUNT = re.compile(r"[0-9]{1,19}")
 _DOTS = ".."
 """Sign of a range in other programs, for a hint; it does not occur in a number."""
@@ -171,8 +171,7 @@ def _range(text: str, place: Place | None) -> Steps | Span:
     third = behind(place, offset)
     step = _STEP.match(cell)
     if step:
-        blanks = len(cell[step.end() :]) - len(cell[step.end() :].lstrip())
-        return _steps(start, stop, cell[step.end() :], behind(third, step.end() + blanks))
+        return _steps(start, stop, cell[step.end() :], behind(third, step.end()))
     return _counted(start, stop, cell, third)
 
 
@@ -195,7 +194,7 @@ def _counted(start: float, stop: float, text: str, place: Place | None) -> Steps
 
 
 def _steps(start: float, stop: float, text: str, place: Place | None) -> Steps:
-    step = _end(text.strip(), place)
+    step = _end(text, place)
     steps = stepped(start, stop, step)
     if steps is None:
         expected = "a step other than 0" if step == 0 else f"step={-step:g}"

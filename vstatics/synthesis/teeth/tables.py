@@ -64,7 +64,7 @@ def _wanted(problem: TeethProblem, best: TeethSolution) -> Grid:
 
 
 def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
-    rows = []
+    rows: list[Values] = []
     for layout in problem.layouts:
         counts = [f"{wheel} {count}," for wheel, count in best.teeth[layout.name].items()]
         counts[-1] = counts[-1].rstrip(",")

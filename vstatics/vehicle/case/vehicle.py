@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import spoken
+from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.carried import as_type
 from vstatics.core.model.parts import Gear, SpeedOf, as_float
 from vstatics.core.numerics.arrays import Floats
@@ -152,6 +152,21 @@ class Vehicle(NamedTuple):
     def of(cls, case: TransmissionFields) -> Vehicle | None:
         """Return the vehicle of a case, if there is one."""
         return as_type(case.vehicle, cls)
+
+    @classmethod
+    def needed(cls, case: TransmissionFields) -> Vehicle:
+        """Return the vehicle of a case.
+
+        Raises
+        ------
+        CaseError
+            If there is none.
+        """
+        vehicle = cls.of(case)
+        if vehicle is None:
+            message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
+            raise CaseError("E427", message)
+        return vehicle
 
     def resistance(self, speed: Any, slope: Any = 0.0) -> Any:
         """Return the resistance [N] of rolling, ascent and air at a speed [m/s].

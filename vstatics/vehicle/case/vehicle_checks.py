@@ -93,6 +93,27 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
         yield Problem("W891", message, ("vehicle",))
 
 
+MASS_AGAIN = 0.5
+"""Least inertia at the outputs that probably contains the vehicle mass, relative to its inertia."""
+
+
+def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
+    """Yield a warning if the inertias at the outputs probably include the vehicle."""
+    mass, inertias = _at_output(case, vehicle)
+    total = sum(inertias.values())
+    if total >= MASS_AGAIN * mass:
+        given = sorted(inertias, key=lambda link: -inertias[link])
+        names = spoken([case.link_name(link) for link in given])
+        has_others = not {*given} <= {*(case.outputs or (case.output,))}
+        reduced = " by the speed of the output" if has_others else ""
+        message = (
+            f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
+            f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
+            "`vehicle` adds itself, so it counts twice; leave it out of `inertias`"
+        )
+        yield Problem("W202", message, ("inertias", next(iter(given))))
+
+
 LARGEST_TYRE = 2.5
 """Largest plausible radius of wheels, above tyres of dump trucks. [m]"""
 FASTEST_ENGINE = 3000.0
@@ -118,27 +139,6 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
                 "`vehicle` omit this gear; give its points to `summary --duty`"
             )
             yield Problem("W890", message, ("gears", number))
-
-
-MASS_AGAIN = 0.5
-"""Least inertia at the outputs that probably contains the vehicle mass, relative to its inertia."""
-
-
-def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield a warning if the inertias at the outputs probably include the vehicle."""
-    mass, inertias = _at_output(case, vehicle)
-    total = sum(inertias.values())
-    if total >= MASS_AGAIN * mass:
-        given = sorted(inertias, key=lambda link: -inertias[link])
-        names = spoken([case.link_name(link) for link in given])
-        has_others = not {*given} <= {*(case.outputs or (case.output,))}
-        reduced = " by the speed of the output" if has_others else ""
-        message = (
-            f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
-            f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
-            "`vehicle` adds itself, so it counts twice; leave it out of `inertias`"
-        )
-        yield Problem("W202", message, ("inertias", next(iter(given))))
 
 
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:

@@ -232,15 +232,11 @@ def _driven(
     from vstatics.vehicle.operation.drive_cycle import drive
     from vstatics.vehicle.operation.fuel_map import read_fuel_map
 
-    vehicle = Vehicle.of(results.case)
-    if vehicle is None:
-        message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
-        raise ReadError([of_file("E427", outcome.file, message)])
     fuel = None
-    if vehicle.fuel:
-        path = os.path.join(os.path.dirname(outcome.file), vehicle.fuel)  # noqa: PTH118, PTH120
-        fuel = read_fuel_map(*files.read_input(path, regular=True))
     try:
+        if name := Vehicle.needed(results.case).fuel:
+            path = os.path.join(os.path.dirname(outcome.file), name)  # noqa: PTH118, PTH120
+            fuel = read_fuel_map(*files.read_input(path, regular=True))
         return drive(results.case, trace, choice, fuel)
     except CaseError as error:
         raise ReadError(

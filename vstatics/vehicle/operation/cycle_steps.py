@@ -71,7 +71,7 @@ class CycleSteps(NamedTuple):
 
     The signs are such that the engine turns forward.
     """
-    guessed: Sequence[str] = ()
+    guessed: Sequence[str]
     """Names of gears that count as forward only because of their place in the order."""
 
     @classmethod
@@ -110,7 +110,7 @@ class CycleSteps(NamedTuple):
                 f"gear {gear.name} has {why or 'no ratio'}, expected a gear in which the engine "
                 "alone drives the wheels" + "; give its points to `summary --duty`" * bool(why)
             )
-            raise CaseError([Problem("E428", message, (int(lacking[0]),))])
+            raise CaseError("E428", message, (int(lacking[0]),))
         names = [gear.name for gear in case.gears]
         ways = directions(driving, names) if by_speed.least_speed is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -95,9 +94,9 @@ class DriveCycle(NamedTuple):
     """Gear of each step."""
     beyond: int
     """Number of steps with an engine torque above full load."""
-    messages: Sequence[Message] = ()
+    messages: Sequence[Message]
     """Warnings and notes."""
-    steps: Mapping[str, Floats] = MappingProxyType({})
+    steps: Mapping[str, Floats]
     """Columns of the steps by heading with unit, with values at mid-step."""
     battery: Sometimes[BatteryEnergy] = None
     """Energies of the battery of an electric machine."""
@@ -113,7 +112,8 @@ def drive(
     Raises
     ------
     CaseError
-        If a gear is not in the case, or has no torques; paths of problems are rows of the trace.
+        If the case has no vehicle, or if a gear is not in the case or has no torques; paths of
+        problems are rows of the trace.
 
     Examples
     --------
@@ -129,8 +129,7 @@ def drive(
     >>> round(driven.energy.engine, 6), round(driven.energy.lost["pair"], 6), driven.distance
     (62500.0, 12500.0, 50.0)
     """
-    vehicle = Vehicle.of(case)
-    assert vehicle is not None  # noqa: S101 - callers check
+    vehicle = Vehicle.needed(case)
     steps = CycleSteps.of(bare(case), vehicle, trace, choice)
     engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
     lost = CycleLosses({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))

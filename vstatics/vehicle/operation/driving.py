@@ -6,8 +6,8 @@ import os
 from typing import TYPE_CHECKING
 
 from vstatics.core.arguments import naming, refusing
-from vstatics.core.errors import CaseError
 from vstatics.core.jobs.input_files import TABLE_BYTES, read_file
+from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
 from vstatics.vehicle.operation.fuel_map import FuelMap, read_fuel_map
@@ -65,16 +65,13 @@ def cycle(  # noqa: PLR0913
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission
-    >>> from vstatics.vehicle.case.vehicle import Vehicle
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0, 0.8, name="pair")], [Gear(name="1")],
     ...                     vehicle=Vehicle(1000, 0.5))
     >>> trace = read_trace(b"time [s],speed [km/h],gear\\n0,0,1\\n10,36,1\\n", "t.csv")
     >>> round(cycle(case, trace).energy.engine, 6)
     62500.0
     """
-    if case.vehicle is None:
-        message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
-        raise CaseError("E427", message)
+    Vehicle.needed(case)  # before the files are read
     trace_read = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
     fuel_map = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
     choice = GearChoice(least_speed, read_shifts(shifts) if shifts else (), least_loss)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import Problem, ReadError
+from vstatics.core.errors import ReadError
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.named.headings import TableColumn
@@ -87,8 +87,8 @@ def read_fuel_map(data: bytes, file: str) -> FuelMap:
             f"read {len(row)} rows for {len(speeds)} speeds and {len(torques)} torques, expected "
             "one row for each pair"
         )
-        raise ReadError([Problem("E123", message, (), table.source.place(1))])
+        raise ReadError("E123", message, place=table.source.place(1))
     if (fuel < 0).any():
         wrong = int(np.flatnonzero(np.array(table.numbers["fuel"]) < 0)[0])
-        raise ReadError([Problem("E123", "fuel: expected 0 or more", (), table.place(wrong))])
+        raise ReadError("E123", "fuel: expected 0 or more", place=table.place(wrong))
     return FuelMap(speeds, torques, fuel)

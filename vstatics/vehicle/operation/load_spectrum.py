@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -75,13 +74,13 @@ class Spectrum(NamedTuple):
     energy: DutyEnergy
     efficiency: float
     members: Mapping[str, MemberLoad]
-    messages: Sequence[Message] = ()
+    messages: Sequence[Message]
     """Warnings about laws outside their points, and overloaded shift elements."""
-    are_shares: bool = False
+    are_shares: bool
     """True if points have shares, not times: energies are mean powers, revolutions per second."""
-    damage: Mapping[str, DeviceDamage] = MappingProxyType({})
+    damage: Mapping[str, DeviceDamage]
     """Damage of components with a fatigue strength, with the points in order as a record."""
-    exponent: float = EXPONENT
+    exponent: float
     """Exponent of the equivalent torques. [-]"""
     spectrum: Sometimes[Mapping[str, MemberSpectrum]] = None
     """Load duration distribution of members with a torque, if requested."""

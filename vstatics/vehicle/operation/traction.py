@@ -20,7 +20,6 @@ from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.constants import GRAVITY
-from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.tables.grid import Grid, grid_of
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
@@ -161,18 +160,15 @@ class Traction:
         self.ahead = next(iter(ranges), [])
         """Indices of the forward gears."""
 
-    def results(self, speeds: Floats) -> Results:
-        """Solve the case at full load, at speeds of the engine [rad/s]."""
-        least = np.maximum(speeds, np.finfo(float).tiny ** 0.25)
-        torques = self.vehicle.full_torque(speeds)
-        return solve(self.case, vary={"load.speed": least, "load.torque": torques})
-
     def forces(self, gear: int, speeds: Floats) -> Floats:
         """Return wheel forces in the direction of the output, at speeds of the engine [N].
 
         Below the first point of the engine, the force is as at the first point.
         """
-        results = self.results(np.maximum(speeds, self.first))
+        engine = np.maximum(speeds, self.first)
+        turning = np.maximum(engine, np.finfo(float).tiny ** 0.25)
+        full = {"load.speed": turning, "load.torque": self.vehicle.full_torque(engine)}
+        results = solve(self.case, vary=full)
         output = self.case.gear_output(self.case.gears[gear]) - 1
         torque = results.lossy_output_torque_Nm[:, gear] * np.sign(results.speeds[:, gear, output])
         return torque * self.vehicle.final_drive / self.vehicle.radius

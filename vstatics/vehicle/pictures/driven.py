@@ -60,10 +60,7 @@ def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicl
         If the case has no vehicle, if the vehicle has no engine, or if no gear is driven by the
         engine alone.
     """
-    case, vehicle = results.case, Vehicle.of(results.case)
-    if vehicle is None:
-        message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
-        raise CaseError("E427", message)
+    case, vehicle = results.case, Vehicle.needed(results.case)
     if not vehicle.full_load:
         message = "the vehicle has no `engine`, expected its full load: [[rad/s, N*m], ...]"
         raise CaseError("E442", message)

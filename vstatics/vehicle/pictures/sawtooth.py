@@ -55,11 +55,12 @@ def draw(
     pen.line((0.0, least), (pen.size[0], least), **_first(style))
     for gear in vehicle.gears:
         _draw_gear(pen, vehicle, gear)
-    teeth = list(_teeth(pen, _forward(results, vehicle), vehicle))
-    if len(teeth) > 2:
+    last = pen.up(vehicle.pull.last / RAD_PER_RPM)
+    forward = _forward(results, vehicle)
+    if len(forward) > 1:
+        teeth = list(_teeth(pen, forward, last))
         pen.line(*teeth, kind="saw", **_tooth(style))
         _name_drops(pen, teeth[1:])
-    last = pen.up(vehicle.pull.last / RAD_PER_RPM)
     ends = [
         Label(pen.across(KMH * gear.largest_speed), gear.name, style.ink) for gear in vehicle.gears
     ]
@@ -92,17 +93,20 @@ def _forward(results: Results, vehicle: DrivenVehicle) -> list[DrivenGear]:
     )
 
 
-def _teeth(pen: Pen, gears: Sequence[DrivenGear], vehicle: DrivenVehicle) -> Iterator[Point]:
-    """Yield the points of the sawtooth: up to the last engine speed, down to the next gear."""
-    if gears:
-        yield 0.0, 0.0
-    last = pen.up(vehicle.pull.last / RAD_PER_RPM)
+def _teeth(pen: Pen, gears: Sequence[DrivenGear], last: float) -> Iterator[Point]:
+    """Yield the points of the sawtooth: up to the last engine speed, down to the next gear.
+
+    Parameters
+    ----------
+    last : float
+        Place of the last engine speed. [pt]
+    """
+    yield 0.0, 0.0
     for gear, following in pairwise(gears):
         x = pen.across(KMH * gear.largest_speed)
         yield x, last
         yield x, last * gear.largest_speed / following.largest_speed
-    if gears:
-        yield pen.across(KMH * gears[-1].largest_speed), last
+    yield pen.across(KMH * gears[-1].largest_speed), last
 
 
 def _name_drops(pen: Pen, teeth: Sequence[Point]) -> None:

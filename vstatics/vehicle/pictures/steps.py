@@ -76,7 +76,7 @@ def draw(
     high = low + STEP_ROW_HEIGHT + LEADER + LINE_HEIGHT * SIZE
     pen = headed(title(results.case, name_of_picture), note, [], (style.width, high), style)
     row = pen.panel((left, low), (wide, STEP_ROW_HEIGHT), line)
-    _draw_gears(row, forward, upright=upright)
+    _draw_gears(row, forward, numbers, upright=upright)
     if not is_stacked:  # otherwise the names of gears are there
         _name_row(row, names[0])
     for place, (name, law) in enumerate(laws, 1):
@@ -124,13 +124,20 @@ def _laws(forward: ForwardGears, style: Style) -> list[tuple[str, StepLaw]]:
     return laws
 
 
-def _draw_gears(pen: Pen, forward: ForwardGears, *, upright: bool) -> None:
-    """Draw a cell from each gear to the next, with names above and ratios below."""
+def _draw_gears(pen: Pen, forward: ForwardGears, numbers: Sequence[str], *, upright: bool) -> None:
+    """Draw a cell from each gear to the next, with names above and ratios below.
+
+    Parameters
+    ----------
+    numbers : sequence of str
+        Ratios with sign, as they are written.
+    """
     style = pen.style
     following = [*forward.ratios[1:], None]
-    for name, ratio, following_ratio in zip(forward.names, forward.ratios, following, strict=True):
+    rows = zip(forward.names, forward.ratios, numbers, following, strict=True)
+    for name, ratio, text, following_ratio in rows:
         data = {"gear": name, "ratio": f"{forward.sign * ratio:.9g}"}
-        cell_title = f"{gear_title(name, style)}: {number(forward.sign * ratio)}"
+        cell_title = f"{gear_title(name, style)}: {text}"
         if following_ratio:
             data["step"] = f"{ratio / following_ratio:.9g}"
             cell_title += f", {style.text('step')} {number(ratio / following_ratio)}"
@@ -142,15 +149,13 @@ def _draw_gears(pen: Pen, forward: ForwardGears, *, upright: bool) -> None:
             cell.box((x, 0.0), (wide, pen.size[1]), facecolor=face, title=cell_title)
             _name_cell(cell, x, wide, ratio / following_ratio)
         cell.line((x, 0.0), (x, pen.size[1]), color=style.ink, width=FRAME_WIDTH, title=cell_title)
-    ends = pen.across(forward.ratios[0]), pen.across(forward.ratios[-1])
-    level = [tuple((x, y) for x in ends) for y in (0.0, pen.size[1])]
-    pen.lines(level, color=style.ink, width=FRAME_WIDTH)
+    _draw_edges(pen, pen.across(forward.ratios[0]), pen.across(forward.ratios[-1]), style.ink)
     left, low = pen.corner
     beyond = pen.panel((left - MARGIN, low), (pen.size[0] + 2 * MARGIN, pen.size[1]))
     places = [MARGIN + pen.across(ratio) for ratio in forward.ratios]
     names, ratios = (
         [Label(x, text, style.ink) for x, text in zip(places, texts, strict=True)]
-        for texts in (forward.names, [number(forward.sign * ratio) for ratio in forward.ratios])
+        for texts in (forward.names, numbers)
     )
     along(beyond, "top", names, upright=False)
     along(beyond, "bottom", ratios, upright=upright)
@@ -163,9 +168,13 @@ def _draw_law(pen: Pen, law: StepLaw) -> None:
         _name_cell(pen, left, right - left, step)
     sides = [((x, 0.0), (x, pen.size[1])) for x in marks]
     pen.lines(sides, color=style.ink, width=FRAME_WIDTH)
-    ends = marks[0], marks[-1]
-    level = [tuple((x, y) for x in ends) for y in (0.0, pen.size[1])]
-    pen.lines(level, color=style.faint, width=FRAME_WIDTH)
+    _draw_edges(pen, marks[0], marks[-1], style.faint)
+
+
+def _draw_edges(pen: Pen, left: float, right: float, colour: str) -> None:
+    """Draw the lower and the upper edge of a row."""
+    edges = [((left, y), (right, y)) for y in (0.0, pen.size[1])]
+    pen.lines(edges, color=colour, width=FRAME_WIDTH)
 
 
 def _name_cell(pen: Pen, left: float, wide: float, step: float) -> None:

@@ -177,7 +177,8 @@ def _draw_gear(
         np.linspace(pull.first, pull.last, POINTS_OF_LINE),
         [speed for speed, _ in vehicle.vehicle.full_load],
     )
-    speeds, forces = KMH * engine * pull.per_engine[gear.place], pull.forces(gear.place, engine)
+    speeds = KMH * engine * pull.per_engine[gear.place]
+    forces = pull.forces(gear.place, engine) / unit
     fastest, strongest = pull.top_speed(gear.place), pull.largest_force(gear.place)
     data = {
         "gear": gear.name,
@@ -188,11 +189,11 @@ def _draw_gear(
         data["top_speed"] = f"{KMH * fastest:.9g}"
     group = pen.within("line", **data)
     line_title = f"{gear_title(gear.name, pen.style)}: {number(strongest / KILO)} kN"
-    group.plot(speeds, forces / unit, width=1.5, title=line_title, **gear.look)
+    group.plot(speeds, forces, width=1.5, title=line_title, **gear.look)
     if math.isfinite(fastest):
-        at = float(np.interp(KMH * fastest, speeds, forces / unit))
+        at = float(np.interp(KMH * fastest, speeds, forces))
         group.line((pen.across(KMH * fastest), pen.up(at)), zorder=4, **_fastest(pen.style))
-    name_on_line(group, _places(pen, speeds, forces / unit), gear.name, taken)
+    name_on_line(group, _places(pen, speeds, forces), gear.name, taken)
 
 
 def _places(pen: Pen, speeds: Floats, forces: Floats) -> Iterator[Point]:

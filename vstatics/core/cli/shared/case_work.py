@@ -13,7 +13,7 @@ from vstatics.core.cli.shared.texts import Job
 from vstatics.core.errors import Problem, ReadError, of_file
 from vstatics.core.jobs.alone import Rules
 from vstatics.core.jobs.files import OWN_FAULTS, unwritable
-from vstatics.core.jobs.finished_parts import CaseMark, case_mark
+from vstatics.core.jobs.finished_cases import CaseMark, case_mark
 from vstatics.core.jobs.page_files import set_pages_aside
 
 

@@ -364,7 +364,7 @@ def calculate_one(
     `texts` replace the content of the files of their names. `regular` refuses pipes and devices.
     """
     name, data = files.file_name(file), b""
-    scenario, locate = None, None
+    scenario, locate, is_run = None, None, False
     try:
         if file in texts:
             data, name = texts[file], file
@@ -373,18 +373,17 @@ def calculate_one(
         with_case = settings.scenarios and document_function("read_with_case", data, name)
         if with_case:
             read: DocumentOfCase = with_case(data, name, settings.input_format, texts=texts)
-            scenario = read.allowing(settings.telling.allow)
+            scenario, is_run = read.allowing(settings.telling.allow), settings.of_runs
             reading = scenario.reading
         else:
             reading = readers.read(data, name, settings.input_format)
             reading = reading.allowing(settings.telling.allow)
-        opens = settings.of_vibration or (settings.of_runs and scenario is not None)
         locate = reading.locate
-        results = _solved(reading, settings, opens=opens)
+        results = _solved(reading, settings, opens=settings.of_vibration or is_run)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each_gear = settings.telling.each_gear
         gear_messages = reading.located_messages(results, each_gear=each_gear)
-        if settings.of_runs and scenario is not None:
+        if is_run:
             gear_messages = (problem._replace(id="N004") for problem in gear_messages)
         problems = not_allowed([*reading.warnings, *notes, *gear_messages], reading.case.untold)
     except ReadError as error:
@@ -394,7 +393,6 @@ def calculate_one(
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]
     reported = settings.telling.told(problems)
-    is_run = settings.of_runs and scenario is not None
     return CalculatedCase(name, results, reported, data, settings.telling, scenario, is_run, locate)
 
 

@@ -11,7 +11,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import OUTPUT, Command, gathered, refuse, under
-from vstatics.core.errors import Problem, ReadError
+from vstatics.core.errors import ReadError
 from vstatics.core.extras import missing
 from vstatics.core.jobs.files import STDOUT, is_stream, missing_folder
 from vstatics.core.tables.file_suffixes import SUFFIXES, format_of, known, mismatch, suffix_of
@@ -139,7 +139,7 @@ class OutputOptions(NamedTuple):
         )
         needed = {"xlsx": "XLSX", "parquet": "Parquet"}.get(chosen)
         if needed and (message := missing(chosen, needed)):
-            raise ReadError([Problem("E014", message)])
+            raise ReadError("E014", message)
         return Destination(chosen, self.output, self.style, is_folder)
 
 

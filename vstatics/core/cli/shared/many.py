@@ -32,10 +32,9 @@ class _HaltedError(Exception):
 class _Count:
     """Counts of finished, calculated and failed cases of a run."""
 
-    def __init__(self, total: int, finished_before: int = 0) -> None:
-        self.total, self.finished_before = total, finished_before
-        self.done = finished_before
-        self.calculated = finished_before
+    def __init__(self, total: int, finished_before: int) -> None:
+        self.total = total
+        self.finished_before = self.done = self.calculated = finished_before
         self.doubtful = 0
         """Number of cases that have results and nevertheless fail."""
         self.failures: list[str] = []
@@ -53,15 +52,15 @@ class _Count:
         """Exit status of the run."""
         return FAILED if self.failures else DONE
 
-    def summary(self, *, quiet: bool, strict: bool) -> None:
+    def summary(self, telling: Telling) -> None:
         """Print the numbers of calculated and failed cases; with -q, only after failures."""
-        if quiet and not self.failures:
+        if telling.quiet and not self.failures:
             return
         line = f"{self.calculated} of {self.total} cases calculated"
         if self.finished_before:
             line += f" ({self.finished_before} of them before)"
         if self.doubtful:
-            line += f", {self.doubtful} with errors{' or warnings' * strict}"
+            line += f", {self.doubtful} with errors{' or warnings' * telling.strict}"
         if failed := len(self.failures) - self.doubtful:
             line += f", {failed} failed"
         line += ":" * bool(self.failures)
@@ -116,7 +115,7 @@ def to_directory(
             for _ in _follow(count, results, stop, telling):
                 pass
     if count.total > 1:
-        count.summary(quiet=telling.quiet, strict=telling.strict)
+        count.summary(telling)
         if job.command == "run" and not telling.quiet:
             _tell_others(folder, suffix, planned)
     return count.status
@@ -213,7 +212,7 @@ def to_stream(
         if parts is not None:
             parts.stays = bool(count.failures)
     if is_file and count.total > 1:
-        count.summary(quiet=telling.quiet, strict=telling.strict)
+        count.summary(telling)
     if parts is not None and parts.exists():
         there = f"{output}{SUFFIX} keeps the others"
         files.say(f"{there}: the same command with --resume calculates what failed or is changed")

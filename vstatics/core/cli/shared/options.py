@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from vstatics.core.annexes import module_of_method
-from vstatics.core.errors import Problem, ReadError
+from vstatics.core.errors import ReadError
 from vstatics.core.extras import higher, missing
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ _WIDTH = 28
 def needs(extra: str, purpose: str) -> None:
     """Raise an error if the package `extra`, which a purpose needs, is not installed."""
     if message := missing(extra, purpose):
-        raise ReadError([Problem("E014", message)])
+        raise ReadError("E014", message)
 
 
 def provided(name: str) -> Callable[[Command], Command]:

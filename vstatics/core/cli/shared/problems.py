@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.core.errors import Problem, listed, of_file, plural
+from vstatics.core.errors import Problem, count_of, listed, of_file
 
 
 class Telling(NamedTuple):
@@ -45,7 +45,7 @@ class Telling(NamedTuple):
         if self.quiet and self.fails(all_problems) and not self.printed(all_problems):
             ids = [problem.id for problem in all_problems if problem.severity == "warning"]
             count, names = len(ids), listed(sorted(set(ids)))
-            message = f"{count} {plural('warning', count)} ({names}), which --strict makes fail"
+            message = f"{count_of('warning', count)} ({names}), which --strict makes fail"
             yield of_file(
                 "E013", file, f"{message}; without -q {'it is' if count == 1 else 'they are'} shown"
             )

@@ -149,15 +149,14 @@ def _tables(file: str, shown: CaseOutput, to: Destination) -> CaseTables:
 
 def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) -> Iterator[bytes]:
     """Yield the tables of cases in a format that contains nothing else."""
+    by_file = ((case.file, case.grids) for case in cases)
     if to.form == "xlsx":
         from vstatics.core.tables import xlsx
 
-        by_file = ((case.file, case.grids) for case in cases)
         yield xlsx.write(by_file, several=several, digits=to.style.digits)
     elif to.form == "csv":
         from vstatics.core.tables import csv
 
-        by_file = ((case.file, case.grids) for case in cases)
         for text in csv.write(by_file, several=several, raw=to.style.raw):
             yield _bytes(text, to)
     else:

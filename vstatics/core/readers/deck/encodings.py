@@ -44,12 +44,11 @@ def in_each_encoding(data: bytes) -> list[str]:
             candidates.append(data.decode(encoding))
         except UnicodeDecodeError:  # one byte is undefined in CP1251
             continue
-    return sorted(candidates, key=_score, reverse=True)
-
-
-def _score(text: str) -> float:
-    """Return the score of a text, the sum over all different words."""
-    return sum(map(_word_score, set(_WORD.findall(text))))
+    return sorted(
+        candidates,
+        key=lambda text: sum(map(_word_score, set(_WORD.findall(text)))),  # all different words
+        reverse=True,
+    )
 
 
 @lru_cache(maxsize=20000)

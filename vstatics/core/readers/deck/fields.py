@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import accumulate, pairwise
 
-from vstatics.core.errors import Path, Problem
-from vstatics.core.readers.deck.numbers import Number, integer, loose_count
+from vstatics.core.errors import Path, Problem, count_of
+from vstatics.core.readers.deck.numbers import Number, Parse, Spot, integer, loose_count
 from vstatics.core.readers.deck.places import Places, label_in
 from vstatics.core.readers.deck.table import FIELDS
 from vstatics.core.readers.deck.text import Scan
@@ -17,7 +17,6 @@ from vstatics.core.readers.deck.values import (
     stand_ins,
     take,
     take_rows,
-    values_in_words,
 )
 from vstatics.core.suggestions import nearest
 
@@ -70,9 +69,7 @@ class Fields:
             return None
         return value
 
-    def numbers(
-        self, key: str, need: int, why: str, parse: Callable[[str], Number]
-    ) -> list[Number]:
+    def numbers(self, key: str, need: int, why: str, parse: Parse[Number]) -> list[Number]:
         """Read a list of numbers."""
         return self._list(key, need, why, parse).numbers
 
@@ -98,7 +95,7 @@ class Fields:
         return counts
 
     def rows(
-        self, key: str, counts: Sequence[int], counted: str, parse: Callable[[str], Number]
+        self, key: str, counts: Sequence[int], counted: str, parse: Parse[Number]
     ) -> tuple[list[list[Number]], set[int]]:
         """Read the values of each gear, and list the gears that contain stand-ins."""
         gears = len(counts)
@@ -112,7 +109,7 @@ class Fields:
             return [[] for _ in counts], set()
         else:
             values = stand_ins(None, need, parse)
-            self._missing(key, f"{values_in_words(need)} ({counted})")
+            self._missing(key, f"{count_of('value', need)} ({counted})")
         ends = [0, *accumulate(counts)]
         unreadable = {
             gear
@@ -121,9 +118,7 @@ class Fields:
         }
         return [values.numbers[start:end] for start, end in pairwise(ends)], unreadable
 
-    def _list(
-        self, key: str, need: int, why: str, parse: Callable[[str], Number]
-    ) -> Values[Number]:
+    def _list(self, key: str, need: int, why: str, parse: Parse[Number]) -> Values[Number]:
         """Read a list, and hide problems of the model at the stand-ins."""
         field = self.scan.fields.get(key)
 
@@ -136,7 +131,7 @@ class Fields:
         else:
             values = stand_ins(None, need, parse)
             if need:
-                self._missing(key, f"{values_in_words(need)} ({why})")
+                self._missing(key, f"{count_of('value', need)} ({why})")
         self.unreadable.update(map(label, values.unreadable))
         if key in FIELDS:
             part, member, *_ = FIELDS[key]
@@ -167,7 +162,7 @@ class Fields:
                 break
         self.scan.error(f"{key} is missing: expected {expected}{hint}", *self._end())
 
-    def _end(self) -> tuple[int, int]:
+    def _end(self) -> Spot:
         """Return line and column of the end of the input."""
         line = self.scan.last
         return line, len(self.scan.source.lines[line - 1]) + 1

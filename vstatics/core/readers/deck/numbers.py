@@ -13,6 +13,10 @@ from vstatics.core.readers.deck.text import Field, Scan, latin
 from vstatics.core.readers.signs import dash_hint
 
 Number = TypeVar("Number", int, float)
+Parse = Callable[[str], Number]
+"""Function that reads a number from a text, or raises NotANumberError."""
+Spot = tuple[int, int]
+"""Line and column, from 1."""
 _WRITTEN = r"[-+]?\.?[0-9][-+.0-9EDQЕ*]*(?=[\s,:%]|\Z)"
 TOKEN = re.compile(
     # blanks around the sign only where no word follows, as the sign could begin a comment
@@ -37,7 +41,7 @@ class Token(NamedTuple):
     column: int
 
     @property
-    def spot(self) -> tuple[int, int]:
+    def spot(self) -> Spot:
         """Line and column of the token."""
         return self.line, self.column
 
@@ -137,7 +141,7 @@ def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
             yield tokens
 
 
-def plain_numbers(text: str, parse: Callable[[str], Number]) -> tuple[Number, ...] | None:
+def plain_numbers(text: str, parse: Parse[Number]) -> tuple[Number, ...] | None:
     """Return the numbers of a text, separated by blanks; `None` if the text contains words."""
     try:
         return tuple(map(parse, text.split()))
@@ -145,7 +149,7 @@ def plain_numbers(text: str, parse: Callable[[str], Number]) -> tuple[Number, ..
         return None
 
 
-def repeated(token: Token, parse: Callable[[str], Number]) -> tuple[int, Number]:
+def repeated(token: Token, parse: Parse[Number]) -> tuple[int, Number]:
     """Return the repeat count and the number of a token, without expanding the repetition.
 
     Raises

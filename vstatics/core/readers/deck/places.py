@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from vstatics.core.errors import Path, Problem
+from vstatics.core.readers.deck.numbers import Spot
 from vstatics.core.readers.deck.table import FIELDS
-from vstatics.core.readers.deck.values import Spot
 from vstatics.core.readers.reading import Source
 
 LISTS = {(field.part, field.member): key for key, field in FIELDS.items()}

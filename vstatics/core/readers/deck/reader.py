@@ -30,6 +30,9 @@ _known: KnownDeck | None = None
 NO_SPRINGS = "0: a deck has no springs; take the YAML or JSON of this case"
 NAMED = {"J": "link", "F": "shift element", "D": "mechanism", "P": "gear", "T": "title"}
 
+LONGEST_REMEMBERED_DECK = 20_000
+"""Maximum number of characters of a remembered deck, to limit memory."""
+
 
 def read(data: bytes, file: str) -> Reading:
     r"""Read a deck, or a printed report that starts with a deck.
@@ -271,10 +274,6 @@ def _links_above_all(parts: dict[str, Any]) -> int:
     for gear in parts["gears"]:
         links += [gear.input or 0, gear.output or 0, *gear.speeds, *gear.torques]
     return max(links) + 1
-
-
-LONGEST_REMEMBERED_DECK = 20_000
-"""Maximum number of characters of a remembered deck, to limit memory."""
 
 
 class KnownDeck:

@@ -84,6 +84,45 @@ def latin(text: str) -> str:
     return text.upper().translate(LATIN)
 
 
+def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
+    """Yield the text of a file in each possible encoding, the most likely first.
+
+    Raises
+    ------
+    ReadError
+        If the file contains no text.
+    """
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
+    if b"\0" in data:
+        raise _unreadable(
+            file, "the file is binary, expected a deck as text: save it as text in UTF-8"
+        )
+    data = data.rstrip(b"\x1a")  # end-of-file character of DOS
+    try:
+        yield with_plain_blanks(data.decode("utf-8-sig")), []
+    except UnicodeDecodeError as error:
+        from vstatics.core.readers.deck.encodings import in_each_encoding  # costs start-up time
+
+        for text in in_each_encoding(data):
+            yield with_plain_blanks(text), []
+        yield _damaged(data, error.start, file)
+
+
+def _unreadable(file: str, message: str) -> ReadError:
+    return ReadError("E103", message, place=Place(file, 1, 1))
+
+
+def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
+    """Decode the text as damaged UTF-8, so that a cut file does not become gibberish."""
+    before = Source(file, data[:start].decode("utf-8-sig")).lines
+    text = data.decode("utf-8-sig", errors="replace")
+    message = f"byte 0x{data[start]:02X} is not UTF-8 here: the file is damaged or cut off"
+    return text, [
+        Problem("E104", message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
+    ]
+
+
 def decode(data: bytes, file: str) -> str:
     """Decode a deck or a report, by the encoding in which most lines start with a field.
 
@@ -113,8 +152,8 @@ def head(line: str) -> str:
     >>> head("N ZD(I,1),I=1,K G : 1 1 4"), head("WSAT(K,I) ..."), head("W = 3"), head("number")
     ('NZD', 'WSAT', '', '')
     """
-    word, opened, start = _opening(line)
-    return word if _kind(line, word, opened, start) else ""
+    kind, word, _ = _opening(line)
+    return word if kind else ""
 
 
 def scan(source: Source) -> Scan:
@@ -152,8 +191,7 @@ def _read_line(line: str) -> tuple[str, Any]:
     ``broken`` field with its name, column and message; a ``name`` with its kind, number, text and
     column; an unknown ``word`` at the place of a field; and an empty text for other lines.
     """
-    word, opened, start = _opening(line)
-    kind = _kind(line, word, opened, start)
+    kind, word, start = _opening(line)
     if kind == "result":
         return kind, None
     if kind == "scalar":
@@ -180,23 +218,24 @@ def _only_report(result: Scan, first: int) -> None:
 
 
 def _opening(line: str) -> tuple[str, str, int]:
-    """Return the first word of a line, the sign behind the word, and the offset of the sign."""
+    """Return the kind of a line, the first word, and the offset of the sign behind the word.
+
+    The kinds are ``scalar``, ``list``, ``result`` and an empty text.
+    """
     start = len(line) - len(line.lstrip())
     start += line.startswith("(", start)
     ends = [end for end in (line.find("(", start), line.find("=", start)) if end >= 0]
     if not ends or min(ends) - start > 40:  # names are short, even with stray blanks
         return "", "", start
     end = min(ends)
-    return latin("".join(line[start:end].split())), line[end], end
-
-
-def _kind(line: str, word: str, opened: str, start: int) -> str:
-    """Return the kind of a line: ``scalar``, ``list``, ``result`` or an empty text."""
-    if opened == "(" and word in PRINTED and _is_index(line, start):
-        return "result"
-    if opened == "=" and word in SCALARS:
-        return "scalar"
-    return "list" if word in LISTS or (opened == "(" and word in GEAR_LISTS) else ""
+    word, opens = latin("".join(line[start:end].split())), line[end] == "("
+    if opens and word in PRINTED and _is_index(line, end):
+        kind = "result"
+    elif not opens and word in SCALARS:
+        kind = "scalar"
+    else:
+        kind = "list" if word in LISTS or (opens and word in GEAR_LISTS) else ""
+    return kind, word, end
 
 
 def _is_index(line: str, start: int) -> bool:
@@ -270,42 +309,3 @@ def _name_line(line: str) -> tuple[str, str, str] | None:
     if match is None or not (match[2] or match[1] == "T"):
         return None
     return match[1], match[2], name.strip()
-
-
-def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
-    """Yield the text of a file in each possible encoding, the most likely first.
-
-    Raises
-    ------
-    ReadError
-        If the file contains no text.
-    """
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
-    if b"\0" in data:
-        raise _unreadable(
-            file, "the file is binary, expected a deck as text: save it as text in UTF-8"
-        )
-    data = data.rstrip(b"\x1a")  # end-of-file character of DOS
-    try:
-        yield with_plain_blanks(data.decode("utf-8-sig")), []
-    except UnicodeDecodeError as error:
-        from vstatics.core.readers.deck.encodings import in_each_encoding  # costs start-up time
-
-        for text in in_each_encoding(data):
-            yield with_plain_blanks(text), []
-        yield _damaged(data, error.start, file)
-
-
-def _unreadable(file: str, message: str) -> ReadError:
-    return ReadError("E103", message, place=Place(file, 1, 1))
-
-
-def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
-    """Decode the text as damaged UTF-8, so that a cut file does not become gibberish."""
-    before = Source(file, data[:start].decode("utf-8-sig")).lines
-    text = data.decode("utf-8-sig", errors="replace")
-    message = f"byte 0x{data[start]:02X} is not UTF-8 here: the file is damaged or cut off"
-    return text, [
-        Problem("E104", message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
-    ]

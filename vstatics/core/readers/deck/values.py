@@ -8,11 +8,13 @@ from contextlib import suppress
 from functools import lru_cache, partial
 from typing import Generic, NamedTuple
 
-from vstatics.core.errors import plural
+from vstatics.core.errors import count_of
 from vstatics.core.readers.deck.numbers import (
     DECIMAL_COMMA,
     NotANumberError,
     Number,
+    Parse,
+    Spot,
     Token,
     is_attempt,
     is_number,
@@ -27,9 +29,6 @@ from vstatics.core.readers.deck.numbers import (
     worked_out,
 )
 from vstatics.core.readers.deck.text import KEPT_CHARACTERS, Field, Scan
-
-Spot = tuple[int, int]
-"""Line and column, from 1."""
 
 _CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
 """Signs that can continue a number as a calculation, with the equal operators of YAML and JSON."""
@@ -60,16 +59,14 @@ class Wanted(NamedTuple):
     """Field that gives the number of values, such as ``KG``."""
 
 
-def take(
-    scan: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
-) -> Values[Number]:
+def take(scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]) -> Values[Number]:
     """Read the values of a field, and add errors to the scan."""
     plain = _plain(scan, field, wanted.need, parse)
     return _take_with_care(scan, field, wanted, parse) if plain is None else plain[0]
 
 
 def _take_with_care(
-    scan: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
+    scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]
 ) -> Values[Number]:
     """Read a field with faults or repeat counts token by token."""
     ending = partial(_ending, scan, field)
@@ -82,7 +79,7 @@ def take_rows(
     field: Field,
     counts: Sequence[int],
     counted: str,
-    parse: Callable[[str], Number],
+    parse: Parse[Number],
 ) -> Values[Number]:
     """Read the values of all gears, on a single line or on a line for each gear with values."""
     plain = _plain(scan, field, sum(counts), parse)
@@ -123,12 +120,7 @@ def row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
             yield f"{key}({position},{gear})"
 
 
-def values_in_words(count: int) -> str:
-    """Return a number of values in words."""
-    return f"{count} {plural('value', count)}"
-
-
-def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) -> Values[Number]:
+def stand_ins(field: Field | None, need: int, parse: Parse[Number]) -> Values[Number]:
     """Return stand-ins for a missing or unreadable field."""
     spot = (field.line, field.column) if field else (0, 0)
     return Values([parse(STAND_IN)] * need, lambda: [spot] * need, set(range(need)))
@@ -138,7 +130,7 @@ _cached_plain_numbers = lru_cache(maxsize=2000)(plain_numbers)
 
 
 def _plain(
-    scan: Scan, field: Field, need: int, parse: Callable[[str], Number]
+    scan: Scan, field: Field, need: int, parse: Parse[Number]
 ) -> tuple[Values[Number], list[int]] | None:
     """Read a field of plain numbers quickly, and return how many numbers each line has.
 
@@ -212,11 +204,11 @@ class _ValueReader(Generic[Number]):
         scan: Scan,
         start: Spot,
         wanted: Wanted,
-        parse: Callable[[str], Number],
+        parse: Parse[Number],
         ending: Callable[[int], str],
     ) -> None:
         self.scan, self.wanted, self.ending = scan, wanted, ending
-        self.parse: Callable[[str], Number] = parse
+        self.parse: Parse[Number] = parse
         self.need = wanted.need
         self.numbers: list[Number] = []
         self.spots: list[Spot] = []
@@ -321,7 +313,7 @@ class _ValueReader(Generic[Number]):
         expected = (
             f"expected {self.need} ({self.wanted.why})" if self.wanted.why else "expected one"
         )
-        read = f"read {values_in_words(self.total)}"
+        read = f"read {count_of('value', self.total)}"
         if self.surplus is None:
             label = self.wanted.label(self.total)
             end = self.ending(self.end[0] + 1)

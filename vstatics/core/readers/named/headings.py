@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import chain, islice, pairwise, repeat
+from operator import itemgetter
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -36,6 +37,8 @@ _UNIT_BEHIND = re.compile(
 )
 _OF_NUMBERS = re.compile(r"[-+0-9.,;eE\s\"]*")
 _LONGEST_WITH_UNIT = 200
+NumberedLine = tuple[int, str]
+"""Number and text of a line."""
 
 
 class TableColumn(NamedTuple):
@@ -167,11 +170,11 @@ def with_unit(cell: str) -> tuple[str, str | None]:
 
 
 def read_headings(
-    lines: Iterable[tuple[int, str]],
+    lines: Iterable[NumberedLine],
     what: str,
     columns: Sequence[TableColumn],
     *,
-    skips: bool = False,
+    skips: bool,
 ) -> HeadingLine:
     """Find the headings of a table.
 
@@ -222,7 +225,7 @@ class _ExpectedTable(NamedTuple):
     columns: Sequence[TableColumn]
     skips: bool
 
-    def headings(self, lines: Sequence[tuple[int, str]]) -> HeadingLine:
+    def headings(self, lines: Sequence[NumberedLine]) -> HeadingLine:
         """Return the first line with all required columns, or report the best line."""
         if not lines:
             raise HeadingError(f"read nothing, expected {self.what}", 1)
@@ -232,12 +235,12 @@ class _ExpectedTable(NamedTuple):
             known = {heading.column.name for heading in self.understood(cells)}
             if known >= required:
                 return self.checked(lines, at, separator, cells)
-            candidates.append((len(known), -at, separator, cells))
-        most, at, separator, cells = max(candidates, key=lambda candidate: candidate[:2])
+            candidates.append((len(known), at, separator, cells))
+        most, at, separator, cells = max(candidates, key=itemgetter(0))  # the first of equal ones
         if not most:
-            at = -_above_numbers([line for _, line in lines])
-            separator, cells = next(_split(lines[-at][1]))
-        return self.checked(lines, -at, separator, cells)
+            at = _above_numbers([line for _, line in lines])
+            separator, cells = next(_split(lines[at][1]))
+        return self.checked(lines, at, separator, cells)
 
     def understood(self, cells: Sequence[str]) -> list[Heading]:
         """Return the known headings in order."""
@@ -267,7 +270,7 @@ class _ExpectedTable(NamedTuple):
         return None
 
     def checked(
-        self, lines: Sequence[tuple[int, str]], at: int, separator: str, cells: Sequence[str]
+        self, lines: Sequence[NumberedLine], at: int, separator: str, cells: Sequence[str]
     ) -> HeadingLine:
         """Return the headings of a line.
 
@@ -335,7 +338,7 @@ def _check_units(headings: Sequence[Heading]) -> None:
 
 
 def _with_units_below(
-    headings: Sequence[Heading], separator: str, below: Sequence[tuple[int, str]]
+    headings: Sequence[Heading], separator: str, below: Sequence[NumberedLine]
 ) -> list[Heading]:
     """Add the units on the line below the headings; return an empty list for other lines."""
     for _, line in below:
@@ -384,7 +387,7 @@ def _folded(name: str) -> str:
     return " ".join(name.casefold().replace("_", " ").split())
 
 
-def _quoted_lines(lines: Sequence[tuple[int, str]], at: int) -> str:
+def _quoted_lines(lines: Sequence[NumberedLine], at: int) -> str:
     below = [line for _, line in lines[at + 1 :] if _is_row_of_numbers(line)]
     head, *row = (" ".join(line.split())[:MOST_QUOTED] for line in (lines[at][1], *below[:1]))
     first = "".join(f", the first row `{cells}`" for cells in row)

@@ -94,19 +94,17 @@ def json_schema() -> Words:
     >>> [condition["required"] for condition in json_schema()["anyOf"]]
     [['elements'], ['links', 'mechanisms'], ['springs'], ['inertias'], ['masses']]
     """
-    schema = {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        **_record(with_elements(with_masses(with_carried(CASE, installed_keys())))),
-        "anyOf": list(_ENOUGH),
-    }
-    measures = {name: _measure(name) for name in get_args(Measure) if name not in _IN_NO_CASE}
+    shape = with_elements(with_masses(with_carried(CASE, installed_keys())))
+    measures = [name for name in get_args(Measure) if name not in _IN_NO_CASE]
+    schema = document_schema(shape, measures)
     damping = {"anyOf": [_reference("damping"), _record(DAMPING.record)]}
     several = {_DAMPING: damping, _EFFICIENCY: _of_law(EFFICIENCY)}
-    return {**schema, "$defs": {**_DEFINITIONS, **measures, **several}}
+    definitions = schema.pop("$defs") | several  # these are last
+    return {**schema, "anyOf": list(_ENOUGH), "$defs": definitions}
 
 
 def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
-    """Return the JSON Schema of a YAML document other than a case."""
+    """Return the JSON Schema of a document with a shape."""
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(shape)}
     return {**schema, "$defs": {**_DEFINITIONS, **{name: _measure(name) for name in measures}}}
 

@@ -24,7 +24,7 @@ from vstatics.core.readers.named.units import (
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
 """Number with a unit, as a pattern for ECMAScript."""
 
-_Dimension = tuple[int, int, int, int, int]
+_Dimension = tuple[int, ...]
 """Exponents of kg, m, s, rad and K."""
 
 _FORMS: dict[str, tuple[str, ...]] = {
@@ -212,7 +212,7 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
         return _NOTHING, 1.0, 1.0
     if total == [0, 0, -1, 0, 0] and unit(text)[0] == "speed":  # 1/min is rpm, as in `units`
         return _unit("rpm", of_words=of_words)
-    return (total[0], total[1], total[2], total[3], total[4]), above, below
+    return tuple(total), above, below
 
 
 def _powers(text: str) -> Iterator[tuple[str, int]]:

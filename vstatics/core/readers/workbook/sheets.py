@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from vstatics.core.elements.keys import with_elements
+from vstatics.core.errors import Path
 from vstatics.core.model.keys import CASE, ELEMENT, GEAR, MECHANISM
 from vstatics.core.model.paths import PathPart, in_quotes, split, written
 from vstatics.core.model.shape import ByKey, ByKind, ByName
@@ -44,7 +45,7 @@ _ITEM = re.compile(rf"(.*?)((?:\[\d{{1,{LONGEST_NUMBER}}}\])+)\Z", re.DOTALL)
 class PartSheet(NamedTuple):
     """Sheet with a row for each part of a case, and the name of the part in the first column."""
 
-    first: dict[str, tuple[Part, ...]]
+    first: dict[str, Path]
     """Headings that always come first, with paths."""
     known: frozenset[str]
     """Keys with which the path of a heading can begin."""
@@ -129,7 +130,7 @@ def quoted_path_cell(parts: Sequence[Part]) -> str:
     return f"{in_quotes(str(parts[0]))}{dot}{below}"
 
 
-def path_parts(text: str) -> tuple[Part, ...]:
+def path_parts(text: str) -> Path:
     """Split the path in a cell into parts.
 
     Raises
@@ -145,7 +146,7 @@ def path_parts(text: str) -> tuple[Part, ...]:
     return tuple(item for part in split(text) for item in _with_items(part, text))
 
 
-def _with_items(part: PathPart, text: str) -> tuple[Part, ...]:
+def _with_items(part: PathPart, text: str) -> Path:
     """Return the key of a part of a path, and the numbers in brackets behind the key."""
     items = None if text[part.at] in "\"'" else _ITEM.fullmatch(part.name)
     if items is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from vstatics.core.errors import CellPlace, Place, ReadError, quoted
+from vstatics.core.errors import CellPlace, Path, Place, ReadError, quoted
 from vstatics.core.model.paths import NoValueError
 from vstatics.core.readers.named.nodes import DocumentText, Listing, Node, Scalar
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
@@ -163,9 +163,9 @@ class TreeOfSheets:
 
     def _headings(
         self, name: str, elements: Mapping[str, str]
-    ) -> tuple[dict[int, tuple[Part, ...]], dict[int, str]]:
+    ) -> tuple[dict[int, Path], dict[int, str]]:
         """Return the paths and the shift elements in the headings, by columns."""
-        paths, engaged = dict[int, tuple[Part, ...]](), dict[int, str]()
+        paths, engaged = dict[int, Path](), dict[int, str]()
         sheet, rows = PART_SHEETS[name], self.sheets[name]
         given = set()
         for cell in rows[0][1:] if rows else ():
@@ -178,9 +178,7 @@ class TreeOfSheets:
             given.add(cell.text)
         return paths, engaged
 
-    def _path(
-        self, cell: ReadCell, sheet: PartSheet, elements: Mapping[str, str]
-    ) -> tuple[Part, ...]:
+    def _path(self, cell: ReadCell, sheet: PartSheet, elements: Mapping[str, str]) -> Path:
         """Return the path in a heading; report a wrong heading and return an empty path."""
         if cell.text in sheet.first:
             return sheet.first[cell.text]
