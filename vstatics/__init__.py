@@ -65,8 +65,9 @@ if TYPE_CHECKING:
     from vstatics.sweep.chunk import Chunk
     from vstatics.sweep.swept import Sweep
     from vstatics.torsion.clutch.clutch_dump import ClutchDump
-    from vstatics.vehicle.case.fatigue import Fatigue
-    from vstatics.vehicle.case.vehicle import Vehicle
+    from vstatics.vehicle.case.bearing import Bearing
+    from vstatics.vehicle.case.fatigue import Fatigue, TorqueStrength
+    from vstatics.vehicle.case.vehicle import Machine, Vehicle
     from vstatics.vehicle.damage.devices import DeviceDamage, damages
     from vstatics.vehicle.damage.rayleigh import RayleighLife, rayleigh_life
     from vstatics.vehicle.damage.resize import ResizedShaft, resized, resized_by_ratio
@@ -77,6 +78,7 @@ if TYPE_CHECKING:
 
     example: Example
     __all__ = [
+        "Bearing",
         "CaseError",
         "CentralWheel",
         "Chunk",
@@ -93,6 +95,7 @@ if TYPE_CHECKING:
         "GearFlow",
         "GearState",
         "Load",
+        "Machine",
         "Mechanism",
         "MeshEfficiency",
         "Message",
@@ -112,6 +115,7 @@ if TYPE_CHECKING:
         "Spring",
         "Summary",
         "Sweep",
+        "TorqueStrength",
         "Trace",
         "Transmission",
         "VariedScenario",

@@ -16,7 +16,7 @@ from tests.simulation.test_golden import happened
 from vstatics import CaseError, Gear, Load, ShiftElement, Transmission, loads
 from vstatics.core.model.laws import PointLaw
 from vstatics.core.model.parts import Law
-from vstatics.core.readers.named.drag_formulas import DragFormula
+from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.simulation import constant
 from vstatics.simulation.system.devices import drags
 

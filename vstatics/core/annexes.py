@@ -22,7 +22,9 @@ Entry = TypeVar("Entry")
 _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
 _NOTHING: Mapping[str, Never] = MappingProxyType({})
 # These tables list all annexes, installed or not, so that messages can name a missing annex.
-KEYS = MappingProxyType({"vehicle": "vehicle", "fatigue": "vehicle", "dump": "torsion"})
+KEYS = MappingProxyType(
+    {"vehicle": "vehicle", "fatigue": "vehicle", "bearings": "vehicle", "dump": "torsion"}
+)
 """Annex that provides each key of a case, in the order of reading and writing."""
 DOCUMENTS = MappingProxyType(
     {

@@ -32,6 +32,7 @@ ANNEX = Annex(
     },
     methods={
         "motion_dataframe": "vstatics.simulation.record.columns",
+        "motion_dataset": "vstatics.simulation.record.columns",
         "drawn_run": "vstatics.simulation.cli.scenario_run",
         "motion_grids": "vstatics.simulation.record.tables",
         "paired_runs": "vstatics.simulation.report.pair",

@@ -20,12 +20,15 @@ ANNEX = Annex(
         ),
     },
     names={
+        "Bearing": "vstatics.vehicle.case.bearing",
         "DeviceDamage": "vstatics.vehicle.damage.devices",
         "DriveCycle": "vstatics.vehicle.operation.drive_cycle",
         "Fatigue": "vstatics.vehicle.case.fatigue",
+        "Machine": "vstatics.vehicle.case.vehicle",
         "Performance": "vstatics.vehicle.operation.traction",
         "RayleighLife": "vstatics.vehicle.damage.rayleigh",
         "ResizedShaft": "vstatics.vehicle.damage.resize",
+        "TorqueStrength": "vstatics.vehicle.case.fatigue",
         "Trace": "vstatics.vehicle.operation.trace",
         "Vehicle": "vstatics.vehicle.case.vehicle",
         "cycle": "vstatics.vehicle.operation.driving",
@@ -37,6 +40,7 @@ ANNEX = Annex(
     keys={
         "vehicle": "vstatics.vehicle.case.vehicle_key",
         "fatigue": "vstatics.vehicle.case.fatigue_key",
+        "bearings": "vstatics.vehicle.case.bearing_key",
     },
     methods={
         "damage_grid": "vstatics.vehicle.damage.tables",

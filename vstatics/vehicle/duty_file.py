@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from typing import NamedTuple, get_args
 
-from vstatics.core.errors import CaseError, Problem, ReadError, of_file
+from vstatics.core.errors import CaseError, Problem, ReadError, of_file, spoken
 from vstatics.core.model.shape import ByKey, KeyShape, Shares
+from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.kinds import KEYS, is_of_kind
 from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.reader import read_document
+from vstatics.core.readers.named.si_units import measured
 from vstatics.core.readers.unit_table import UnitTable, read_unit_table
+from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
+from vstatics.core.tables.csv import unguarded
 from vstatics.vehicle.duty import Cycle, Duty, Kind, cycle
+from vstatics.vehicle.life.classes import Classes
 from vstatics.vehicle.operation.load_spectrum import EXPONENT, Spectrum, points_of, spectrum
 
 DUTY = ByKey(
@@ -63,6 +70,8 @@ class DutyTable(NamedTuple):
 
     table: UnitTable
     exponent: float
+    classes: Classes | None = None
+    """Classes of torque of the load spectra."""
 
     def of(self, results: Results) -> Spectrum:
         """Calculate the duty cycle for a case.
@@ -75,12 +84,24 @@ class DutyTable(NamedTuple):
         table = self.table
         try:
             points = points_of(results.case, table.texts["gear"], table.numbers)
-            return spectrum(results.case, points, self.exponent)
+            found = spectrum(results.case, points, self.exponent, self.classes)
         except CaseError as error:
             raise ReadError(
                 Problem(problem.id, problem.message, (), table.place(_row(problem)))
                 for problem in error.problems
             ) from None
+        notes = without_inertias(results.case) if "duration" in table.numbers else ()
+        return found._replace(messages=(*found.messages, *notes))
+
+
+def without_inertias(case: Transmission) -> Iterator[Message]:
+    """Yield a note about inertias behind the input, whose torques load no member."""
+    inputs = {case.gear_input(gear) for gear in case.gears}
+    behind = [link for link, inertia in case.heavy.items() if inertia and link not in inputs]
+    if behind and "N418" not in case.untold:
+        names = spoken([case.link_name(link) for link in behind])
+        text = f"inertias behind the input, of {names}, load no member: the torque of each row is "
+        yield Message("N418", f"{text}that of the input at constant speed")
 
 
 def _row(problem: Problem) -> int:
@@ -89,26 +110,64 @@ def _row(problem: Problem) -> int:
     return first if isinstance(first, int) else 0
 
 
-def read_duty_table(data: bytes, file: str, exponent: float | None = None) -> DutyTable:
+_STEP_COLUMNS = (TableColumn("duration", "time"), *_COLUMNS[2:])
+"""Columns of the steps of a driving cycle; others are skipped."""
+_DURATION = re.compile(r"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
+_SPEED = re.compile(r"(?<=[,;\t])(\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
+
+
+def read_duty_table(
+    data: bytes, file: str, exponent: float | None = None, classes: Classes | None = None
+) -> DutyTable:
     """Read a duty cycle as operating points: time or share, gear, speed and torque in columns.
+
+    In a table with `duration`, as `vstatics cycle` writes it, `time` is an instant; it is skipped,
+    as all other columns are.
 
     Parameters
     ----------
     exponent : float, optional
         Exponent of the equivalent torque; 3 if omitted. [-]
+    classes : int or sequence of float, optional
+        Number of classes of torque of the load spectra, or their upper bounds [N*m].
 
     Raises
     ------
     ReadError
         If the file is in error, with every problem and its position.
     """
+    head, end, others = data.partition(b"\n")
+    if _DURATION.search(headings := head.decode("utf-8", errors="surrogateescape")):
+        headings = _SPEED.sub(_of_road, headings)
+        plain = headings.encode("utf-8", errors="surrogateescape") + end + others
+        return _steps(plain, file, exponent, classes)
     table = read_unit_table(
         data, file, "a duty cycle: time or share, gear, speed, torque", _COLUMNS, "E121"
     )
     if ("time" in table.numbers) == ("share" in table.numbers):
         message = "expected exactly one of the columns `time` and `share`"
         raise ReadError("E121", message, place=table.source.place(1))
-    return DutyTable(table, exponent or EXPONENT)
+    return DutyTable(table, exponent or EXPONENT, classes)
+
+
+def _of_road(speed: re.Match[str]) -> str:
+    """Rename the column of a speed of the vehicle, beside that of the input."""
+    blank, heading, unit = speed.groups()
+    try:
+        measured(f"1 {unit}", "si_speed")
+    except ValueError:
+        return f"{blank}road {heading}"
+    return speed[0]
+
+
+def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | None) -> DutyTable:
+    """Read the steps of a driving cycle."""
+    what = "steps of a driving cycle: duration, gear, speed, torque"
+    table = read_unit_table(data, file, what, _STEP_COLUMNS, "E121", skips=True)
+    numbers = {**table.numbers, "time": table.numbers["duration"]}
+    texts = {name: list(map(unguarded, words)) for name, words in table.texts.items()}
+    table = table._replace(numbers=numbers, texts=texts)
+    return DutyTable(table, exponent or EXPONENT, classes)
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:

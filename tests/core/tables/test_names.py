@@ -38,7 +38,7 @@ shift_elements:
 drag: {ring: 1 N*m}
 gears:
   low: {}
-  second: {engaged: [B1]}
+  second: {engaged: [B1], loss: {over: [speed, torque], columns: [0, 9], rows: [[0, 9, 9], [9, 9, 9]]}}
   held: {speeds: {large: -200 rpm}}
 """
 """A shared planet, a plain set, a clutch, a brake, a freewheel, drag, a given speed, a load."""
@@ -103,7 +103,7 @@ def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> Non
     )
     assert table["speeds_rpm", "in"].tolist() == [2000] * 6
     losses: Any = table["losses_kW"]
-    lost = losses.sum(axis=1) + table["drag_losses_kW"]
+    lost = losses.sum(axis=1) + table["drag_losses_kW"] + table["gear_losses_kW"]
     found = table["input_power_kW"] - table["output_power_kW"]
     assert found.tolist() == pytest.approx(lost.tolist())
     without = to_dataframe(shipped_results("simpson.yaml"))

@@ -81,7 +81,8 @@ def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -
     assert energy.lost[name] == pytest.approx(at_output * k * 22 * (1 / eta - 1), rel=1e-12)
     spinning = (0.3 + open_pair) * k**2 + own * (ratio * k) ** 2
     assert energy.inertias == pytest.approx(spinning / 2 * (12**2 - 10**2), rel=1e-12)
-    expected = [1.0, 3.6 * 11, float(gear), ratio * k * 11 * 30 / math.pi, engine, force]
+    turning, entering = ratio * k * 11 * 30 / math.pi, engine - 0.15 * k * ratio
+    expected = [1.0, 3.6 * 11, float(gear), turning, engine, force, 2.0, turning, entering]
     assert [float(column[0]) for column in made.steps.values()] == pytest.approx(expected)
 
 

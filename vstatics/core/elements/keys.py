@@ -168,11 +168,15 @@ _WORM = KeyShape(
         "Efficiency for each of the two gears as the driving gear.",
         (
             KeyShape(
-                "worm", NUMBER, "Efficiency if the worm drives.", required=True, limits=_EFFICIENCY
+                "worm",
+                EFFICIENCY,
+                "Efficiency if the worm drives.",
+                required=True,
+                limits=_EFFICIENCY,
             ),
             KeyShape(
                 "wheel",
-                NUMBER,
+                EFFICIENCY,
                 "Efficiency if the wheel drives; 0 if the pair is self-locking.",
                 required=True,
                 limits={"minimum": 0, "maximum": 1},

@@ -6,7 +6,11 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.core.statics.points.balance import battery_power, sought_link
+import numpy as np
+
+from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.statics.points.balance import sought_link
+from vstatics.core.statics.points.machines import battery_power, efficiency_at
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.answer import Known
 
@@ -63,8 +67,12 @@ def machine_balance(results: Results, number: int) -> MachineBalance | None:
         return None
     powers = -results.port_powers_kW[number]
     shares = []
-    for link, efficiency in gear.balance.efficiencies:
+    for link, law in gear.balance.efficiencies:
         power = float(powers[link - 1])
+        speed = abs(float(results.speeds_rpm[number, link - 1])) * RAD_PER_RPM
+        torque = -1000 * power / speed if speed else 0.0
+        sizes = (np.array([size]) for size in (speed, torque, power))
+        efficiency = float(np.asarray(efficiency_at(law, *sizes)).item())
         given = float(battery_power(power, efficiency))
         shares.append(MachineShare(case.link_name(link), power, efficiency, given))
     if any(math.isnan(share.power_kW) for share in shares):

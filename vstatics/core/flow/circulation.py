@@ -17,7 +17,7 @@ from vstatics.core.numerics.tolerances import CYCLE
 from vstatics.core.tables.answer import json_keys
 from vstatics.core.texts import translated
 
-NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag"]
+NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag", "gear"]
 """Kind of a node: an element is a shift element; a mechanism can be a drawn gear set."""
 
 

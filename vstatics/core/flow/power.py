@@ -202,6 +202,6 @@ def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float
         losses[Node("mechanism", number, device.name)] = loss
     for exchange in exchanged:
         drags = exchange.node.kind == "element" and exchange.node.number - 1 in state.drag.elements
-        if drags or exchange.node.kind == "drag":
+        if drags or exchange.node.kind in ("drag", "gear"):
             losses[exchange.node] = losses.get(exchange.node, 0.0) + exchange.power
     return losses

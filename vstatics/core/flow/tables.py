@@ -19,6 +19,7 @@ SECTIONS: Mapping[NodeKind, str] = {
     "spring": "springs",
     "element": "shift elements",
     "drag": "drag of links",
+    "gear": "loss of the gear as a whole",
 }
 """Heading of each kind of nodes."""
 NO_LOSSES = (None, None)

@@ -30,7 +30,7 @@ from vstatics.core.model.shape import (
 )
 
 _UNITS = {str(kind): unit for kind, unit in UNIT_OF.items()}
-_NUMBERS = ("number", "count", "relative_torque", *get_args(Measure))
+_NUMBERS = ("number", "count", "relative_torque", "efficiency", *get_args(Measure))
 """Kinds of leaves that are numbers in every document."""
 
 
@@ -89,6 +89,8 @@ def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Ke
             names = (key.name for key in shape.keys)
         case ByName():
             names = part or ()
+        case ByLaw(scalar=Leaf() as scalar) if not hasattr(part, "over"):
+            yield from numbers_below(scalar, part, keys)
         case ListOf():
             names = (str(number) for number in range(1, len(part or ()) + 1))
     for name in names:
@@ -123,8 +125,8 @@ def _list_of(shape: ListOf, first: str, others: Sequence[str]) -> _Below:
 
 
 def _row(shape: RowOf, first: str, others: Sequence[str]) -> _Below:
-    items = {str(number): item for number, item in enumerate((*shape.items, *shape.optional), 1)}
-    return items.get(first), others
+    shapes = shape.shapes(int(first)) if first.isdigit() else ()
+    return (shapes[-1] if len(shapes) == int(first or 0) > 0 else None), others
 
 
 def _one_or_many(shape: OneOrMany, first: str, others: Sequence[str]) -> _Below:

@@ -98,6 +98,7 @@ class TransmissionFields:
     dump: Carried | None = None
     vehicle: Carried | None = None
     fatigue: Mapping[str, Carried] = field(default_factory=dict)
+    bearings: Mapping[str, Carried] = field(default_factory=dict)
     allow: Sequence[str] = ()
     masses: Mapping[int, float] = field(default_factory=dict)
     cylinders: int | None = None
@@ -414,12 +415,13 @@ class TransmissionFields:
 
     @cached_property
     def laws(self) -> list[Law]:
-        """Drag torques and efficiencies that depend on speed or torque."""
-        numbers = [*self.drag.values(), *(element.drag for element in self.shift_elements)]
+        """Drag torques, efficiencies and losses that depend on speed or torque."""
+        of_elements = [element.drag for element in self.shift_elements]
+        numbers: list[float | None] = [*self.drag.values(), *of_elements]
         for mechanism in self.mechanisms:
             numbers += [mechanism.efficiency, mechanism.back_efficiency or 0.0]
         for gear in self.gears:
-            numbers += [*gear.drag.values(), *gear.open_drag.values()]
+            numbers += [*gear.drag.values(), *gear.open_drag.values(), gear.loss]
         return [number for number in numbers if isinstance(number, Law)]
 
     @property

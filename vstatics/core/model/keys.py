@@ -6,9 +6,10 @@ parts that refer to them, for example.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
+from vstatics.core.errors import quoted, spoken
 from vstatics.core.model.carried import CaseKey
 from vstatics.core.model.fields import MOST_CYLINDERS
 from vstatics.core.model.parts import (
@@ -164,6 +165,83 @@ def _law(over: Any, points: Any) -> Any:
     return PointLaw(points, over)
 
 
+def _map(columns: Any = (), rows: Any = (), unit: Any = "", **others: Any) -> Any:
+    """Return a map, or the name of the file that contains it."""
+    from vstatics.core.model.laws import MapLaw  # costs start-up time
+
+    return others if "file" in others else MapLaw(columns, rows, unit)
+
+
+def _map_fault(over: Sequence[str], file: str | None = None, **others: Any) -> str:
+    """Return the reason why a map is not given once, over speed and torque; empty if valid."""
+    if [*over] != ["speed", "torque"]:
+        read = f"[{', '.join(over)}]"
+        return f"read {quoted(read)} in `over`, expected {quoted(MAP)}: a row begins with its speed"
+    beside = [quoted(name) for name in ("columns", "rows", "unit") if name in others]
+    if file is None or not beside:
+        return ""
+    return f"read `file` beside {spoken(beside)}, expected `file` alone: the file has them"
+
+
+def _map_keys(values: str, head: str, of: str, *others: KeyShape) -> ByKey:
+    """Return the shape of a map over speed and torque.
+
+    Parameters
+    ----------
+    values : str
+        Name of the values.
+    head : str
+        Heading of the column of values in a file.
+    of : str
+        Description of the speed and the torque.
+    *others : KeyShape
+        Further keys.
+    """
+    return ByKey(
+        f"Map of {values} over speed and torque",
+        "Values at the points of a grid, interpolated linearly in both directions and held "
+        "constant outside.",
+        (
+            KeyShape("over", ListOf(Leaf("choice", ("speed", "torque"))), of, required=True),
+            KeyShape(
+                "columns",
+                ListOf(Leaf("si_torque"), "torques", unique=False),
+                "Torques in ascending order, in N*m.",
+                required=True,
+                unless="file",
+                examples=([10, 60, 200],),
+            ),
+            KeyShape(
+                "rows",
+                ListOf(
+                    RowOf((Leaf("si_speed"), NUMBER), f"speed, {values}, ...", more=NUMBER),
+                    "rows",
+                    unique=False,
+                ),
+                "Rows in ascending order of speed: the speed in rad/s, then the value at each "
+                "torque.",
+                required=True,
+                unless="file",
+                examples=([[50, 0.90, 0.95, 0.96], [400, 0.93, 0.97, 0.98]],),
+            ),
+            KeyShape(
+                "file",
+                TEXT,
+                "Name of a CSV file, relative to the case, with the columns `speed [unit]`, "
+                f"`torque [unit]` and `{head}`: a full grid, with rows in any order.",
+                examples=("map.csv",),
+            ),
+            *others,
+        ),
+        _map,
+        _map_fault,
+    )
+
+
+MAP = "[speed, torque]"
+"""Value of `over` of a map."""
+
+
 def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
     """Return the shape of an efficiency given by points over speed or torque."""
     return ByKey(
@@ -184,9 +262,15 @@ def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
 
 
 EFFICIENCY = ByLaw(
-    NUMBER,
+    Leaf("efficiency"),
     ByKind(
         {
+            MAP: _map_keys(
+                "efficiency",
+                "efficiency",
+                "Magnitudes of the speed of the first link relative to the third, in rad/s, and of "
+                "the torque on the first link, in N*m.",
+            ),
             "speed": _efficiency_over(
                 "speed",
                 "si_speed",
@@ -198,7 +282,33 @@ EFFICIENCY = ByLaw(
         },
         "over",
     ),
+    values="efficiency",
 )
+"""Efficiency [-], or over the speed w [rad/s] and the torque T [N*m]."""
+
+MACHINE_EFFICIENCY = ByLaw(
+    Leaf("efficiency"),
+    _map_keys(
+        "efficiency",
+        "efficiency",
+        "Magnitude of the speed of the machine, in rad/s, and its torque in N*m, below 0 against "
+        "the speed; without torques below 0 both directions count alike.",
+    ),
+    values="efficiency",
+)
+"""Efficiency of an electric machine [-], or over its speed w [rad/s] and torque T [N*m]."""
+
+GEAR_LOSS = ByLaw(
+    None,
+    _map_keys(
+        "loss",
+        "loss [W]",
+        "Magnitudes of the speed of the input in rad/s, and of its torque in N*m.",
+        KeyShape("unit", Leaf("choice", ("W", "kW", "N*m")), "Unit of the losses; by default W."),
+    ),
+    values="loss",
+)
+"""Loss of a gear that is measured as a whole, over speed [rad/s] and torque [N*m] of the input."""
 
 ELEMENT = ByKey(
     "Shift element",
@@ -299,8 +409,8 @@ MECHANISM = ByKey(
         KeyShape(
             "efficiency",
             EFFICIENCY,
-            "Efficiency with the third link held, above 0 and up to 1, or points over speed or "
-            "torque.",
+            "Efficiency with the third link held, above 0 and up to 1; or points over speed or "
+            "torque, a map over both, or a formula of w in rad/s and T in N*m.",
             default=1,
             limits={"exclusiveMinimum": 0, "maximum": 1},
             examples=(0.97,),
@@ -392,6 +502,13 @@ GEAR = ByKey(
             "Speed ratios of variators and converters in this gear.",
             examples=({"hydro": -0.2},),
         ),
+        KeyShape(
+            "loss",
+            GEAR_LOSS,
+            "Loss of the gear, measured as a whole, which brakes the input link beside all other "
+            "losses.",
+            examples=({"over": ["speed", "torque"], "file": "gear1.csv"},),
+        ),
         KeyShape("input", LINK, "Input link of this gear."),
         KeyShape(
             "input_turns",
@@ -403,8 +520,12 @@ GEAR = ByKey(
         COAST,
         KeyShape(
             "balance",
-            Balances(Numbers("link", NUMBER, {"exclusiveMinimum": 0, "maximum": 1}), "battery"),
-            "Efficiencies of machines on links, and the power that charges the `battery`. The "
+            Balances(
+                Numbers("link", MACHINE_EFFICIENCY, {"exclusiveMinimum": 0, "maximum": 1}),
+                "battery",
+            ),
+            "Efficiencies of machines on links, each a number, a map over speed and torque, or a "
+            "formula of w in rad/s and T in N*m; and the power that charges the `battery`. The "
             "torque of the only link without a given speed or torque follows.",
             examples=({"MG1": 0.92, "MG2": 0.9, "battery": "-2 kW"},),
         ),

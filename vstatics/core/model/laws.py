@@ -1,9 +1,10 @@
-"""Laws given by points, and the checks of laws and battery balances in a case."""
+"""Laws given by points or by a map, and the checks of laws and battery balances in a case."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from typing import Any, Literal, Self
 
 import numpy as np
@@ -11,9 +12,12 @@ import numpy as np
 from vstatics.core.errors import Path, Problem
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import Gear, Law
+from vstatics.core.numerics.lookup_table import LookupTable
 
 MOST_LAW_POINTS = 10_000
 """Largest number of points in a law."""
+LossUnit = Literal["", "W", "kW", "N*m"]
+"""Unit of the values of a map of losses; empty for a map of efficiencies."""
 
 
 class PointLaw(Law):
@@ -46,18 +50,113 @@ class PointLaw(Law):
         """Return the arguments of the constructor, for pickling."""
         return self.points, self.over
 
-    def at(self, size: Any) -> Any:
+    def at(self, *sizes: Any) -> Any:
         """Return the value at a speed or torque, or an array of values at an array of speeds."""
+        (size,) = sizes
         x, y = zip(*self.points, strict=True)
         values = np.interp(size, x, y)
         return values if isinstance(size, np.ndarray) else float(values)
 
-    def is_outside(self, size: Any) -> Any:
+    def is_outside(self, *sizes: Any) -> Any:
         """Return whether a speed or torque, or each of an array, is outside the points."""
+        (size,) = sizes
         return (size < self.points[0][0]) | (size > self.points[-1][0])
 
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Smallest and largest value."""
+        values = [y for _, y in self.points]
+        return min(values), max(values)
 
-def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
+
+class MapLaw(Law):
+    """Law interpolated bilinearly between the points of a map, and held constant outside.
+
+    Parameters
+    ----------
+    columns : sequence of float
+        Torques in ascending order. [N*m]
+    rows : sequence of sequence of float
+        Rows of a speed [rad/s], in ascending order, and the value at each torque.
+    unit : {"", "W", "kW", "N*m"}
+        Unit of the values of a loss; empty for an efficiency.
+
+    Examples
+    --------
+    >>> law = MapLaw([0, 100], [[0, 0.8, 0.9], [50, 0.9, 1.0]])
+    >>> law.at(25.0, 50.0), law.at(np.array([0.0, 80.0]), np.array([0.0, 300.0])).tolist()
+    (0.9, [0.8, 1.0])
+    """
+
+    columns: tuple[float, ...]
+    rows: tuple[tuple[float, ...], ...]
+    unit: LossUnit
+
+    def __new__(
+        cls, columns: Sequence[float], rows: Sequence[Sequence[float]], unit: LossUnit = ""
+    ) -> Self:
+        """Store the map, which is checked with the case."""
+        law = super().__new__(cls, rows[0][1] if rows and rows[0][1:] else 1.0)
+        law.over, law.unit = "both", unit
+        law.columns = tuple(map(float, columns))
+        law.rows = tuple(tuple(map(float, row)) for row in rows)
+        return law
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        """Return the arguments of the constructor, for pickling."""
+        return self.columns, self.rows, self.unit
+
+    @cached_property
+    def table(self) -> LookupTable:
+        """Map as a lookup table."""
+        return LookupTable(
+            tuple(row[0] for row in self.rows), tuple(row[1:] for row in self.rows), self.columns
+        )
+
+    def at(self, *sizes: Any) -> Any:
+        """Return the value at a speed and a torque, or at each of two arrays."""
+        speed, torque = sizes
+        if isinstance(speed, np.ndarray) or isinstance(torque, np.ndarray):
+            return self.table.along(*np.broadcast_arrays(speed, torque))
+        return self.table.at(speed, torque)
+
+    def is_outside(self, *sizes: Any) -> Any:
+        """Return whether a speed and a torque, or each of two arrays, are outside the map."""
+        speed, torque = sizes
+        low, high = self.rows[0][0], self.rows[-1][0]
+        first, last = self.columns[0], self.columns[-1]
+        return (speed < low) | (speed > high) | (torque < first) | (torque > last)
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Smallest and largest value."""
+        values = [value for row in self.rows for value in row[1:]]
+        return min(values), max(values)
+
+    @property
+    def _definition(self) -> tuple[Any, ...]:
+        return type(self), self.columns, self.rows, self.unit
+
+    def __repr__(self) -> str:
+        """Return the whole definition, so that cases with different maps have different texts."""
+        return f"MapLaw({self.columns!r}, {self.rows!r}, {self.unit!r})"
+
+
+def of_law(  # noqa: PLR0913
+    law: Law, path: Path, *, low: float, high: float, what: str, signed: bool = False
+) -> Iterator[Problem]:
+    """Check the points or the map of a law, with values from `low` to `high`.
+
+    Values of a formula are checked at the operating point. `signed` admits torques below 0.
+    """
+    if isinstance(law, MapLaw):
+        yield from _of_map(law, path, low=low, high=high, what=what, signed=signed)
+    elif isinstance(law, PointLaw):
+        inner = (*path, "points") if path[-1] in ("efficiency", "back_efficiency") else path
+        yield from _of_points(law, inner, low=low, high=high, what=what)
+
+
+def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
     """Check that points ascend from 0 on, with values from `low` to `high`."""
     if len(law.points) > MOST_LAW_POINTS:
         yield Problem(
@@ -79,6 +178,50 @@ def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> It
         least = max(least, x)
 
 
+def _of_map(  # noqa: PLR0913
+    law: MapLaw, path: Path, *, low: float, high: float, what: str, signed: bool
+) -> Iterator[Problem]:
+    """Check that the speeds and torques of a full map ascend, with values from `low` to `high`.
+
+    `signed` admits torques below 0.
+    """
+    columns, rows = law.columns, law.rows
+    if len(columns) * len(rows) > MOST_LAW_POINTS:
+        message = f"read {len(columns) * len(rows)} points, expected {MOST_LAW_POINTS} at most"
+        yield Problem("E266", message, path)
+        return
+    for name, numbers, noun in (("columns", columns, "torques"), ("rows", rows, "speeds")):
+        if len(numbers) < 2:
+            message = f"read {len(numbers)} of {noun}, expected two {noun} or more"
+            yield Problem("E266", message, (*path, name))
+    yield from _ascending(columns, "torque", -math.inf if signed else 0.0, (*path, "columns"))
+    speeds = [row[0] for row in rows if row]
+    for problem in _ascending(speeds, "speed", 0.0, (*path, "rows")):
+        yield problem._replace(path=(*problem.path, 1))
+    for number, row in enumerate(rows, 1):
+        place = (*path, "rows", number)
+        if len(row) != len(columns) + 1:
+            message = f"read {len(row)} numbers, expected {len(columns) + 1}: the speed, and a "
+            yield Problem("E266", f"{message}value for each of the `columns`", place)
+        for column, value in enumerate(row[1:], 2):
+            if not low <= value <= high or not math.isfinite(value):
+                yield Problem("E266", f"read {value:g}, expected {what}", (*place, column))
+
+
+def _ascending(numbers: Sequence[float], noun: str, least: float, path: Path) -> Iterator[Problem]:
+    before = -math.inf
+    for place, number in enumerate(numbers, 1):
+        message = ""
+        if not least <= number or not math.isfinite(number):
+            sign = " of 0 or more: magnitudes count" if least == 0 else ", finite"
+            message = f"read {number:g}, expected a {noun}{sign}"
+        elif number <= before:
+            message = f"read {number:g}, expected a {noun} above {before:g}: {noun}s must ascend"
+        if message:
+            yield Problem("E266", message, (*path, place))
+        before = max(before, number)
+
+
 def of_balances(case: TransmissionFields) -> Iterator[Problem]:
     """Check battery balances: links, efficiencies, and a link whose torque is to be calculated."""
     for number, gear in enumerate(case.gears, 1):
@@ -90,9 +233,19 @@ def of_balances(case: TransmissionFields) -> Iterator[Problem]:
                 expected = f"a link number from 1 to {case.own_links}"
                 yield Problem("E269", f"read {link!r}, expected {expected}", path)
                 return
-            if not 0 < efficiency <= 1:
-                what = f"read {efficiency:g}, expected an efficiency above 0 and up to 1"
-                yield Problem("E269", what, (*path, link))
+            expected = "an efficiency above 0 and up to 1"
+            if isinstance(efficiency, Law):
+                yield from of_law(
+                    efficiency,
+                    (*path, link),
+                    low=math.ulp(0.0),
+                    high=1,
+                    what=expected,
+                    signed=True,
+                )
+            elif not 0 < efficiency <= 1:
+                message = f"read {efficiency:g}, expected {expected}"
+                yield Problem("E269", message, (*path, link))
         if not math.isfinite(gear.balance.battery):
             message = f"read {gear.balance.battery:g}, expected a finite power"
             yield Problem("E269", message, (*path, "battery"))
@@ -120,7 +273,8 @@ def without_loads(case: TransmissionFields) -> Iterator[Problem]:
         load = case.gear_load(gear)
         if load.speed is not None and load.torque is not None:
             continue
-        of_balance: list[Path] = [("gears", number, "balance")] if gear.balance else []
+        keys = [key for key in ("balance", "loss") if getattr(gear, key) is not None]
+        of_balance: list[Path] = [("gears", number, key) for key in keys]
         for path in (*places, *_of_gear(gear, number), *of_balance):
             what = "speed" if load.speed is None else "torque"
             message = (

@@ -164,10 +164,10 @@ def _of_heat(friction: Friction, path: Path) -> Iterator[Problem]:
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:
     """Check the drag torque of a link, or of a shift element."""
     size = torque.given if isinstance(torque, OfLoad) else torque
-    if isinstance(torque, Law) and not torque.text:
-        from vstatics.core.model.laws import of_points  # costs start-up time
+    if isinstance(torque, Law):
+        from vstatics.core.model.laws import of_law  # costs start-up time
 
-        yield from of_points(torque, path, low=0, high=math.inf, what="a torque of 0 or more")
+        yield from of_law(torque, path, low=0, high=math.inf, what="a torque of 0 or more")
     elif not 0 <= size < math.inf:
         unit = " N*m" if isinstance(torque, OfLoad) else ""
         message = f"read {size:g}{unit}, expected a torque of 0 or more: drag opposes any motion"
@@ -349,11 +349,10 @@ def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
 
 
 def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
-    from vstatics.core.model.laws import of_points  # costs start-up time
+    from vstatics.core.model.laws import of_law  # costs start-up time
 
-    return of_points(
-        law, (*path, "points"), low=math.ulp(0.0), high=1, what="an efficiency above 0 and up to 1"
-    )
+    what = "an efficiency above 0 and up to 1"
+    return of_law(law, path, low=math.ulp(0.0), high=1, what=what)
 
 
 def sets_side_by_side(
@@ -416,6 +415,11 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
         else:
             expected = f"the number of a shift element, from 1 to {len(elements)}"
             yield Problem("E243", f"read {number!r}, expected {expected}", inner)
+    if gear.loss is not None:
+        from vstatics.core.model.laws import of_law  # costs start-up time
+
+        what = "a loss of 0 or more"
+        yield from of_law(gear.loss, (*path, "loss"), low=0, high=math.inf, what=what)
     yield from _speed_ratios(case, gear, path)
     if gear.kind not in GEAR_KINDS:
         expected = "`gear`, `neutral` or `point`"

@@ -537,14 +537,14 @@ def related(number: float, whole: float | None) -> float:
 
 
 class Law(float):
-    """Drag torque [N*m] over speed [rad/s], or efficiency [-] over speed or torque [N*m].
+    """Drag torque [N*m], efficiency [-] or loss over speed [rad/s], torque [N*m] or both.
 
-    The argument is the magnitude of a speed or torque, so that a law needs an operating point. As
-    a number it is the value at 0, for calculations without an operating point. A law always counts
-    as true, because its other values need not be 0 if the value at 0 is.
+    A law needs an operating point. As a number it is the value at 0, for calculations without an
+    operating point. A law always counts as true, because its other values need not be 0 if the
+    value at 0 is.
     """
 
-    over: Literal["speed", "torque"] = "speed"
+    over: Literal["speed", "torque", "both"] = "speed"
     points: tuple[tuple[float, float], ...] = ()
     """Points of a `PointLaw`."""
     text: str = ""
@@ -552,9 +552,15 @@ class Law(float):
     file: str = ""
     """Name of the file with the points; irrelevant for equality."""
 
-    def at(self, size: Any) -> Any:
-        """Return the value at a speed or torque, or at each of an array."""
+    def at(self, *sizes: Any) -> Any:
+        """Return the value at the quantities of `sizes_of`, numbers or arrays."""
         raise NotImplementedError
+
+    def sizes_of(self, speed: Any, torque: Any) -> tuple[Any, ...]:
+        """Return speed, torque or both, whatever the law is over."""
+        if self.over == "both":
+            return speed, torque
+        return (speed,) if self.over == "speed" else (torque,)
 
     def __bool__(self) -> bool:
         """Return True, because a law with the value 0 at 0 can be positive elsewhere."""
@@ -605,7 +611,8 @@ class BatteryBalance(NamedTuple):
     Parameters
     ----------
     efficiencies : sequence of pairs
-        Link, and the efficiency of its machine, above 0 and up to 1. [-]
+        Link, and the efficiency of its machine, above 0 and up to 1, or a law over the speed of
+        the link and the torque of the machine. [-]
     battery : float
         Power that charges the battery. [kW]
     """
@@ -652,9 +659,14 @@ class Gear(NamedTuple):
     speed_ratios : mapping of int to float
         Speed ratio of variators and converters in this gear, by number: first the mechanisms that
         the case gives, then its `converters`. [-]
+    loss : Law, optional
+        Loss of the gear over the speed [rad/s] and torque [N*m] of its input link, which it brakes.
     holding : tuple of int, optional
         Links whose external torque follows from equilibrium, by default the links with a given
         speed. The search for the torque of a `balance` sets it.
+    loss_torques : mapping of int to float
+        Torque by which `loss` brakes the input link, relative to the input torque, by link. The
+        calculation sets it. [-]
 
     Examples
     --------
@@ -680,7 +692,9 @@ class Gear(NamedTuple):
     coast: bool | None = None
     balance: BatteryBalance | None = None
     speed_ratios: Mapping[int, float] = MappingProxyType({})
+    loss: Law | None = None
     holding: tuple[int, ...] | None = None
+    loss_torques: Mapping[int, float] = MappingProxyType({})
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
         """Return the links of the balance without speed or torque, except input and output."""

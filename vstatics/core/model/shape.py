@@ -30,6 +30,7 @@ Measure = Literal[
     "heat_capacity",
     "cooling",
     "force",
+    "load_per_torque",
     "straight_stiffness",
     "straight_compliance",
     "straight_damping",
@@ -55,6 +56,7 @@ UNIT_OF: Mapping[Measure, str] = {
     "heat_capacity": "J/K",
     "cooling": "W/K",
     "force": "N",
+    "load_per_torque": "N/(N*m)",
     "straight_stiffness": "N/m",
     "straight_compliance": "m/N",
     "straight_damping": "N*s/m",
@@ -83,6 +85,7 @@ LeafKind = (
         "relative_speed",
         "relative_torque",
         "drag",
+        "efficiency",
         "link",
         "element",
         "flag",
@@ -227,6 +230,13 @@ class RowOf(NamedTuple):
     """Names of the values in messages: ``slip, coefficient``."""
     optional: tuple[Shape, ...] = ()
     """Further values that can follow."""
+    more: Shape | None = None
+    """Shape of any number of values behind the others."""
+
+    def shapes(self, count: int) -> tuple[Shape, ...]:
+        """Return the shape of each of a number of values, or of fewer if no more can follow."""
+        known = (*self.items, *self.optional)
+        return known[:count] if self.more is None else (*known, *[self.more] * count)[:count]
 
 
 class ByPoints(NamedTuple):
@@ -273,10 +283,13 @@ class OneOrMany(NamedTuple):
 class ByLaw(NamedTuple):
     """Number or law; a law is a text, a list of points or a mapping."""
 
-    scalar: Leaf
+    scalar: Leaf | None
+    """Shape of a number or text; None for a law that is a mapping."""
     mapping: ByKey | ByKind
     row: RowOf | None = None
     """Shape of a point in a list of points."""
+    values: Literal["", "efficiency", "loss"] = ""
+    """Values of a map in a file; empty for a file of points."""
 
 
 class Balances(NamedTuple):
@@ -287,7 +300,10 @@ class Balances(NamedTuple):
 
 
 class ByKind(NamedTuple):
-    """Mapping whose keys depend on the value of a key such as `kind`."""
+    """Mapping whose keys depend on the value of a key such as `kind`.
+
+    The value can be a list of words; its record has the name `[speed, torque]`.
+    """
 
     records: Mapping[str, ByKey]
     key: str = "kind"

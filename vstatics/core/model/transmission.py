@@ -83,7 +83,9 @@ class Transmission(TransmissionFields):
     vehicle : Vehicle, optional
         Vehicle with this transmission.
     fatigue : mapping of str to Fatigue
-        Fatigue strength of components, by their names.
+        Fatigue strength of components or members, by their names.
+    bearings : mapping of str to Bearing
+        Rolling bearings, by their names.
     masses : mapping of int to float
         Masses of links that move along a straight line, so that their motion is in m. [kg]
     cylinders : int, optional
@@ -286,6 +288,7 @@ def _completed(case: Transmission) -> dict[str, object]:
         "dump": case.dump and case.dump.completed(),
         "vehicle": case.vehicle and case.vehicle.completed(),
         "fatigue": {name: strength.completed() for name, strength in case.fatigue.items()},
+        "bearings": {name: bearing.completed() for name, bearing in case.bearings.items()},
     }
 
 
@@ -338,6 +341,7 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         name=gear.name or str(number),
         drag=_by_load(gear.drag, abs(torque)),
         open_drag=_by_load(gear.open_drag, abs(torque)),
+        loss_torques=_by_load(gear.loss_torques, abs(torque)),
         balance=gear.balance
         and gear.balance._replace(efficiencies=tuple(gear.balance.efficiencies)),
         speed_ratios={number: float(ratio) for number, ratio in gear.speed_ratios.items()},

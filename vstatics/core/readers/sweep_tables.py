@@ -29,6 +29,8 @@ MOST_TABLE_CELLS = 20_000_000
 """Largest number of cells of a table; 20 million Python numbers take 640 MB."""
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
+DURATION = "duration [s]"
+"""First column of the points of a duty cycle that `vstatics cycle` writes behind its steps."""
 SHEET = "Variants"
 WORKBOOK = b"xl/workbook.xml"
 """Name of a member that every XLSX archive has and an NPZ archive lacks."""
@@ -303,7 +305,7 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
     for name in (NUMBER, STATUS):
         if name not in columns:
             raise ValueError(f"the column `{name}` is missing, which every sweep has")
-    columns = _plain_headings(columns)
+    columns = _plain_headings(_without_points(columns))
     names = list(columns)
     place = names.index(STATUS)
     by_gear = names[place + 1 : place + 2] == [GEAR]
@@ -319,6 +321,13 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
         tuple(name for name in names[:place] if name != NUMBER),
         [str(gear) for gear in columns[GEAR]] if by_gear else (),
     )
+
+
+def _without_points(columns: Mapping[str, Column]) -> Mapping[str, Column]:
+    """Return the steps of a driving cycle without the points of a duty cycle behind them."""
+    names = list(columns)
+    points = names.index(DURATION) if DURATION in names else len(names)
+    return {name: columns[name] for name in names[:points]} if GEAR in names[points:] else columns
 
 
 def _plain_headings(columns: Mapping[str, Column]) -> dict[str, Column]:

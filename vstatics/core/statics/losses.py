@@ -34,6 +34,8 @@ class LossyTorques(NamedTuple):
     """Efficiency by which sets of signs are compared. [-]"""
     drag_losses: Number
     """Total power lost to drag. [-]"""
+    gear_losses: Number
+    """Power that the gear loses as a whole. [-]"""
     balance: Number | Residual
     """External power minus all losses. [-]"""
     admissible: Condition
@@ -89,7 +91,8 @@ def check_signs(
         losses=losses,
         efficiency=efficiency,
         drag_losses=sum(ideal.drag.losses, 0.0),
-        balance=residual([*entering, *(-loss for loss in (*losses, *ideal.drag.losses))]),
+        gear_losses=ideal.drag.gear_loss,
+        balance=residual([*entering, *(-loss for loss in (*losses, *ideal.drag.all_losses))]),
         admissible=agrees & passes,
     )
 
@@ -104,6 +107,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
         losses=[nan] * len(signs),
         efficiency=nan,
         drag_losses=nan,
+        gear_losses=nan,
         balance=nan,
         admissible=False,
     )

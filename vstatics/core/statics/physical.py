@@ -136,6 +136,8 @@ class PhysicalResults(ResultFields):
     """`mesh_losses` [kW]."""
     drag_losses_kW = _PhysicalArray()  # noqa: N815
     """`drag_losses` [kW]."""
+    gear_losses_kW = _PhysicalArray()  # noqa: N815
+    """`gear_losses` [kW]."""
 
     @property
     def input_power_kW(self) -> Floats:  # noqa: N802
@@ -200,7 +202,7 @@ class PhysicalResults(ResultFields):
 
 RELATIVE_TO_INPUT = (
     *("torques", "holding_torques", "lossy_torques", "lossy_holding_torques", "efficiency"),
-    *("losses", "power_balance", "drag_losses"),
+    *("losses", "power_balance", "drag_losses", "gear_losses"),
     *("mesh_torques", "lossy_mesh_torques", "mesh_losses"),
 )
 """Arrays of torques and powers that do not exist in gears without an input torque."""

@@ -42,6 +42,8 @@ class GearPorts(NamedTuple):
     """Power lost in mechanisms other than variators and converters. [-]"""
     drag: float
     """Power lost to drag. [-]"""
+    gear: float
+    """Power that the gear loses as a whole. [-]"""
     by_kind: Mapping[str, float]
     """Power lost in variators and in converters, if the case has any. [-]"""
 
@@ -82,7 +84,8 @@ def ports(state: GearState) -> GearPorts:
         losses.setdefault(mechanism.kind, []).append(plain(loss))
     lost = {kind: direction * math.fsum(each) + 0.0 for kind, each in losses.items()}
     drag = direction * plain(state.search.lossy.drag_losses) + 0.0
-    return GearPorts(ports_of_gear, lost.pop(""), drag, lost)
+    whole = direction * plain(state.search.lossy.gear_losses) + 0.0
+    return GearPorts(ports_of_gear, lost.pop(""), drag, whole, lost)
 
 
 def _way(entering: float) -> Way:

@@ -10,8 +10,9 @@ from vstatics.core.numerics.traced import Number
 from vstatics.core.statics.matrix import external_torques, held_links
 from vstatics.core.statics.torques import Drag, Torques, times
 
-DeviceKind = Literal["element", "mechanism", "spring", "port", "drag"]
-"""Kind of a device; `mechanism` covers drawn gear sets, `drag` is the drag of a link."""
+DeviceKind = Literal["element", "mechanism", "spring", "port", "drag", "gear"]
+"""Kind of a device: `mechanism` covers drawn gear sets, `drag` is the drag of a link, and `gear`
+the loss of the gear as a whole."""
 
 
 class LinkPower(NamedTuple):
@@ -95,8 +96,18 @@ def device_powers(  # noqa: PLR0913
             yield LinkPower("spring", number, spring.name, case.link_name(link), link, given)
 
 
-def drag_powers(case: Transmission, speeds: Sequence[Number], drag: Drag) -> Iterator[LinkPower]:
-    """Yield the power that each link loses to drag."""
+def drag_powers(
+    case: Transmission, gear: Gear, speeds: Sequence[Number], drag: Drag
+) -> Iterator[LinkPower]:
+    """Yield the power that each link loses to drag, and to the loss of the gear as a whole."""
     for link, torque in drag.links.items():
         name = case.link_name(link)
         yield LinkPower("drag", link, name, "", link, -power(torque, speeds[link - 1]))
+    for link, torque in drag.gear.items():
+        name = loss_name(gear)
+        yield LinkPower("gear", link, name, "", link, -power(torque, speeds[link - 1]))
+
+
+def loss_name(gear: Gear) -> str:
+    """Return the name of the loss of a gear as a whole, among other losses."""
+    return f"gear.{gear.name}"

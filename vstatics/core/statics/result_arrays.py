@@ -133,6 +133,8 @@ class ResultFields(_NamedFields):
     """External power minus all losses, 0 but for rounding, ``(..., gears)``. [-]"""
     drag_losses: Floats
     """Total power lost to drag, negative when coasting, ``(..., gears)``. [-]"""
+    gear_losses: Floats
+    """Power that gears lose as a whole, negative when coasting, ``(..., gears)``. [-]"""
 
     consistent: Booleans
     """Gears with lossy torques whose signs agree with their flow, ``(..., gears)``."""
@@ -206,6 +208,8 @@ GearTable: TypeAlias = Literal[
     "dragged",
     "drag_losses",
     "drag_losses_kW",
+    "gear_losses",
+    "gear_losses_kW",
     "input_power_kW",
     "output_power_kW",
     "output_torque",
@@ -250,6 +254,7 @@ ARRAYS: Mapping[str, GearArray] = {
     "losses": GearArray("devices"),
     "power_balance": GearArray("one"),
     "drag_losses": GearArray("one"),
+    "gear_losses": GearArray("one"),
     "consistent": GearArray("one", np.bool_),
     "locked": GearArray("one", np.bool_),
     "dragged": GearArray("one", np.bool_),

@@ -70,7 +70,7 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
         admissible = Admissible(_common_values(ideal, start))
     elif moving:
         admissible = _admissible(ideal, start)
-        if admissible.lossy is None and not admissible.cut_short and ideal.drag.losses:
+        if admissible.lossy is None and not admissible.cut_short and ideal.drag.external:
             ideal = ideal._replace(overcome=True)
             admissible = _overcome(ideal, start)
     lossy = admissible.lossy or no_solution(ideal, start.signs)
@@ -352,13 +352,13 @@ def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
     """Return whether power enters at the output to overcome drag, without leaving at the input."""
-    if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
+    if not ideal.drag.external or not (ideal.overcome or is_nan(lossy.efficiency)):
         return False
     case, gear, direction = ideal.case, ideal.gear, ideal.direction
     at_input = ideal.external[case.gear_input(gear)]
     output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
     entering = -power(lossy.torques.on_first_link[-1], output_speed)
-    taken = lossy.drag_losses * direction
+    taken = (lossy.drag_losses + lossy.gear_losses) * direction
     return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
 
 
@@ -399,6 +399,7 @@ def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
         losses=_common(_common_number, (lossy.losses for lossy in tried)),
         efficiency=_common_number([power_ratio(ideal, lossy) for lossy in tried]),
         drag_losses=tried[0].drag_losses,
+        gear_losses=tried[0].gear_losses,
         balance=_common_number([lossy.balance for lossy in tried]),
         admissible=False,
     )

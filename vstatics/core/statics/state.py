@@ -233,7 +233,7 @@ class GearState(NamedTuple):
             for link_power in (
                 *device_powers(*given, members=members, drag=drag),
                 *port_powers(*given),
-                *drag_powers(self.case, self.speeds, drag),
+                *drag_powers(self.case, self.gear, self.speeds, drag),
             )
         ]
 
@@ -303,6 +303,7 @@ def values_of(state: GearState) -> Values:
         ],
         "power_balance": lossy.balance,
         "drag_losses": lossy.drag_losses,
+        "gear_losses": lossy.gear_losses,
         "consistent": state.consistent,
         "locked": search.locked,
         "dragged": search.dragged,

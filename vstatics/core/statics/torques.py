@@ -39,6 +39,15 @@ class Drag(NamedTuple):
     """External torque of all drag by link number, including open shift elements. [-]"""
     losses: Sequence[Number] = ()
     """Power that each link and each shift element loses to drag. [-]"""
+    gear: Mapping[int, Number] = NOTHING
+    """External torque of the loss of the gear as a whole, by its input link. [-]"""
+    gear_loss: Number = 0.0
+    """Power that the gear loses as a whole. [-]"""
+
+    @property
+    def all_losses(self) -> list[Number]:
+        """Power lost to drag, and to the loss of the gear as a whole [-]."""
+        return [*self.losses, self.gear_loss] if self.gear else [*self.losses]
 
 
 NO_DRAG = Drag()
@@ -196,7 +205,7 @@ def drag_torques(
     --------
     >>> from vstatics.core.model.transmission import Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear(drag={2: 0.1})])
-    >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:]
+    >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:4]
     ({2: 0.1}, [0.025])
     """
     of_links = case.gear_drag(gear)
@@ -205,7 +214,7 @@ def drag_torques(
         for number, torque in case.gear_open_drag(gear).items()
         if torque and number not in gear.engaged
     }
-    if not of_links and not torques:
+    if not of_links and not torques and not gear.loss_torques:
         return NO_DRAG
     direction = -1 if case.coasts(gear) else 1
     links: dict[int, Number] = {}
@@ -229,7 +238,15 @@ def drag_torques(
                 if link != HOUSING:
                     external[link] = external.get(link, 0.0) + pull
             losses.append(absolute(slip) * (torque * direction))
-    return Drag(links, elements, external, losses)
+    drag = Drag(links, elements, external, losses)
+    for link, given in gear.loss_torques.items():
+        speed, torque = speeds[link - 1], matrix.given_torque(case, gear, given)
+        against = torque * direction * _direction(speed)
+        if against:
+            external[link] = external.get(link, 0.0) - against
+            loss = absolute(speed) * (torque * direction)
+            drag = drag._replace(gear={link: -against}, gear_loss=loss)
+    return drag
 
 
 def _direction(speed: Number) -> Number:

@@ -40,7 +40,7 @@ _lock = threading.Lock()
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
 """Name of a number of a mechanism that varies in a gear."""
-OfGear = Literal["speeds", "torques", "drag", "open_drag", "speed_ratios"]
+OfGear = Literal["speeds", "torques", "drag", "open_drag", "loss_torques", "speed_ratios"]
 """Name of a field of `Gear` with a mapping whose numbers vary."""
 
 
@@ -230,7 +230,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Spring: frozenset(
         {"name", "stiffness", "compliance", "damping", "limit", "points", "friction", "strut"}
     ),
-    Gear: frozenset({"name", "load", "balance"}),
+    Gear: frozenset({"name", "load", "balance", "loss"}),
 }
 """Fields of a case left out of the key, because no result depends on their values.
 
@@ -287,7 +287,7 @@ def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """Return the given torques that act without an input torque; empty with an input torque."""
     if case.input_torque(gear):
         return ()
-    by_part = gear.torques, gear.drag, gear.open_drag
+    by_part = gear.torques, gear.drag, gear.open_drag, gear.loss_torques
     given = [torque for torques in by_part for torque in torques.values()]
     return (0.0, *(matrix.given_torque(case, gear, torque) for torque in given))
 

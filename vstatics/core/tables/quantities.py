@@ -278,6 +278,15 @@ RELATIVE = (
         brief="Power that drag takes",
     ),
     Quantity(
+        "gear_losses",
+        "GEARLOSS",
+        "Power that the gears lose as a whole",
+        exists=lambda results: any(gear.loss is not None for gear in results.case.gears),
+        decimals=4,
+        with_load="kW",
+        brief="Power lost by the gears as a whole",
+    ),
+    Quantity(
         "holds",
         "HOLDS",
         "Elements that are engaged, and freewheels that hold",

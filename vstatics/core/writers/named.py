@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import printable
 from vstatics.core.model.checks import carried_keys
-from vstatics.core.model.keys import CASE, with_carried
+from vstatics.core.model.keys import CASE, MAP, with_carried
 from vstatics.core.model.parts import BatteryBalance, Law, OfLoad, mechanism_record
 from vstatics.core.model.shape import (
     UNITS,
@@ -237,19 +237,27 @@ class _Writer(NamedTuple):
         return [self.links[link] for link in value]
 
     def row(self, value: Any, shape: RowOf) -> list[Any]:
-        known = (*shape.items, *shape.optional)
+        shapes = shape.shapes(len(value))
         return [
-            self.value(item, item_shape) for item, item_shape in zip(value, known, strict=False)
+            self.value(item, item_shape) for item, item_shape in zip(value, shapes, strict=True)
         ]
 
     def by_law(self, value: Any, shape: ByLaw) -> Any:
         """Write a number or a law; points from a file are written in full."""
         if not isinstance(value, Law):
-            return self.leaf(value, shape.scalar)
+            return value if shape.scalar is None else self.leaf(value, shape.scalar)
+        if value.text:
+            return value.text
+        if value.over == "both":
+            return self.map_law(value, shape.mapping)
         points = [list(point) for point in value.points]
-        if shape.row is None:
-            return {"over": value.over, "points": points}
-        return points or value.text
+        return {"over": value.over, "points": points} if shape.row is None else points
+
+    def map_law(self, value: Any, shape: ByKey | ByKind) -> dict[str, Any]:
+        """Write a map over speed and torque in SI units."""
+        record = shape.records[MAP] if isinstance(shape, ByKind) else shape
+        words = {"over": ("speed", "torque"), "columns": value.columns, "rows": value.rows}
+        return self.by_key({**words, "unit": value.unit or None}, record)
 
     def balance(self, value: BatteryBalance, shape: Balances) -> dict[int | str, Any]:
         data = self.numbers(dict(value.efficiencies), shape.links)
@@ -285,7 +293,8 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
 
 _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(
-        ("number", "relative_speed", "relative_torque", "drag", *get_args(Measure)), float
+        ("number", "relative_speed", "relative_torque", "drag", "efficiency", *get_args(Measure)),
+        float,
     ),
     **dict.fromkeys(("text", "choice"), str),
     "flag": bool,

@@ -12,6 +12,9 @@ from vstatics.core.flow.circulation import Edge, Loop, Node
 from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.numerics.tolerances import NO_POWER
 
+AT_LINKS = ("drag", "gear")
+"""Kinds of losses drawn at the link that they brake: its drag, and the loss of the whole gear."""
+
 Run = tuple[Node, ...]
 """Nodes in series with equal power, without losses or branches in between."""
 
@@ -103,7 +106,7 @@ def graph(side: PowerFlow) -> Graph:
     >>> [" > ".join(map(str, (band.source, *band.between))) for band in drawn.bands if band.back]
     ['set > 2 > pair']
     """
-    edges = [edge for edge in side.forward if edge.target.kind != "drag"]
+    edges = [edge for edge in side.forward if edge.target.kind not in AT_LINKS]
     ports = _ports(edges)
     edges = [edge for edge in edges if "port" not in (edge.source.kind, edge.target.kind)]
     known = dict.fromkeys([*ports, *(node for edge in edges for node in edge[:2])])
@@ -224,11 +227,11 @@ def _layers(drawn: Graph) -> tuple[int, ...]:
 
 
 def _losses(side: PowerFlow) -> dict[Node, float]:
-    """Return losses above rounding noise; the drag of a link leaves at the link."""
+    """Return losses above rounding noise; those of `AT_LINKS` leave at the link."""
     least = NO_POWER * max((edge.power for edge in side.edges), default=0.0)
     by_node = side.losses.items()
-    losses = {node: loss for node, loss in by_node if loss > least and node.kind != "drag"}
+    losses = {n: loss for n, loss in by_node if loss > least and n.kind not in AT_LINKS}
     for edge in side.forward:
-        if edge.target.kind == "drag":
+        if edge.target.kind in AT_LINKS:
             losses[edge.source] = losses.get(edge.source, 0.0) + edge.power
     return losses

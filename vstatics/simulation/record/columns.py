@@ -16,6 +16,7 @@ from vstatics.simulation.record.motion import Motion
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray as xr
 
 
 def columns(motion: Motion) -> dict[str, Floats]:
@@ -49,6 +50,22 @@ def motion_dataframe(motion: Motion) -> pd.DataFrame:
 
     named = columns(motion)
     return pd.DataFrame(named, index=pd.Index(named.pop("time"), name="time"))
+
+
+def motion_dataset(motion: Motion) -> xr.Dataset:
+    """Return a dataset with names along the axes; see `Motion.to_xarray`."""
+    require("xarray", "to_xarray")
+    import xarray as xr
+
+    axes = {"link": motion.links, "element": motion.elements, "device": motion.devices}
+    variables = {
+        "speeds": (("time", "link"), motion.speeds, {"units": "rad/s"}),
+        "slips": (("time", "element"), motion.slips, {"units": "rad/s"}),
+        "torques": (("time", "device"), motion.torques, {"units": "N*m"}),
+    }
+    coordinates = {"time": motion.time, **{axis: [*names] for axis, names in axes.items()}}
+    name = motion.case.name if motion.case else ""
+    return xr.Dataset(variables, coordinates, {"case": name})
 
 
 def as_csv(motion: Motion, *, raw: bool = False) -> str:

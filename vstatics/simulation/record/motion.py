@@ -16,6 +16,7 @@ from vstatics.core.tables.html import shown
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray as xr
 
 EventKind = Literal["locks", "slips", "reverses", "impact", "step"]
 
@@ -195,6 +196,33 @@ class Motion(NamedTuple):
         """
         table: pd.DataFrame = higher("motion_dataframe")(self)
         return table
+
+    def to_xarray(self) -> xr.Dataset:
+        """Return the motion over time as an xarray dataset, with names along the axes.
+
+        Returns
+        -------
+        Dataset
+            `speeds` over `time` and `link`, `slips` over `time` and `element` [rad/s], `torques`
+            over `time` and `device` [N*m]. An instant at which a value jumps appears twice.
+
+        Raises
+        ------
+        CaseError
+            If xarray is missing.
+
+        Examples
+        --------
+        >>> from vstatics import ShiftElement, Transmission
+        >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
+        >>> case = Transmission(1, [ShiftElement(1, name="B")], [], [], inertias={1: 2.0})
+        >>> brake = {1: Capacity(constant(40.0))}
+        >>> data = simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}), brake)).to_xarray()
+        >>> data.torques.dims, data.speeds.sel(link="1")[0].item()
+        (('time', 'device'), 10.0)
+        """
+        dataset: xr.Dataset = higher("motion_dataset")(self)
+        return dataset
 
     def plot(self, kind: str = "shift", **how: Any) -> AnyPicture:
         """Draw the run; a notebook shows the picture.

@@ -395,6 +395,7 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
         elif torque:
             torques.append(DragTorque(is_element, number, torque))
     problems += _variable_efficiencies(case)
+    problems += _gear_losses(case)
     if problems:
         raise CaseError(problems)
     yield from torques
@@ -409,6 +410,16 @@ def _variable_efficiencies(case: Transmission) -> Iterator[Problem]:
                 "a number in a scenario",
                 ("case", "mechanisms", number, "efficiency"),
             )
+
+
+def _gear_losses(case: Transmission) -> Iterator[Problem]:
+    for number, gear in enumerate(case.gears, 1):
+        if gear.loss is not None:
+            message = (
+                f"gear {gear.name} has a loss as a whole, but a scenario knows no gear at each "
+                "instant; expected efficiencies of mechanisms, or drag"
+            )
+            yield Problem("E695", message, ("case", "gears", number, "loss"))
 
 
 def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_element: bool) -> Path:  # noqa: FBT001

@@ -106,10 +106,13 @@ def random_command(
 
 def _lifeless(reading: Reading, gears: Sequence[GearRandom]) -> Iterator[Problem]:
     """Warn of devices that have a fatigue strength but are not elastic in any gear."""
+    from vstatics.torsion.random.random_vibration import of_stress
+
     excited = [gear for gear in gears if not gear.error]
     elastic = {name for gear in excited for name in gear.devices}
+    strengths = of_stress(reading.case.fatigue)
     for number, name in enumerate(reading.case.fatigue, 1):
-        if excited and name not in elastic:
+        if excited and name in strengths and name not in elastic:
             text = (
                 f"{quoted(name)} is rigid or disengaged, so it has no life; give it a `stiffness`"
             )

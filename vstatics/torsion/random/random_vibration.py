@@ -165,7 +165,7 @@ def _gear_random(
     of_links = np.eye(len(system.names))[: system.case_links]
     with np.errstate(all="ignore"):  # undefined values are reported as NaN
         variances = form_variances(excited, spectrum, np.vstack([system.twists, of_links]))
-        devices = _devices(system.elastic, variances, case.fatigue)
+        devices = _devices(system.elastic, variances, of_stress(case.fatigue))
         undetermined = coordinates(excited.free).undetermined[: excited.free.case_links]
         parts = np.array(variances[:3])[:, len(devices) :]
         parts[:, undetermined] = np.nan
@@ -177,6 +177,11 @@ def _gear_random(
     by_name = {converter.name: converter for converter in converters}
     widths = _half_widths(excited)
     return GearRandom(gear.name, devices, links, widths, spectra, converters=by_name)
+
+
+def of_stress(strengths: Mapping[str, Carried]) -> dict[str, Carried]:
+    """Return the fatigue strengths of components by stress, not those of members by torque."""
+    return {name: given for name, given in strengths.items() if hasattr(given, "endurance")}
 
 
 def _devices(

@@ -1,9 +1,12 @@
-"""Fatigue strength of a component under torque cycles: S-N curve (Woehler) and Miner's rule."""
+"""Fatigue strength under torque: of a component by stress cycles, of a member by its contacts.
+
+Both follow an S-N curve (Woehler) and Miner's rule.
+"""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from vstatics.core.model.carried import as_type
 
@@ -50,8 +53,10 @@ class Fatigue(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, Fatigue]:
-        """Return the fatigue strengths of a case by component name."""
-        given = ((name, as_type(strength, cls)) for name, strength in case.fatigue.items())
+        """Return the strengths of a case under stress, by component name."""
+        others = TorqueStrength.of(case)
+        strengths = {name: given for name, given in case.fatigue.items() if name not in others}
+        given = ((name, as_type(strength, cls)) for name, strength in strengths.items())
         return {name: fatigue for name, fatigue in given if fatigue is not None}
 
     @property
@@ -67,3 +72,62 @@ class Fatigue(NamedTuple):
             name: float(value) for name, value in self._asdict().items() if value is not None
         }
         return self._replace(**changed)
+
+
+Flanks = Literal["apart", "together"]
+"""Flanks of a tooth: both suffer apart (pitting), or torques of both signs add up (bending)."""
+
+
+class TorqueStrength(NamedTuple):
+    """Fatigue strength of a member under torque, such as the flanks or roots of its teeth.
+
+    Parameters
+    ----------
+    torque : float
+        Torque that is endured for `cycles`. [N*m]
+    exponent : float
+        Exponent m of the S-N curve: torque^m * contacts is constant. [-]
+    cycles : float
+        Number of contacts to failure at `torque`. [-]
+    contacts : float, optional
+        Contacts of a tooth in each turn; by default the planets of a sun or ring that its gear set
+        gives, otherwise 1. [-]
+    flanks : {"together", "apart"}
+        Whether torques of both signs act on the same place. If apart, the worse sign counts.
+    threshold : float
+        Torque, relative to `torque`, below which a contact does no damage. [-]
+    sum : float
+        Sum of damages at which the member fails. [-]
+    torque_of : str, optional
+        Member whose torque counts, for a planet.
+
+    Examples
+    --------
+    >>> TorqueStrength(900.0, 6.6, 3e6).flanks
+    'together'
+    """
+
+    torque: float
+    exponent: float
+    cycles: float
+    contacts: float | None = None
+    flanks: Flanks = "together"
+    threshold: float = 0.0
+    sum: float = 1.0
+    torque_of: str | None = None
+
+    @classmethod
+    def of(cls, case: TransmissionFields) -> dict[str, TorqueStrength]:
+        """Return the strengths of a case under torque, by the name of the member or device."""
+        return {name: given for name, given in case.fatigue.items() if isinstance(given, cls)}
+
+    def completed(self) -> TorqueStrength:
+        """Return the strength with all numbers as floats."""
+        return self._replace(
+            torque=float(self.torque),
+            exponent=float(self.exponent),
+            cycles=float(self.cycles),
+            contacts=None if self.contacts is None else float(self.contacts),
+            threshold=float(self.threshold),
+            sum=float(self.sum),
+        )

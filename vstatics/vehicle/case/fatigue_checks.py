@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import get_args
 
 from vstatics.core.errors import Problem, listed, quoted
 from vstatics.core.model.fields import TransmissionFields
@@ -11,7 +12,8 @@ from vstatics.core.model.parts import element_names, mechanism_names
 from vstatics.core.model.springs import spring_names
 from vstatics.core.model.torsional_checks import above_0, not_negative
 from vstatics.core.suggestions import nearest
-from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.case.fatigue import Fatigue, Flanks, TorqueStrength
+from vstatics.vehicle.case.members import Members
 
 THICKEST_SHAFT = 1.0
 """Diameter above which a value was probably written in mm without the unit. [m]"""
@@ -22,6 +24,8 @@ _STRENGTHS = {
     "diameter": "a diameter",
     "section_modulus": "a section modulus",
     "sum": "a sum of damages",
+    "torque": "a torque",
+    "contacts": "a number of contacts",
 }
 _PARTS = {"asymmetry": "an asymmetry", "threshold": "a threshold"}
 
@@ -30,8 +34,10 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     """Yield errors in the fatigue strengths of a case."""
     names = [*element_names(case.shift_elements), *mechanism_names(case.mechanisms)]
     names += spring_names(case.springs)
-    for number, (name, fatigue) in enumerate(Fatigue.of(case).items(), 1):
-        path = ("fatigue", number)
+    yield from _of_members(case)
+    places = {name: number for number, name in enumerate(case.fatigue, 1)}
+    for name, fatigue in Fatigue.of(case).items():
+        path = ("fatigue", places[name])
         if name not in names:
             hint = nearest(name, names) or f"; components are {listed(names, 12) or 'none'}"
             yield Problem("E880", f"there is no component {quoted(name)}{hint}", path)
@@ -44,6 +50,26 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
                 yield from not_negative(value, _PARTS[key], (*path, key))
             elif value is not None:
                 yield from above_0(value, _STRENGTHS[key], (*path, key))
+
+
+def _of_members(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield errors in the strengths of members under torque."""
+    members, places = Members.of(case), {name: n for n, name in enumerate(case.fatigue, 1)}
+    for name, strength in TorqueStrength.of(case).items():
+        path = ("fatigue", places[name])
+        yield from members.unknown(name, path)
+        if strength.torque_of is not None:
+            yield from members.without_torque(strength.torque_of, (*path, "torque_of"))
+        elif name in members.planets and name not in members.firsts:
+            message = f"{name} is a planet without a torque of its own, expected `torque_of`"
+            yield Problem("E880", f"{message}, such as that of its sun", path)
+        if strength.flanks not in get_args(Flanks):
+            message = f"read {strength.flanks!r}, expected `apart` or `together`"
+            yield Problem("E881", message, (*path, "flanks"))
+        for key in ("torque", "exponent", "cycles", "sum", "contacts"):
+            if (value := getattr(strength, key)) is not None:
+                yield from above_0(value, _STRENGTHS[key], (*path, key))
+        yield from not_negative(strength.threshold, _PARTS["threshold"], (*path, "threshold"))
 
 
 def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:

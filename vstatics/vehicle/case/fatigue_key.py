@@ -3,16 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
+from vstatics.core.errors import quoted, spoken
 from vstatics.core.model.carried import CaseKey
-from vstatics.core.model.shape import NUMBER, ByKey, ByName, KeyShape, Leaf
+from vstatics.core.model.fields import TransmissionFields
+from vstatics.core.model.shape import NUMBER, TEXT, ByKey, ByName, KeyShape, Leaf
 from vstatics.core.model.torsional_keys import ABOVE_0
-from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.case.fatigue import Fatigue, TorqueStrength
 from vstatics.vehicle.case.fatigue_checks import doubts_of_fatigue, of_fatigue
+
+_OF_STRESS = ("diameter", "section_modulus", "endurance", "asymmetry")
+_OF_TORQUE = ("torque", "contacts", "flanks", "torque_of")
+
+
+def _strength(**values: Any) -> Fatigue | TorqueStrength:
+    """Return the strength under torque if a torque is given, else the strength under stress."""
+    kind, others = (TorqueStrength, _OF_STRESS) if "torque" in values else (Fatigue, _OF_TORQUE)
+    return kind(**{name: value for name, value in values.items() if name not in others})
+
+
+def _strength_fault(**values: Any) -> str:
+    """Return the reason why keys of stress and of torque contradict each other; empty if valid."""
+    of_torque = "torque" in values
+    wrong = [name for name in (_OF_STRESS if of_torque else _OF_TORQUE) if name in values]
+    wrong = [name for name in wrong if name != "flanks" or values[name] != "together"]
+    if not wrong:
+        return ""
+    given, other = ("torque", "endurance") if of_torque else ("endurance", "torque")
+    names = spoken(map(quoted, wrong))
+    return f"read {names} beside `{given}`, which belongs to a strength by `{other}`"
+
+
+def _record(case: TransmissionFields) -> dict[str, Fatigue | TorqueStrength]:
+    strengths: dict[str, Fatigue | TorqueStrength] = {**Fatigue.of(case), **TorqueStrength.of(case)}
+    return {name: strengths[name] for name in case.fatigue}
+
 
 FATIGUE = ByKey(
     "Fatigue",
-    "The fatigue strength of a component under torque, for `vstatics damage`.",
+    "The fatigue strength under torque: with `endurance` of a component, for `vstatics damage`; "
+    "with `torque` of a member of a gear set, for `vstatics summary --duty`.",
     (
         KeyShape(
             "diameter",
@@ -33,13 +64,21 @@ FATIGUE = ByKey(
             Leaf("stress"),
             "Endurance limit, the stress amplitude at `cycles`, in Pa.",
             required=True,
+            unless="torque",
             limits=ABOVE_0,
             examples=("100 MPa",),
         ),
         KeyShape(
+            "torque",
+            Leaf("si_torque"),
+            "Torque on a member that is endured for `cycles`, in N*m, instead of `endurance`.",
+            limits=ABOVE_0,
+            examples=("900 N*m",),
+        ),
+        KeyShape(
             "exponent",
             NUMBER,
-            "Exponent m of the S-N curve: stress^m * cycles is constant.",
+            "Exponent m of the S-N curve: stress^m * cycles, or torque^m * contacts, is constant.",
             required=True,
             limits=ABOVE_0,
             examples=(3,),
@@ -47,7 +86,7 @@ FATIGUE = ByKey(
         KeyShape(
             "cycles",
             NUMBER,
-            "Number of cycles to failure at the endurance limit.",
+            "Number of cycles, or of contacts, to failure at the endurance limit.",
             required=True,
             limits=ABOVE_0,
             examples=(4e6,),
@@ -56,31 +95,53 @@ FATIGUE = ByKey(
             "asymmetry",
             NUMBER,
             "Share of the magnitude of the mean stress that is added to the amplitude.",
-            default=0,
             limits={"minimum": 0},
             examples=(0.1,),
         ),
         KeyShape(
             "threshold",
             NUMBER,
-            "Stress, relative to the endurance limit, below which a cycle does no damage.",
-            default=0.6,
+            "Stress or torque, relative to the endurance limit, below which a cycle does no "
+            "damage; by default 0.6 of a stress, 0 of a torque.",
             limits={"minimum": 0},
+        ),
+        KeyShape(
+            "contacts",
+            NUMBER,
+            "Contacts of a tooth in each turn of a member; by default the `planets` of the gear "
+            "set for its sun and ring, otherwise 1.",
+            limits=ABOVE_0,
+            examples=(3,),
+        ),
+        KeyShape(
+            "flanks",
+            Leaf("choice", ("together", "apart")),
+            "`apart`: torques of the two signs load different flanks, of which the worse counts, "
+            "as for pitting. `together`: they add up, as for bending.",
+            default="together",
+        ),
+        KeyShape(
+            "torque_of",
+            TEXT,
+            "Member whose torque counts, for a planet, which has no torque of its own.",
+            examples=("P1.sun",),
         ),
         KeyShape(
             "sum", NUMBER, "Sum of damages at which the component fails.", default=1, limits=ABOVE_0
         ),
     ),
-    Fatigue,
+    _strength,
+    _strength_fault,
 )
 KEY = CaseKey(
     KeyShape(
         "fatigue",
         ByName("device", FATIGUE),
-        "Fatigue strengths, each under the name of a spring or another component.",
+        "Fatigue strengths, each under the name of a spring or another component, or of a member "
+        "such as `P1.sun`.",
     ),
-    Mapping[str, Fatigue],
-    Fatigue.of,
+    Mapping[str, Fatigue | TorqueStrength],
+    _record,
     of_fatigue,
     doubts_of_fatigue,
 )

@@ -1,4 +1,4 @@
-"""Vehicle of a transmission: resistance on the road, engine, fuel map."""
+"""Vehicle of a transmission: resistance on the road, engine and fuel map, or electric machine."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.carried import as_type
-from vstatics.core.model.parts import Gear, SpeedOf
+from vstatics.core.model.parts import Gear, SpeedOf, as_float
+from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.constants import AIR, GRAVITY
+from vstatics.core.statics.points.machines import battery_power, efficiency_at
 from vstatics.vehicle.tolerances import SAME_SPEED
 
 if TYPE_CHECKING:
@@ -20,6 +22,77 @@ NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
 
 EnginePoints = Sequence[tuple[float, float]]
 """Points of engine speed [rad/s], in ascending order, and torque [N*m]."""
+
+
+class Machine(NamedTuple):
+    """Electric machine with its battery.
+
+    Parameters
+    ----------
+    torque : sequence of pairs
+        Full-load curve: speed [rad/s], torque [N*m], interpolated linearly.
+    generating : sequence of pairs
+        Largest braking torque, 0 or below; by default that of `torque` with a minus.
+    efficiency : float or Law
+        Efficiency, or a map or formula over speed and torque, which is below 0 where the machine
+        generates. [-]
+    battery_efficiency : float
+        Efficiency of the battery, when charged and when discharged. [-]
+
+    Examples
+    --------
+    >>> Machine([(0, 200), (500, 80)], efficiency=0.9).braking
+    [(0, -200), (500, -80)]
+    """
+
+    torque: EnginePoints
+    generating: EnginePoints = ()
+    efficiency: float = 1.0
+    battery_efficiency: float = 1.0
+
+    @property
+    def braking(self) -> EnginePoints:
+        """Points of the largest braking torque [rad/s, N*m]."""
+        return self.generating or [(speed, -torque) for speed, torque in self.torque]
+
+    def electric_power(self, power: Floats, speed: Floats, torque: Floats) -> Floats:
+        """Return the electric power of a mechanical power; NaN where a formula gives no efficiency.
+
+        Parameters
+        ----------
+        power : ndarray
+            Mechanical power, below 0 where the machine generates. [W]
+        speed, torque : ndarray
+            Magnitude of the speed [rad/s], torque along the speed [N*m].
+
+        Examples
+        --------
+        >>> powers, zeros = np.array([90.0, -90.0]), np.zeros(2)
+        >>> Machine([(0, 1)], efficiency=0.9).electric_power(powers, zeros, zeros).tolist()
+        [100.0, -81.0]
+        """
+        efficiency = efficiency_at(self.efficiency, speed, torque, power)
+        electric: Floats = -battery_power(-power, efficiency)
+        return electric
+
+    def battery_power(self, electric: Floats) -> Floats:
+        """Return the power that the battery gives for an electric power; below 0 it is charged [W].
+
+        >>> machine = Machine([(0, 1)], battery_efficiency=0.8)
+        >>> machine.battery_power(np.array([80.0, -10.0])).tolist()
+        [100.0, -8.0]
+        """
+        power: Floats = -battery_power(-electric, self.battery_efficiency)
+        return power
+
+    def completed(self) -> Machine:
+        """Return the machine with all numbers as floats."""
+        return Machine(
+            _floats(self.torque),
+            _floats(self.generating),
+            as_float(self.efficiency),
+            float(self.battery_efficiency),
+        )
 
 
 class Vehicle(NamedTuple):
@@ -43,6 +116,10 @@ class Vehicle(NamedTuple):
         Braking torque of the engine, 0 or below, with points as in `engine`; 0 without points.
     fuel : str
         File of the fuel map; empty without a map.
+    machine : Machine, optional
+        Electric machine instead of an engine.
+    recuperation : float
+        Part of the braking force at the wheels that the machine is asked for, from 0 to 1. [-]
 
     Examples
     --------
@@ -58,6 +135,18 @@ class Vehicle(NamedTuple):
     engine: EnginePoints = ()
     overrun: EnginePoints = ()
     fuel: str = ""
+    machine: Machine | None = None
+    recuperation: float = 1.0
+
+    @property
+    def full_load(self) -> EnginePoints:
+        """Full-load points of the engine or the machine [rad/s, N*m]."""
+        return self.machine.torque if self.machine else self.engine
+
+    @property
+    def braking(self) -> EnginePoints:
+        """Points of the largest braking torque of the engine or the machine [rad/s, N*m]."""
+        return self.machine.braking if self.machine else self.overrun
 
     @classmethod
     def of(cls, case: TransmissionFields) -> Vehicle | None:
@@ -91,30 +180,35 @@ class Vehicle(NamedTuple):
         return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
 
     def full_torque(self, speed: Any) -> Any:
-        """Return the torque of the engine at full load [N*m] at a speed [rad/s].
+        """Return the torque of engine or machine at full load [N*m] at a speed [rad/s].
 
         Below the first point the torque is constant; beyond the last point it is 0.
 
         >>> Vehicle(1000.0, 0.3, engine=[(100.0, 80.0), (600.0, 120.0)]).full_torque([0.0, 601.0])
         array([80.,  0.])
         """
-        return np.where(self.may_turn(speed), _between(self.engine, speed), 0.0)
+        return np.where(self.may_turn(speed), _between(self.full_load, speed), 0.0)
 
     def may_turn(self, speed: Any) -> Any:
-        """Return whether the engine can reach a speed, up to the last full-load point [rad/s]."""
-        last = self.engine[-1][0] * (1 + SAME_SPEED) if self.engine else math.inf
+        """Return whether the drive can reach a speed, up to the last full-load point [rad/s]."""
+        last = self.full_load[-1][0] * (1 + SAME_SPEED) if self.full_load else math.inf
         return np.asarray(speed) <= last
 
     def overrun_torque(self, speed: Any) -> Any:
-        """Return the torque of the overrunning engine, 0 or below [N*m], at a speed [rad/s]."""
-        return _between(self.overrun, speed) if self.overrun else np.zeros_like(speed)
+        """Return the largest braking torque, 0 or below [N*m], at a speed [rad/s]."""
+        return _between(self.braking, speed) if self.braking else np.zeros_like(speed)
 
     def completed(self) -> Vehicle:
         """Return the vehicle with all numbers as floats."""
         numbers: dict[str, Any] = {name: float(getattr(self, name)) for name in NUMBERS_OF_VEHICLE}
         for name in ("engine", "overrun"):
-            numbers[name] = tuple((float(x), float(y)) for x, y in getattr(self, name))
-        return self._replace(**numbers)
+            numbers[name] = _floats(getattr(self, name))
+        numbers["recuperation"] = float(self.recuperation)
+        return self._replace(**numbers, machine=self.machine and self.machine.completed())
+
+
+def _floats(points: EnginePoints) -> EnginePoints:
+    return tuple((float(x), float(y)) for x, y in points)
 
 
 def _between(points: EnginePoints, speed: Any) -> Any:
@@ -150,4 +244,14 @@ def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
     record: dict[str, Any] = vehicle._asdict()
     for name in ("engine", "overrun"):
         record[name] = [list(point) for point in record[name]]
-    return record | {"fuel": {"file": vehicle.fuel} if vehicle.fuel else None}
+    machine = vehicle.machine
+    return record | {
+        "fuel": {"file": vehicle.fuel} if vehicle.fuel else None,
+        "machine": machine
+        and {
+            **machine._asdict(),
+            "battery": {"efficiency": machine.battery_efficiency}
+            if machine.battery_efficiency != 1
+            else None,
+        },
+    }

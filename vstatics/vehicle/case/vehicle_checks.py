@@ -7,7 +7,9 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from vstatics.core.errors import Problem, spoken
 from vstatics.core.model.fields import TransmissionFields
+from vstatics.core.model.laws import of_law
 from vstatics.core.model.part_checks import no_unit
+from vstatics.core.model.parts import Law
 from vstatics.core.model.springs import ends
 from vstatics.vehicle.case.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine
 
@@ -26,10 +28,17 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
             least = "above 0" if is_positive else "of 0 or more"
             message = f"read {value:g}, expected a number {least}"
             yield Problem("E268", message, ("vehicle", name))
-    for name, sign in (("engine", 1), ("overrun", -1)):
+    yield from _of_machine(vehicle)
+    machine = vehicle.machine
+    for keys, points, sign in (
+        (("engine",), vehicle.engine, 1),
+        (("overrun",), vehicle.overrun, -1),
+        (("machine", "torque"), machine.torque if machine else (), 1),
+        (("machine", "generating"), machine.generating if machine else (), -1),
+    ):
         before = -math.inf
-        for number, (speed, torque) in enumerate(getattr(vehicle, name), 1):
-            path = "vehicle", name, number
+        for number, (speed, torque) in enumerate(points, 1):
+            path = "vehicle", *keys, number
             if not 0 <= speed < math.inf or speed <= before:
                 message = f"read {speed:g} rad/s, expected speeds of 0 or more in ascending order"
                 yield Problem("E268", message, path)
@@ -37,6 +46,29 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
                 side = "0 or more" if sign > 0 else "0 or less"
                 yield Problem("E268", f"read {torque:g} N*m, expected a torque of {side}", path)
             before = speed
+
+
+def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
+    """Yield errors in the efficiencies and the recuperation of an electric machine."""
+    machine = vehicle.machine
+    if not 0 <= vehicle.recuperation <= 1:
+        message = f"read {vehicle.recuperation:g}, expected a part from 0 to 1"
+        yield Problem("E268", message, ("vehicle", "recuperation"))
+    if machine is None:
+        return
+    if not machine.torque:
+        message = "read no points, expected at least one"
+        yield Problem("E268", message, ("vehicle", "machine", "torque"))
+    path, what = ("vehicle", "machine", "efficiency"), "an efficiency above 0 and up to 1"
+    if isinstance(machine.efficiency, Law):
+        yield from of_law(
+            machine.efficiency, path, low=math.ulp(0.0), high=1, what=what, signed=True
+        )
+    elif not 0 < machine.efficiency <= 1:
+        yield Problem("E268", f"read {machine.efficiency:g}, expected {what}", path)
+    if not 0 < machine.battery_efficiency <= 1:
+        message = f"read {machine.battery_efficiency:g}, expected {what}"
+        yield Problem("E268", message, ("vehicle", "machine", "battery", "efficiency"))
 
 
 def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
@@ -92,9 +124,11 @@ def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
     """Yield warnings about numbers probably written in mm or rpm without the unit."""
     if vehicle.radius > LARGEST_TYRE:
         yield no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
-    fastest = max((speed for speed, _ in vehicle.engine), default=0.0)
+    fastest = max((speed for speed, _ in vehicle.full_load), default=0.0)
     if fastest > FASTEST_ENGINE:
-        yield no_unit(fastest, "rad/s", "an engine", ("vehicle", "engine"))
+        place = ("machine", "torque") if vehicle.machine else ("engine",)
+        what = "a machine" if vehicle.machine else "an engine"
+        yield no_unit(fastest, "rad/s", what, ("vehicle", *place))
 
 
 def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:

@@ -2,15 +2,81 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from vstatics.core.errors import quoted, spoken
 from vstatics.core.model.carried import CaseKey
+from vstatics.core.model.keys import MACHINE_EFFICIENCY
 from vstatics.core.model.shape import NUMBER, TEXT, ByKey, KeyShape, Leaf, ListOf, RowOf
 from vstatics.core.model.torsional_keys import ABOVE_0
-from vstatics.vehicle.case.vehicle import Vehicle, vehicle_record
+from vstatics.vehicle.case.vehicle import Machine, Vehicle, vehicle_record
 from vstatics.vehicle.case.vehicle_checks import doubts_of_vehicle, of_vehicle, without_vehicle
 
 _POINTS = ListOf(
     RowOf((Leaf("si_speed"), Leaf("si_torque")), "speed, torque"), "points", unique=False
 )
+MACHINE = ByKey(
+    "Machine",
+    "Electric machine that drives the transmission, with its battery.",
+    (
+        KeyShape(
+            "torque",
+            _POINTS,
+            "Full load: points [speed in rad/s, torque in N*m] in ascending order, straight "
+            "between.",
+            required=True,
+            examples=([[0, 200], [400, 200], [1200, 65]],),
+        ),
+        KeyShape(
+            "generating",
+            _POINTS,
+            "Largest braking torque, points as of `torque`, 0 or below; by default that of "
+            "`torque` with a minus.",
+            examples=([[0, 0], [100, -150], [1200, -60]],),
+        ),
+        KeyShape(
+            "efficiency",
+            MACHINE_EFFICIENCY,
+            "Efficiency of the machine: a number, a map over speed and torque, or a formula of w "
+            "in rad/s and T in N*m, which is below 0 where the machine generates.",
+            default=1,
+            limits={"exclusiveMinimum": 0, "maximum": 1},
+            examples=(0.92,),
+        ),
+        KeyShape(
+            "battery",
+            ByKey(
+                "Battery",
+                "Battery of the machine.",
+                (
+                    KeyShape(
+                        "efficiency",
+                        NUMBER,
+                        "Efficiency of the battery, when charged and when discharged.",
+                        required=True,
+                        limits={"exclusiveMinimum": 0, "maximum": 1},
+                        examples=(0.97,),
+                    ),
+                ),
+                lambda efficiency: efficiency,
+            ),
+            "The battery of the machine; without it the battery has no losses.",
+        ),
+    ),
+    lambda battery=1.0, **others: Machine(**others, battery_efficiency=battery),
+)
+
+
+def _vehicle_fault(**values: Any) -> str:
+    """Return the reason why the drives of a vehicle contradict each other; empty if valid."""
+    beside = [quoted(name) for name in ("engine", "overrun", "fuel") if values.get(name)]
+    if values.get("machine") and beside:
+        return f"read `machine` beside {spoken(beside)}, expected an engine or a machine"
+    if not values.get("machine") and values["recuperation"] != 1:
+        return "read `recuperation` without `machine`, expected a machine that recuperates"
+    return ""
+
+
 VEHICLE = ByKey(
     "Vehicle",
     "The vehicle of the gearbox, for `vstatics summary` and `vstatics cycle`.",
@@ -76,8 +142,18 @@ VEHICLE = ByKey(
             ),
             "The fuel map of the engine.",
         ),
+        KeyShape("machine", MACHINE, "Electric machine instead of `engine`, `overrun` and `fuel`."),
+        KeyShape(
+            "recuperation",
+            NUMBER,
+            "Part of a braking force at the wheels that the machine is asked for.",
+            default=1,
+            limits={"minimum": 0, "maximum": 1},
+            examples=(0.6,),
+        ),
     ),
     Vehicle,
+    _vehicle_fault,
 )
 KEY = CaseKey(
     KeyShape("vehicle", VEHICLE, "The vehicle of the gearbox."),

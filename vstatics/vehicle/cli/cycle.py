@@ -23,7 +23,7 @@ from vstatics.core.errors import CaseError, Problem, ReadError, of_file
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.results import Results
 from vstatics.core.tables import csv
-from vstatics.core.tables.grid import Grid, grid_of
+from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.case.vehicle import Vehicle
 
 if TYPE_CHECKING:
@@ -31,6 +31,10 @@ if TYPE_CHECKING:
     from vstatics.vehicle.operation.drive_cycle import CycleAnswer, DriveCycle
     from vstatics.vehicle.operation.shifting import ShiftSpeed
     from vstatics.vehicle.operation.trace import Trace
+
+
+_PARTS = {"battery_lost": "lost: battery", "machine_lost": "lost: machine"}
+"""Names of energies in the printed table, where they differ from those in JSON."""
 
 
 def _speed(text: str) -> float:
@@ -52,12 +56,19 @@ def _shifts(text: str) -> list[ShiftSpeed]:
     return read_shifts(text)
 
 
-def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearChoice:
+def _choice(
+    least_speed: float | None, shifts: list[ShiftSpeed] | None, strategy: str | None
+) -> GearChoice:
     from vstatics.vehicle.operation.cycle_steps import GearChoice
 
-    if least_speed is not None and shifts is not None:
-        raise click.UsageError("--least-speed and --shift exclude one another")
-    return GearChoice(least_speed, shifts or ())
+    given = {
+        "--least-speed": least_speed is not None,
+        "--shift": shifts is not None,
+        "--strategy": strategy is not None,
+    }
+    if len(several := [name for name, is_given in given.items() if is_given]) > 1:
+        raise click.UsageError(f"{' and '.join(several)} exclude one another")
+    return GearChoice(least_speed, shifts or (), least_loss=strategy is not None)
 
 
 @command
@@ -80,6 +91,12 @@ def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearC
         callback=value(_shifts),
         metavar="TEXT",
         help="Vehicle speeds of upshifts and downshifts, such as '1-2: 15 km/h/12 km/h'.",
+    ),
+    click.option(
+        "--strategy",
+        type=click.Choice(["least-loss"]),
+        help="Choose in each step the gear in which engine or battery give least energy, or take "
+        "back most, within full load.",
     ),
 )
 @under(
@@ -109,14 +126,15 @@ def cycle_command(
     and `slope` (sine of the angle) or `grade` (rise divided by horizontal distance).
     Published files of driving cycles can be used without changes. In a time step, between
     two rows, the speed is the mean of the rows, the acceleration is constant, and gear and
-    slope are taken from the first row. Without the column `gear`, give --least-speed or
-    --shift.
+    slope are taken from the first row. Without the column `gear`, give --least-speed,
+    --shift or --strategy.
 
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
     brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
     which the engine would exceed its full load or its largest speed. A gear with
     other machines, from a balance or from given speeds or torques, is an error. Fuel needs a
-    map in the vehicle: `fuel: {file: fuel.csv}`.
+    map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` instead of `engine` the
+    vehicle is electric: energy of the battery, consumption, and recuperation.
 
     \b
     Examples:
@@ -156,12 +174,19 @@ def _shown(
 
     def tables() -> Iterator[Grid]:
         energy = driven.energy
-        parts = ("engine", "wheels", "inertias", "brakes")
-        rows = [(name, getattr(energy, name)) for name in parts]
-        rows += [(f"lost: {name}", loss) for name, loss in energy.lost.items() if loss]
+        parts = (
+            *("battery", "battery_lost", "machine_lost", "machine", "engine"),
+            *("wheels", "inertias", "brakes"),
+        )
+        known = ((name, getattr(energy, name)) for name in parts)
+        rows = [(word(_PARTS.get(name, name)), part) for name, part in known if part is not None]
+        rows += [(word(f"lost: {name}"), loss) for name, loss in energy.lost.items() if loss]
         yield grid_of("Energy over the cycle", ["", "energy, J"], rows, key="energy")
-        row = driven.duration, driven.distance, driven.fuel
-        headings = "duration, s", "distance, m", "fuel, g"
+        row = [driven.duration, driven.distance, driven.fuel]
+        headings = ["duration, s", "distance, m", "fuel, g"]
+        if driven.battery is not None and driven.consumption is not None:
+            row[2:] = [driven.consumption, driven.battery.out, driven.battery.returned]
+            headings[2:] = ["kWh/100 km", "from battery, J", "to battery, J"]
         yield grid_of("Cycle", headings, [row], key="cycle")
 
     def answer() -> CycleAnswer:
@@ -184,10 +209,13 @@ def _as_sweep(driven: DriveCycle) -> Iterator[str]:
     from vstatics.vehicle.operation.trace import blocks
 
     time, *others = driven.steps
-    yield csv.lines([["variant", time, "status", *others]])
+    first = others.index("duration [s]") + 1
+    yield csv.lines([["variant", time, "status", *others[:first], "gear", *others[first:]]])
+    gears = list(map(csv.guarded, driven.gears))
     for block in blocks(len(driven.gears)):
-        numbers = [driven.steps[name][block].tolist() for name in (time, *others)]
-        columns = [range(block.start, block.stop), numbers[0], repeat("ok"), *numbers[1:]]
+        times, *numbers = (driven.steps[name][block].tolist() for name in (time, *others))
+        columns = [range(block.start, block.stop), times, repeat("ok"), *numbers[:first]]
+        columns += [gears[block], *numbers[first:]]
         yield csv.lines((map(str, row) for row in zip(*columns, strict=False)), raw=True)
 
 

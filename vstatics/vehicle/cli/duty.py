@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import click
@@ -14,6 +15,10 @@ from vstatics.core.tables.file_suffixes import suffix_of
 
 if TYPE_CHECKING:
     from vstatics.vehicle.duty_file import DutyFile, DutyTable
+    from vstatics.vehicle.life.classes import Classes
+
+MOST_CLASSES = 1000
+"""Largest number of classes of a load spectrum."""
 
 
 class DutyOptions(NamedTuple):
@@ -21,6 +26,7 @@ class DutyOptions(NamedTuple):
 
     duty: str | None
     exponent: float | None
+    classes: Classes | None = None
 
     @property
     def files(self) -> list[str]:
@@ -37,12 +43,35 @@ class DutyOptions(NamedTuple):
         is_table = self.duty is not None and suffix_of(self.duty) == ".csv"
         without = "--exponent: without --duty and a CSV of points"
         refuse((self.exponent is not None and not is_table, without))
+        without = "--spectrum: without --duty and a CSV of points"
+        refuse((self.classes is not None and not is_table, without))
         if self.duty is None:
             return None
         from vstatics.vehicle.duty_file import read_duty, read_duty_table
 
         text = files.read_input(self.duty, TABLE_BYTES if is_table else DOCUMENT_BYTES)
-        return read_duty_table(*text, self.exponent) if is_table else read_duty(*text)
+        return read_duty_table(*text, self.exponent, self.classes) if is_table else read_duty(*text)
+
+
+def _classes(text: str) -> Classes:
+    """Parse a number of classes, or upper bounds of torques with a common unit."""
+    from vstatics.core.readers.named.scalars import number
+    from vstatics.core.readers.named.units import common_unit, quantity
+
+    expected = f"a number of classes from 1 to {MOST_CLASSES}, or bounds such as '50,100,200 N*m'"
+    if text.strip().isdecimal():
+        if len(text.strip()) > 4 or not 1 <= int(text) <= MOST_CLASSES:
+            raise ValueError(f"read {text!r}, expected {expected}")
+        return int(text)
+    try:
+        bare, unit = common_unit(text)
+        size = quantity(f"1 {unit}", "torque")
+        torques = [size * number(cell.strip()) for cell in bare.split(",")]
+    except ValueError:
+        raise ValueError(f"read {text!r}, expected {expected}") from None
+    if torques[0] <= 0 or any(b <= a for a, b in pairwise(torques)):
+        raise ValueError(f"read {text!r}, expected bounds above 0 in ascending order")
+    return torques
 
 
 duty_options = gathered(
@@ -61,6 +90,14 @@ duty_options = gathered(
         callback=value(above_0),  # FloatRange accepts NaN
         metavar="P",
         help="Exponent of the equivalent torque of a duty cycle in CSV.  [default: 3]",
+    ),
+    click.option(
+        "--spectrum",
+        "classes",
+        callback=value(_classes),
+        metavar="CLASSES",
+        help="Load spectrum of each member of a duty cycle in CSV: a number of equal classes of "
+        "torque, or upper bounds such as '50,100,200 N*m'.",
     ),
 )
 """Decorator that adds both options; the command receives `duty`."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.readers.reading import Reading
+from vstatics.vehicle.case.fatigue import Fatigue
 
 
 def expect_damage(reading: Reading) -> None:
@@ -13,6 +14,6 @@ def expect_damage(reading: Reading) -> None:
     ------
     ReadError
     """
-    if not reading.case.fatigue:
+    if not Fatigue.of(reading.case):
         message = "the case has no `fatigue`, expected data of a spring or another component"
         raise ReadError([reading.locate(Problem("E882", message))])

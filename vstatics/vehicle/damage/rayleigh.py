@@ -9,9 +9,12 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from vstatics.core.arguments import refusing
-from vstatics.core.tables.answer import document
+from vstatics.core.tables.answer import Sometimes, document
 from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.damage.scatter import LifeSamples, drawn
 
 LARGEST_LOG_OF_LIFE = 700.0
 """Largest natural logarithm of a result, below the overflow of numbers."""
@@ -26,6 +29,9 @@ class RayleighLife(NamedTuple):
     x0 = threshold*endurance/deviation. [-]"""
     life: float | None
     """Life in cycles, or in km if cycles per km are given; None for unlimited life."""
+    samples: Sometimes[LifeSamples] = None
+    """Distribution of lives if strength or stress scatter; integral and life are then those of
+    the medians or means."""
 
 
 @refusing()
@@ -73,6 +79,46 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     if max(logarithm, life) > LARGEST_LOG_OF_LIFE:
         raise ValueError("the numbers are too large to give a life")
     return RayleighLife(math.exp(logarithm), math.exp(life))
+
+
+def scattered_life(
+    fatigue: Fatigue, deviation: float, per_unit: float, count: int, seed: int = 0
+) -> RayleighLife:
+    """Return the life with the distribution of random samples of endurance and deviation.
+
+    Parameters
+    ----------
+    fatigue : Fatigue
+        Strength, whose endurance can be `Scattered`.
+    deviation : float
+        Standard deviation of the stress, which can be `Scattered`. [Pa]
+    per_unit : float
+        Cycles per unit of life.
+    count, seed : int
+        Number of samples, seed of the random numbers.
+
+    Examples
+    --------
+    Without a threshold the life goes with the endurance to the power m, so it is lognormal, too:
+
+    >>> from vstatics.vehicle.damage.scatter import Scattered
+    >>> strength = Fatigue(Scattered(100e6, "lognormal", 0.08), 3, 4e6, threshold=0.0)
+    >>> found = scattered_life(strength, 60e6, 100, 20000)
+    >>> round(found.samples.B10 / found.life / math.exp(-1.2815516 * 3 * 0.08), 1)
+    1.0
+    """
+    from scipy.special import gammaincc, gammaln
+
+    random = np.random.default_rng(seed)
+    ratios = drawn(fatigue.endurance, count, random) / drawn(deviation, count, random)
+    half = fatigue.exponent / 2
+    with np.errstate(divide="ignore", over="ignore"):
+        above = gammaincc(1 + half, (fatigue.threshold * ratios) ** 2 / 2)
+        logarithms = half * math.log(2) + gammaln(1 + half) + np.log(above)
+        life = fatigue.exponent * np.log(ratios) - logarithms
+        life += math.log(fatigue.sum) + math.log(fatigue.cycles) - math.log(per_unit)
+        lives = np.exp(np.where(life > LARGEST_LOG_OF_LIFE, np.inf, life))
+    return rayleigh_life(fatigue, deviation, per_unit)._replace(samples=LifeSamples.of(lives))
 
 
 def torque_life(fatigue: Fatigue, deviation: float, crossings: float) -> float:

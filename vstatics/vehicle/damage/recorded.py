@@ -10,6 +10,7 @@ from vstatics.core.errors import Problem, ReadError, quoted
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.records import read_record
 from vstatics.core.tables.names import written
+from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.devices import DeviceDamage, damages
 
 
@@ -37,12 +38,12 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
     ReadError
         If there is no such column, if no torque changes, or if a cell is not a number.
     """
-    names = case.devices
-    headings = {name: f"torques[{written(names.index(name), names)}]" for name in case.fatigue}
-    plain = {name: f"torques[{name}]" for name in case.fatigue}
+    names, strengths = case.devices, Fatigue.of(case)
+    headings = {name: f"torques[{written(names.index(name), names)}]" for name in strengths}
+    plain = {name: f"torques[{name}]" for name in strengths}
     wanted = [*headings.values(), *plain.values()]
     record = read_record(data, file, dict.fromkeys(wanted, "si_torque"))
-    both = [(name, way[name]) for name in case.fatigue for way in (plain, headings)]
+    both = [(name, way[name]) for name in strengths for way in (plain, headings)]
     present = {name: head for name, head in both if head in record.columns}
     torques = {name: record.columns[head] for name, head in present.items()}
     # Missing columns are errors only if no column is present.

@@ -28,8 +28,11 @@ def damage_grid(damages: Mapping[str, DeviceDamage], title: str = "Damage") -> G
 
 def rayleigh_grid(life: RayleighLife, unit: str) -> Grid:
     """Return a table of the life in a unit, km or cycles."""
-    headings = "integral", f"life [{unit}]"
-    return grid_of("Life under random stresses", headings, [life], key="rayleigh")
+    headings, row = ["integral", f"life [{unit}]"], [life.integral, life.life]
+    if life.samples is not None:
+        headings += [f"{name} [{unit}]" for name in ("B10", "B50", "mean life")]
+        row += [life.samples.B10, life.samples.B50, life.samples.mean]
+    return grid_of("Life under random stresses", headings, [row], key="rayleigh")
 
 
 def resized_grid(shaft: ResizedShaft, unit: str) -> Grid:

@@ -11,6 +11,8 @@ import numpy as np
 from vstatics.core.errors import CaseError, Problem, quoted
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.points.gear_loss import brake_torque, braked_torques
+from vstatics.core.statics.power import loss_name
 from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
@@ -25,6 +27,7 @@ from vstatics.vehicle.operation.shifting import (
 )
 from vstatics.vehicle.operation.trace import Trace
 from vstatics.vehicle.operation.traction import engine_alone
+from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE, SAME_POWER
 
 
 class GearChoice(NamedTuple):
@@ -33,6 +36,8 @@ class GearChoice(NamedTuple):
     least_speed: float | None = None
     """Least speed of the engine. [rad/s]"""
     shifts: Sequence[ShiftSpeed] = ()
+    least_loss: bool = False
+    """Whether the gear with the least energy of engine or battery is chosen in each step."""
 
 
 class CycleLosses(NamedTuple):
@@ -90,7 +95,13 @@ class CycleSteps(NamedTuple):
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine = EngineSpeeds(wheels, ratios[indices, inputs], vehicle.may_turn)
         driving = np.where(engine_alone(case), results.ratio, math.nan)
-        gears = _gears(case, trace, choice, engine, driving)
+        if choice.least_loss and trace.gears:
+            message = "the column `gear` and --strategy both give the gears, expected one of them"
+            raise CaseError("E426", message, place=trace.place)
+        by_speed = (
+            choice._replace(least_speed=0.0, least_loss=False) if choice.least_loss else choice
+        )
+        gears = _gears(case, trace, by_speed, engine, driving)
         lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
             gear = case.gears[gears[lacking[0]]]
@@ -101,9 +112,62 @@ class CycleSteps(NamedTuple):
             )
             raise CaseError("E428", message, (int(lacking[0]),))
         names = [gear.name for gear in case.gears]
-        ways = directions(driving, names) if choice.least_speed is not None else []
+        ways = directions(driving, names) if by_speed.least_speed is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
-        return cls(case, vehicle, trace, gears, ratios, guessed)
+        steps = cls(case, vehicle, trace, gears, ratios, guessed)
+        if not choice.least_loss:
+            return steps
+        return steps._replace(gears=steps._of_least_loss(next(iter(ways), [])))
+
+    def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
+        """Return the forward gears in which engine or battery give least, or take back most.
+
+        Gears beyond full load or the last speed are left out; where none remains, the gears stay.
+        Of gears with equal powers the smallest ratio is chosen.
+        """
+        best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
+        moving = np.flatnonzero(self.trace.speed > 0)
+        for gear in sorted(ahead, key=lambda gear: abs(float(self._input_ratio(gear)))):
+            steps = self._replace(gears=np.full(len(self.gears), gear))
+            rows, powers = steps.powers_of(moving)
+            better = powers < best[rows] - SAME_POWER * np.abs(powers)
+            best[rows[better]], gears[rows[better]] = powers[better], gear
+        return gears
+
+    def _input_ratio(self, gear: int) -> float:
+        """Return the speed of the input relative to the output in a gear [-]."""
+        ratio: float = self.ratios[gear, self.case.gear_input(self.case.gears[gear]) - 1]
+        return ratio
+
+    def powers_of(self, rows: Integers) -> tuple[Integers, Floats]:
+        """Return steps within full load and speed, with the power of engine or battery there [W].
+
+        Steps without torques are left out.
+        """
+        speeds = self.engine_speeds
+        rows = rows[self.vehicle.may_turn(speeds[rows])]
+        torques = np.zeros(0)
+        while rows.size:
+            try:
+                torques = self.engine_torques(rows)
+                break
+            except CaseError as error:
+                lacking = [p.path[0] for p in error.problems if p.path]
+                if not lacking:
+                    raise
+                rows = np.setdiff1d(rows, lacking)
+        turning = speeds[rows]
+        torques = np.maximum(torques, self.vehicle.overrun_torque(turning))
+        full = self.vehicle.full_torque(turning) if self.vehicle.full_load else np.inf
+        within = torques <= full + SAME_ENGINE_TORQUE
+        rows, torques, turning = rows[within], torques[within], turning[within]
+        powers = torques * turning
+        if self.vehicle.machine is not None:
+            machine = self.vehicle.machine
+            powers = machine.battery_power(machine.electric_power(powers, turning, torques))
+            known = np.isfinite(powers)
+            rows, powers = rows[known], powers[known]
+        return rows, powers
 
     def at(self, rows: Integers) -> CycleSteps:
         """Return some of the steps; the trace keeps the whole table."""
@@ -123,6 +187,12 @@ class CycleSteps(NamedTuple):
         force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
         return np.where(trace.speed > 0, force, 0.0)
 
+    @property
+    def asked_forces(self) -> Floats:
+        """Wheel forces that the engine is asked for, or the machine, whose part may be less [N]."""
+        forces = self.forces
+        return np.where(forces < 0, self.vehicle.recuperation * forces, forces)
+
     def link_speeds(self, kind: str) -> Floats:
         """Return the speeds of the input or output links [rad/s]."""
         link_of = self.case.gear_input if kind == "input" else self.case.gear_output
@@ -138,14 +208,32 @@ class CycleSteps(NamedTuple):
 
     def course(self, engine: Floats) -> dict[str, Floats]:
         """Return the columns of the steps by heading, with values at mid-step."""
+        drive = "machine" if self.vehicle.machine else "engine"
         starts = np.array(self.trace.table.numbers["time"][:-1])
         return {
             "time [s]": starts + self.trace.duration / 2,
             "speed [km/h]": 3.6 * self.trace.speed,
             GEAR_NUMBER: np.add(self.gears, 1, dtype=np.float64),
-            "engine speed [rpm]": self.engine_speeds * 30 / math.pi,
-            "engine torque [N*m]": engine,
+            f"{drive} speed [rpm]": self.engine_speeds * 30 / math.pi,
+            f"{drive} torque [N*m]": engine,
             "wheel force [N]": self.forces,
+        }
+
+    def input_course(self, engine: Floats) -> dict[str, Floats]:
+        """Return the columns of the input link, as points of a duty cycle.
+
+        The torque is that of the engine less that of the inertia of the input link.
+        """
+        moving = self.trace.speed > 0
+        inertia = np.zeros(len(self.gears))
+        signs = np.sign(self.link_speeds("input"))
+        for number, gear in enumerate(self.case.gears):
+            rows = np.flatnonzero((self.gears == number) & moving)
+            inertia[rows] = self._inertia_torque(rows, self.case.gear_input(gear)) * signs[rows]
+        return {
+            "duration [s]": self.trace.duration,
+            "speed [rpm]": np.where(moving, self.engine_speeds, 0.0) * 30 / math.pi,
+            "torque [N*m]": np.where(moving, engine + inertia, 0.0),
         }
 
     def _inertia_torque(self, rows: Integers, link: int) -> Floats:
@@ -189,14 +277,16 @@ class CycleSteps(NamedTuple):
         """Solve the transmission with output and input exchanged."""
         here = self.at(rows)
         speeds = here.link_speeds("output")
-        torques = -here.forces * self.vehicle.radius / self.vehicle.final_drive
+        torques = -here.asked_forces * self.vehicle.radius / self.vehicle.final_drive
         points = DutyPoints(self.gears[rows], speeds, torques * np.sign(speeds), np.ones(len(rows)))
         return self._solved(self._turned, rows, points)
 
     @property
     def _turned(self) -> Transmission:
         gears = [
-            gear._replace(input=self.case.gear_output(gear), output=self.case.gear_input(gear))
+            gear._replace(
+                input=self.case.gear_output(gear), output=self.case.gear_input(gear), loss=None
+            )
             for gear in self.case.gears
         ]
         return self.case.replace(gears=gears, outputs=())
@@ -221,14 +311,61 @@ class CycleSteps(NamedTuple):
             raise CaseError(problems) from None
 
     def engine_torques(self, rows: Integers) -> Floats:
-        """Return engine torques with all losses, in the direction of the engine [N*m]."""
-        loads = self._from_wheels(rows)
-        given = self._given(self._turned, rows, loads)
-        return -given * np.sign(self.at(rows).link_speeds("input"))
+        """Return engine torques with all losses, in the direction of the engine [N*m].
 
-    def add_losses(self, rows: Integers, lost: CycleLosses) -> None:
-        """Add the losses of rows without braking beyond the overrun."""
+        Raises
+        ------
+        CaseError
+            If no torque, or more than one, is consistent with the loss of a gear as a whole.
+        """
+        here, loads = self.at(rows), self._from_wheels(rows)
+        speeds = here.link_speeds("input")
+        torques = -self._given(self._turned, rows, loads) * np.sign(speeds)
+        for number, gear in enumerate(self.case.gears):
+            if gear.loss is not None:
+                of_gear = np.flatnonzero(here.gears == number)
+                torques[of_gear] = self._with_loss(rows, of_gear, speeds, torques)
+        return torques
+
+    def _with_loss(
+        self, rows: Integers, of_gear: Integers, speeds: Floats, torques: Floats
+    ) -> Floats:
+        """Return engine torques with the loss of their gear as a whole [N*m]."""
+        loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
+        if loss is None:
+            return torques[of_gear]
+        with_loss, counts = braked_torques(loss, np.abs(speeds[of_gear]), torques[of_gear])
+        problems = [
+            Problem(
+                "E424",
+                f"{'no torque is' if count == 0 else 'more than one torque is'} consistent with "
+                "the loss of the gear as a whole",
+                (int(rows[row]),),
+            )
+            for row, count in zip(of_gear, counts, strict=True)
+            if count != 1
+        ]
+        if problems:
+            raise CaseError(problems)
+        return with_loss
+
+    def add_losses(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
+        """Add the losses of rows without braking beyond the overrun.
+
+        Return the energy of the brakes, which take the part that a machine is not asked for [J].
+        """
         lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
+        here = self.at(rows)
+        speeds = np.abs(here.link_speeds("input"))
+        for number, gear in enumerate(self.case.gears):
+            own = here.gears == number
+            if gear.loss is not None and own.any():
+                brake = brake_torque(gear.loss, speeds[own], np.abs(engine[rows][own]))
+                energy = float((brake * speeds[own]) @ here.trace.duration[own])
+                name = loss_name(gear)
+                lost.energies[name] = lost.energies.get(name, 0.0) + energy
+        power = (here.asked_forces - here.forces) * here.trace.speed
+        return float(power @ here.trace.duration)
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
         """Add the losses of rows at overrun, and return the energy of the brakes [J]."""

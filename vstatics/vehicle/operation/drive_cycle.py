@@ -5,6 +5,9 @@ are those of the first row. The wheel force follows from these. The transmission
 backwards, with its output as the input of the calculation, which gives the engine torque with all
 losses; inertias J act as torques ``-J dw/dt`` on their links. If the engine would have to brake
 more than its overrun, the brakes take the rest. At standstill all torques are zero.
+
+An electric machine is asked for a part of each braking force at the wheels. Its mechanical power P
+takes P/e from the battery, or gives it P e.
 """
 
 from __future__ import annotations
@@ -15,35 +18,68 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import listed, not_allowed
+from vstatics.core.errors import CaseError, Problem, listed, not_allowed
+from vstatics.core.model.parts import Law
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
+from vstatics.core.statics.points.machines import machine_torque
 from vstatics.core.statics.result_arrays import Message
-from vstatics.core.tables.answer import document, json_keys
-from vstatics.vehicle.case.vehicle import Vehicle
+from vstatics.core.tables.answer import Sometimes, document, json_keys
+from vstatics.vehicle.case.vehicle import Machine, Vehicle
 from vstatics.vehicle.operation.cycle_steps import CycleLosses, CycleSteps, GearChoice
 from vstatics.vehicle.operation.fuel_map import FuelMap
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.operation.traction import bare
 from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE
 
+J_OF_KWH = 3.6e6
+"""Energy of 1 kWh. [J]"""
 
+
+@json_keys(
+    *("battery", "machine_lost", "battery_lost", "machine", "engine"),
+    *("wheels", "inertias", "brakes", "lost"),
+)
 class CycleEnergy(NamedTuple):
-    """Energies of a cycle [J]; `engine` is the sum of all others."""
+    """Energies of a cycle [J].
 
-    engine: float
+    That of the engine or the machine is the sum of wheels, inertias, brakes and lost energies.
+    """
+
+    engine: Sometimes[float]
+    """Energy of the engine; None with an electric machine."""
     wheels: float
     """Energy of road resistance and vehicle mass."""
     inertias: float
     """Energy of rotating parts, including sudden changes of speed in shifts."""
     brakes: float
     lost: Mapping[str, float]
-    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``."""
+    """Lost energy by mechanism, and by ``drag.LINK``, ``drag.CLUTCH`` and ``gear.GEAR``."""
+    machine: Sometimes[float] = None
+    """Mechanical energy of the electric machine."""
+    machine_lost: Sometimes[float] = None
+    """Energy lost in the machine."""
+    battery_lost: Sometimes[float] = None
+    """Energy lost in the battery."""
+
+    @property
+    def battery(self) -> Sometimes[float]:
+        """Energy of the battery, the sum of the machine and the losses of both."""
+        if self.machine is None or self.machine_lost is None or self.battery_lost is None:
+            return None
+        return self.machine + self.machine_lost + self.battery_lost
 
 
-@json_keys("duration", "distance", "fuel", "energy", "messages")
+class BatteryEnergy(NamedTuple):
+    """Energies that a battery gives and gets back over a cycle [J]."""
+
+    out: float
+    returned: float
+
+
+@json_keys("duration", "distance", "fuel", "energy", "battery", "consumption", "messages")
 class DriveCycle(NamedTuple):
     """Results of a driving cycle."""
 
@@ -62,6 +98,10 @@ class DriveCycle(NamedTuple):
     """Warnings and notes."""
     steps: Mapping[str, Floats]
     """Columns of the steps by heading with unit, with values at mid-step."""
+    battery: Sometimes[BatteryEnergy] = None
+    """Energies of the battery of an electric machine."""
+    consumption: Sometimes[float] = None
+    """Energy of the battery per distance; NaN without a distance. [kWh/100 km]"""
 
 
 def drive(
@@ -102,8 +142,8 @@ def drive(
         if over.any():
             engine[over] = vehicle.overrun_torque(speeds[over])
         for rows in _blocks((trace.speed > 0) & ~over):
-            steps.add_losses(rows, lost)
-        brakes = math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
+            brakes += steps.add_losses(rows, engine, lost)
+        brakes += math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
     energy = CycleEnergy(
         float((engine * speeds) @ trace.duration),
         float((steps.forces * trace.speed) @ trace.duration),
@@ -111,7 +151,7 @@ def drive(
         brakes,
         lost.energies,
     )
-    full = vehicle.full_torque(speeds) if vehicle.engine else np.inf
+    full = vehicle.full_torque(speeds) if vehicle.full_load else np.inf
     beyond = int((engine > full + SAME_ENGINE_TORQUE).sum())
     taken, course = math.nan, steps.course(engine)
     outside = [*lost.outside]
@@ -122,13 +162,87 @@ def drive(
         course["fuel [g/h]"] = 3600 * rates
         outside += ["vehicle.fuel"] * bool(fuel.is_beyond(turning, engine).any())
     distance = float(trace.speed @ trace.duration)
+    battery: BatteryEnergy | None = None
+    if vehicle.machine is not None:
+        supply = ElectricSupply.of(vehicle.machine, speeds, engine)
+        course["battery power [W]"] = supply.battery
+        energy = supply.energies(energy, trace.duration)
+        given = supply.battery * trace.duration
+        battery = BatteryEnergy(float(given[given > 0].sum()), float(-given[given < 0].sum()))
+        outside += ["vehicle.machine.efficiency"] * supply.is_outside
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
     notes = (Message(note.id, note.message) for note in trace.notes)
     doubts = *notes, *_doubts(steps, beyond), *_overloads(case, steps, lost.held_torques)
     doubts += (outside_message(outside),) * bool(outside)
     messages = not_allowed(doubts, case.untold)
-    return DriveCycle(duration, distance, taken, energy, gears, beyond, messages, course)
+    course |= steps.input_course(engine)
+    consumption = energy.battery and _per_distance(energy.battery, distance)
+    return DriveCycle(
+        duration,
+        distance,
+        taken,
+        energy,
+        gears,
+        beyond,
+        messages,
+        course,
+        battery,
+        consumption,
+    )
+
+
+def _per_distance(energy: float, distance: float) -> float:
+    """Return an energy [J] per distance [m] in kWh/100 km."""
+    return energy / J_OF_KWH / (distance / 1e5) if distance else math.nan
+
+
+class ElectricSupply(NamedTuple):
+    """Powers of an electric machine and its battery in each step, in W."""
+
+    mechanical: Floats
+    electric: Floats
+    battery: Floats
+    is_outside: bool
+    """Whether the efficiency was evaluated outside its map."""
+
+    @classmethod
+    def of(cls, machine: Machine, speeds: Floats, torques: Floats) -> ElectricSupply:
+        """Return the powers at speeds [rad/s] and torques along them [N*m].
+
+        Raises
+        ------
+        CaseError
+            If a formula gives no efficiency in a step.
+        """
+        mechanical = torques * speeds
+        electric = machine.electric_power(mechanical, speeds, torques)
+        problems = [
+            Problem(
+                "E424",
+                f"the formula for the efficiency of the machine, at {speeds[row]:g} rad/s and "
+                f"{torques[row]:g} N*m, is not above 0 and at most 1",
+                (int(row),),
+            )
+            for row in np.flatnonzero(np.isnan(electric))
+        ]
+        if problems:
+            raise CaseError(problems)
+        law, is_outside = machine.efficiency, False
+        if isinstance(law, Law) and not law.text:
+            sizes = law.sizes_of(speeds, machine_torque(law, torques))
+            wrong = law.is_outside(*sizes) & (mechanical != 0)  # type: ignore[attr-defined] # a map
+            is_outside = bool(wrong.any())
+        return cls(mechanical, electric, machine.battery_power(electric), is_outside)
+
+    def energies(self, energy: CycleEnergy, duration: Floats) -> CycleEnergy:
+        """Return energies of a cycle with those of machine and battery instead of an engine."""
+        return energy._replace(
+            engine=None,
+            machine=energy.engine,
+            machine_lost=float((self.electric - self.mechanical) @ duration),
+            battery_lost=float((self.battery - self.electric) @ duration),
+        )
 
 
 def _blocks(are_wanted: Booleans) -> Iterator[Integers]:
@@ -146,16 +260,17 @@ def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
             f"{text}: as many gears have the other direction, and no gear has a name such as R",
         )
     vehicle, speeds = steps.vehicle, steps.engine_speeds
+    drive = "machine" if vehicle.machine else "engine"
     too_fast = ~vehicle.may_turn(speeds)
     if too_fast.any():
-        last, fastest = (speed * 30 / math.pi for speed in (vehicle.engine[-1][0], speeds.max()))
+        last, fastest = (speed * 30 / math.pi for speed in (vehicle.full_load[-1][0], speeds.max()))
         text = (
-            f"in {int(too_fast.sum())} of {len(speeds)} steps the engine would rotate at up to "
+            f"in {int(too_fast.sum())} of {len(speeds)} steps the {drive} would rotate at up to "
             f"{fastest:.6g} rpm, faster than at its last point, {last:.6g} rpm"
         )
         yield Message("W428", text)
     if beyond:
-        text = "the engine would need more torque than at full load"
+        text = f"the {drive} would need more torque than at full load"
         yield Message("W429", f"in {beyond} of {len(speeds)} steps {text}")
 
 

@@ -20,12 +20,13 @@ if TYPE_CHECKING:
 
 @refusing(Transmission="vstatics.core.model.transmission")
 @naming
-def cycle(
+def cycle(  # noqa: PLR0913
     case: Transmission,
     trace: str | os.PathLike[str] | Trace,
     *,
     least_speed: float | None = None,
     shifts: str = "",
+    least_loss: bool = False,
     fuel: str | os.PathLike[str] | FuelMap | None = None,
 ) -> DriveCycle:
     """Drive a case with a `vehicle` through a cycle of speeds.
@@ -41,6 +42,9 @@ def cycle(
         does not exceed the last engine speed. [rad/s]
     shifts : str, optional
         Shift speeds of the vehicle, up and down: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
+    least_loss : bool
+        Whether to choose in each step the gear in which engine or battery give least energy, or
+        take back most, within full load.
     fuel : path-like or FuelMap, optional
         CSV with columns speed, torque, fuel; the file named in a case is not used.
 
@@ -70,7 +74,7 @@ def cycle(
     Vehicle.needed(case)  # before the files are read
     trace_read = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
     fuel_map = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
-    choice = GearChoice(least_speed, read_shifts(shifts) if shifts else ())
+    choice = GearChoice(least_speed, read_shifts(shifts) if shifts else (), least_loss)
     return drive(case, trace_read, choice, fuel_map)
 
 

@@ -13,15 +13,19 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, not_allowed
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
-from vstatics.core.tables.answer import json_keys
+from vstatics.core.tables.answer import Sometimes, json_keys
 from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.damage.devices import DeviceDamage, damages
 from vstatics.vehicle.damage.tables import damage_grid
 from vstatics.vehicle.duty import Cycle
+from vstatics.vehicle.life.bearing_life import BearingLife, bearing_grid, bearing_lives
+from vstatics.vehicle.life.classes import Classes, MemberSpectrum, spectra, spectrum_grid
+from vstatics.vehicle.life.member_rows import MemberRows
+from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads
 
 EXPONENT = 3.0
@@ -63,7 +67,7 @@ class DutyEnergy(NamedTuple):
     """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
-@json_keys("energy", "efficiency", "exponent", "members")
+@json_keys("energy", "efficiency", "exponent", "members", "spectrum", "life", "bearings")
 class Spectrum(NamedTuple):
     """Results of a duty cycle by points."""
 
@@ -78,6 +82,12 @@ class Spectrum(NamedTuple):
     """Damage of components with a fatigue strength, with the points in order as a record."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
+    spectrum: Sometimes[Mapping[str, MemberSpectrum]] = None
+    """Load duration distribution of members with a torque, if requested."""
+    life: Sometimes[Mapping[str, MemberLife]] = None
+    """Life of members with a strength under torque."""
+    bearings: Sometimes[Mapping[str, BearingLife]] = None
+    """Life of bearings."""
 
     def grids(self) -> Iterator[Grid]:
         """Yield tables of a summary: energies, loads of links, members and clutches, damage."""
@@ -116,14 +126,25 @@ class Spectrum(NamedTuple):
         if self.damage:
             title = "Damage of the points as one record"
             yield damage_grid(self.damage, title)
+        if self.spectrum:
+            yield spectrum_grid(self.spectrum, are_shares=self.are_shares)
+        if self.life:
+            yield life_grid(self.life)
+        if self.bearings:
+            yield bearing_grid(self.bearings)
 
 
 DutyResults = Cycle | Spectrum
 """Results over a duty cycle of shares by gear, or of points."""
 
 
-def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT) -> Spectrum:
-    """Calculate a duty cycle by points.
+def spectrum(
+    case: Transmission,
+    points: DutyPoints,
+    exponent: float = EXPONENT,
+    classes: Classes | None = None,
+) -> Spectrum:
+    """Calculate a duty cycle by points; points with a speed of 0 are time and nothing else.
 
     Parameters
     ----------
@@ -132,11 +153,15 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     points : DutyPoints
     exponent : float
         Exponent of the equivalent torque. [-]
+    classes : int or sequence of float, optional
+        Number of classes of torque of the load spectra, or their upper bounds [N*m]; no spectra if
+        omitted.
 
     Raises
     ------
     CaseError
-        If a point has no torques; the paths of problems are the indices of points.
+        If a point has no torques, or no point moves; the paths of problems are the indices of
+        points.
 
     Examples
     --------
@@ -152,33 +177,71 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     >>> round(loads.members["2"].torque.largest, 6), round(loads.members["2"].revolutions, 3)
     (36.0, 79.577)
     """
-    loads = PointLoads.of(case, points)
+    moving = np.flatnonzero(points.speeds)
+    if not moving.size:
+        raise CaseError([Problem("E425", "speed: read 0 everywhere, expected a speed", (0,))])
+    loads = _loads_of(case, points, moving)
     weights = points.weights / points.weights.sum() if points.are_shares else points.weights
+    standing = float(np.delete(weights, moving).sum())
+    weights = weights[moving]
     losses, drags = loads.losses(), loads.drag_losses()
     lost = {name: float(powers @ weights) for name, powers in (losses | drags).items()}
     entering, leaving = (float(powers @ weights) for powers in loads.port_powers())
+    by_member = dict(loads.members())
     members = {
-        name: _member(torques, speeds, weights, exponent)
-        for name, (torques, speeds) in loads.members()
+        name: _member(torques, speeds, weights, exponent, moving)
+        for name, (torques, speeds) in by_member.items()
     }
+    rows = MemberRows.of(case, by_member, weights, standing, loads.speeds)
     efficiency = leaving / entering if entering > 0 else math.nan
     energy = DutyEnergy(entering, leaving, lost)
     damage = damages(case, loads.device_torques())
-    messages = not_allowed(_doubts(case, loads), case.untold)
-    return Spectrum(energy, efficiency, members, messages, points.are_shares, damage, exponent)
+    messages = not_allowed(_doubts(case, loads, moving), case.untold)
+    return Spectrum(
+        energy,
+        efficiency,
+        members,
+        messages,
+        points.are_shares,
+        damage,
+        exponent,
+        None if classes is None else spectra(rows, classes),
+        lives(case, rows),
+        bearing_lives(case, rows),
+    )
 
 
-def _doubts(case: Transmission, loads: PointLoads) -> Iterator[Message]:
+def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> PointLoads:
+    """Solve the points that move; problems keep the indices of all points."""
+    parts = points._replace(
+        gears=points.gears[moving],
+        speeds=points.speeds[moving],
+        torques=points.torques[moving],
+        weights=points.weights[moving],
+    )
+    try:
+        return PointLoads.of(case, parts)
+    except CaseError as error:
+        problems = []
+        for problem in error.problems:
+            path = tuple(int(moving[row]) for row in problem.path if isinstance(row, int))
+            problems.append(problem._replace(path=path))
+        raise CaseError(problems) from None
+
+
+def _doubts(case: Transmission, loads: PointLoads, moving: Integers) -> Iterator[Message]:
     def where(row: int) -> str:
-        return f"in row {row + 1}, gear {case.gears[int(loads.points.gears[row])].name}"
+        return f"in row {moving[row] + 1}, gear {case.gears[int(loads.points.gears[row])].name}"
 
     yield from overloads_at_points(case, loads.held_torques, "rows", where)
     if loads.outside:
         yield outside_message(loads.outside)
 
 
-def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -> MemberLoad:
-    """Return the load of a member, from torques [N*m] and speeds [rad/s]."""
+def _member(
+    torques: Floats, speeds: Floats, weights: Floats, exponent: float, places: Integers
+) -> MemberLoad:
+    """Return the load of a member, from torques [N*m] and speeds [rad/s] at some places."""
     sizes = np.abs(torques)
     turned = np.nan_to_num(np.abs(speeds)) * weights
     total = float(turned.sum())
@@ -186,18 +249,18 @@ def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -
     with np.errstate(all="ignore"):
         mean = float(((sizes / top) ** exponent) @ turned / total) if top and total else math.nan
     return MemberLoad(
-        _largest(torques),
-        _largest(speeds * 30 / math.pi),
+        _largest(torques, places),
+        _largest(speeds * 30 / math.pi, places),
         total / (2 * math.pi),
         top * mean ** (1 / exponent) if mean else math.nan,
     )
 
 
-def _largest(values: Floats) -> LargestValue:
+def _largest(values: Floats, places: Integers) -> LargestValue:
     if np.isnan(values).all():
         return LargestValue(math.nan, 0)
     row = int(np.nanargmax(np.abs(values)))
-    return LargestValue(float(values[row]) + 0.0, row + 1)
+    return LargestValue(float(values[row]) + 0.0, int(places[row]) + 1)
 
 
 def points_of(
@@ -215,11 +278,6 @@ def points_of(
         Problem("E416", f"there is no gear {gear!r} in the case", (row,))
         for row, gear in enumerate(gears)
         if gear not in names
-    ]
-    problems += [
-        Problem("E425", "speed: read 0, expected a speed other than 0", (row,))
-        for row, value in enumerate(numbers["speed"])
-        if value == 0
     ]
     kind = "share" if "share" in numbers else "time"
     problems += [

@@ -15,6 +15,7 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.statics.carried import larger_torques
 from vstatics.core.statics.matrix import column_of, held_links
+from vstatics.core.statics.power import loss_name
 from vstatics.core.statics.result_arrays import all_row_names, first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
@@ -24,6 +25,7 @@ MOST_REASONS = 20
 """Largest number of points without torques whose reason is given; each is solved again."""
 REASONS = (
     *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
+    "W433",
 )
 """Ids of messages about gears without speeds or torques, most important first."""
 
@@ -234,19 +236,37 @@ class PointLoads(NamedTuple):
         return on_link, drags
 
     def drag_losses(self) -> dict[str, Floats]:
-        """Return the drag power of links and disengaged elements, by ``drag.NAME`` [W]."""
+        """Return the drag power of links and disengaged elements, and of gears as a whole [W].
+
+        The names are ``drag.NAME`` and ``gear.NAME``.
+        """
         _, drags = self.link_torques()
+        wholes = self._gear_losses()
         dragged = {link for gear in self.case.gears for link in self.case.gear_drag(gear)}
-        losses = {
-            f"drag.{self.case.link_name(link)}": np.abs(drags[link] * self.speeds[:, link])
-            for link in sorted(dragged)
-        }
+        losses = {}
+        for link in sorted(dragged):
+            power = np.abs(drags[link] * self.speeds[:, link])
+            for gear in self.case.gears:
+                if self.case.gear_input(gear) == link and gear.loss is not None:
+                    power = power - wholes[loss_name(gear)]
+            losses[f"drag.{self.case.link_name(link)}"] = power
         holds = self.taken(self.results.holds)
         for place, (name, torque, slip) in enumerate(self.elements()):
             powers = np.where(holds[:, place], 0.0, np.abs(np.nan_to_num(torque * slip)))
             if powers.any():
                 losses[f"drag.{name}"] = powers
-        return losses
+        return losses | wholes
+
+    def _gear_losses(self) -> dict[str, Floats]:
+        """Return the power that gears lose as a whole, 0 in the points of other gears [W]."""
+        if all(gear.loss is None for gear in self.case.gears):
+            return {}
+        powers = 1e3 * np.nan_to_num(np.abs(self.taken(self.results.gear_losses_kW)))
+        return {
+            loss_name(gear): np.where(self.points.gears == number, powers, 0.0)
+            for number, gear in enumerate(self.case.gears)
+            if gear.loss is not None
+        }
 
     def members(self) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
         """Yield names of links, members and shift elements, torques [N*m] and speeds [rad/s]."""

@@ -96,7 +96,7 @@ def engine_alone(case: Transmission) -> Booleans:
 def vehicle_section(case: Transmission) -> Performance | None:
     """Return the performance of a case, if its vehicle has an engine."""
     vehicle = Vehicle.of(case)
-    return performance(case) if vehicle and vehicle.engine else None
+    return performance(case) if vehicle and vehicle.full_load else None
 
 
 def performance(case: Transmission) -> Performance:
@@ -117,7 +117,7 @@ def performance(case: Transmission) -> Performance:
     0.101937
     """
     vehicle = Vehicle.of(case)
-    assert vehicle is not None and vehicle.engine  # noqa: PT018, S101 - callers check
+    assert vehicle is not None and vehicle.full_load  # noqa: PT018, S101 - callers check
     pull = Traction(bare(case), vehicle)
     gears = {
         gear.name: GearPerformance(KMH * pull.top_speed(number), pull.slope(number))
@@ -142,7 +142,7 @@ class Traction:
         """Solve the speeds of a case made by `bare`, for a vehicle with an engine."""
         self.case = case
         self.vehicle = vehicle
-        self.first, self.last = vehicle.engine[0][0], vehicle.engine[-1][0]
+        self.first, self.last = vehicle.full_load[0][0], vehicle.full_load[-1][0]
         results = solve(case)
         outputs = [case.gear_output(gear) - 1 for gear in case.gears]
         speeds = results.speeds
@@ -238,7 +238,7 @@ class Traction:
         """Return the time from rest to 100 km/h, by Gaussian quadrature [s]."""
         ends = {0.0, HUNDRED, *np.linspace(0.0, HUNDRED, STEPS_TO_100 + 1).tolist()}
         for gear in self.ahead:
-            ends |= {float(self.per_engine[gear] * point) for point, _ in self.vehicle.engine}
+            ends |= {float(self.per_engine[gear] * point) for point, _ in self.vehicle.full_load}
         edges = np.array(sorted(end for end in ends if 0 <= end <= HUNDRED))
         places, weights = np.polynomial.legendre.leggauss(4)
         half = np.diff(edges) / 2

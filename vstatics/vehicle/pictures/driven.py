@@ -61,7 +61,7 @@ def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicl
         engine alone.
     """
     case, vehicle = results.case, Vehicle.needed(results.case)
-    if not vehicle.engine:
+    if not vehicle.full_load:
         message = "the vehicle has no `engine`, expected its full load: [[rad/s, N*m], ...]"
         raise CaseError("E442", message)
     pull = Traction(bare(case), vehicle)

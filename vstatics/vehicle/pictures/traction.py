@@ -175,7 +175,7 @@ def _draw_gear(
     pull = vehicle.pull
     engine = np.union1d(
         np.linspace(pull.first, pull.last, POINTS_OF_LINE),
-        [speed for speed, _ in vehicle.vehicle.engine],
+        [speed for speed, _ in vehicle.vehicle.full_load],
     )
     speeds = KMH * engine * pull.per_engine[gear.place]
     forces = pull.forces(gear.place, engine) / unit

@@ -19,7 +19,7 @@ from vstatics.core.model.laws import PointLaw
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.traced import plain
 from vstatics.core.readers import loads
-from vstatics.core.readers.named.drag_formulas import DragFormula
+from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.core.writers.named import write_json, write_yaml
 
 RPM = 30 / math.pi

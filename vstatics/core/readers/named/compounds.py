@@ -145,10 +145,12 @@ class ReadsShapes(Protocol):
 
 def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
     """Read a row with the prescribed number of values."""
-    node, count, known = spot.node, len(shape.items), (*shape.items, *shape.optional)
-    if not isinstance(node, Listing) or not count <= len(node.items) <= len(known):
+    node, count = spot.node, len(shape.items)
+    given = len(node.items) if isinstance(node, Listing) else 0
+    known = shape.shapes(given)
+    if not isinstance(node, Listing) or not count <= given <= len(known):
         return walk.refuse(spot, shape, f"expected {count} numbers: [{shape.kind}]", length(node))
-    items = enumerate(zip(node.items, known, strict=False), 1)
+    items = enumerate(zip(node.items, known, strict=True), 1)
     return tuple(walk.read(spot.item(n, n, item), leaf) for n, (item, leaf) in items)
 
 

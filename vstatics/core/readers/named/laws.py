@@ -9,6 +9,7 @@ from vstatics.core.errors import quoted
 from vstatics.core.model.parts import BatteryBalance, Law
 from vstatics.core.model.shape import Balances, ByLaw, Leaf
 from vstatics.core.readers.named.compounds import ReadsShapes
+from vstatics.core.readers.named.leaves import stand_in
 from vstatics.core.readers.named.nodes import Listing, Mapping, Spot
 
 
@@ -19,30 +20,32 @@ def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
         if isinstance(law, Law):
             return law
         file = law.get("file")
-        return _of_file(walk, spot, shape, file) if file else 0.0
+        return _of_file(walk, spot, shape, file) if file else stand_in(shape)
     if isinstance(spot.node, Listing) and shape.row is not None:
         from vstatics.core.model.laws import PointLaw  # needed by few cases
 
         if not spot.node.items:
             return walk.refuse(spot, shape, f"expected points: [[{shape.row.kind}], ...]")
         return PointLaw(walk.items(spot, spot.node.items, shape.row))
+    if shape.scalar is None:
+        return walk.refuse(spot, shape, "expected a mapping with `over`, `columns` and `rows`")
     return walk.read(spot, shape.scalar)
 
 
 def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
-    """Read the points of a file, whose name is relative to the folder of the case."""
+    """Read the points or the map of a file, whose name is relative to the folder of the case."""
     from vstatics.core.model.laws import PointLaw  # needed by few cases
-    from vstatics.core.readers.named.point_files import points_of
+    from vstatics.core.readers.named.point_files import map_of, points_of
 
     path = os.path.join(os.path.dirname(walk.spots.document.source.file), name)  # noqa: PTH118 PTH120
+    law: Law
     try:
-        points = points_of(path)
+        law = map_of(path, shape.values) if shape.values else PointLaw(points_of(path))
     except OSError as error:
         why = error.strerror or str(error)
         return walk.refuse(spot, shape, f"which cannot be read: {why}", quoted(name), "E006")
     except ValueError as error:
         return walk.refuse(spot, shape, error, quoted(name), "E121")
-    law = PointLaw(points)
     law.file = path
     return law
 

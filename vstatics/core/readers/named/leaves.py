@@ -72,9 +72,31 @@ def _drag(text: str) -> float:
             raise type(error)(
                 f"{error}; a formula of the speed `w` is allowed too, such as `1 + 0.01*w`"
             ) from None
-    from vstatics.core.readers.named.drag_formulas import read_drag_formula  # costs start-up time
+    from vstatics.core.readers.named.law_formulas import (  # costs start-up time
+        DragFormula,
+        read_formula,
+    )
 
-    return read_drag_formula(text)
+    return read_formula(text, DragFormula)
+
+
+_OF_BOTH = re.compile(r"\b(w|speed|T|torque)\b|\d.*[*+(^-].*[^\W\d_]")
+"""Name of the speed or the torque, or operators between a number and a name."""
+
+
+def _efficiency(text: str) -> float:
+    """Read an efficiency, or a formula of the speed and the torque."""
+    try:
+        return scalars.number(text)
+    except ValueError:
+        if not _OF_BOTH.search(text):
+            raise
+    from vstatics.core.readers.named.law_formulas import (  # costs start-up time
+        EfficiencyFormula,
+        read_formula,
+    )
+
+    return read_formula(text, EfficiencyFormula)
 
 
 LEAVES: dict[LeafKind, LeafReading] = {
@@ -87,6 +109,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
         for kind in get_args(units.Quantity)
     },
     "relative_speed": LeafReading("a speed", 0.0, partial(units.relative, kind="speed")),
+    "efficiency": LeafReading("a number, or a formula of w and T", 1.0, _efficiency),
     "drag": LeafReading("a torque, or a formula of w", 0.0, _drag),
     "relative_torque": LeafReading("a torque", 0.0, partial(units.relative, kind="torque")),
     **{
@@ -130,7 +153,7 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
         case Parsed():
             return shape.stand_in
         case ByLaw() | ByForm():
-            return stand_in(shape.scalar)
+            return None if shape.scalar is None else stand_in(shape.scalar)
     return {}
 
 

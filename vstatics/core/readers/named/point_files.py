@@ -1,17 +1,33 @@
-"""Points of a law in a CSV file."""
+"""Points of a law, or a map over speed and torque, in a CSV file."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import product
 from pathlib import Path
+from typing import Literal
 
+from vstatics.core.errors import spoken
+from vstatics.core.model.laws import LossUnit, MapLaw
 from vstatics.core.model.shape import Measure
+from vstatics.core.readers.named import scalars
 from vstatics.core.readers.named.csv_files import csv_rows
 from vstatics.core.readers.named.headings import with_unit
 from vstatics.core.readers.named.si_units import measured
 
 MOST_POINT_FILE_BYTES = 1_000_000
 """Maximum number of bytes of a file of points."""
-_COLUMNS: tuple[tuple[str, Measure], ...] = (("speed", "si_speed"), ("torque", "si_torque"))
+Values = Literal["efficiency", "loss"]
+_MEASURES: Mapping[str, Measure] = {"speed": "si_speed", "torque": "si_torque"}
+_LOSS_UNITS: tuple[LossUnit, ...] = ("W", "kW", "N*m")
+_HEADS = {
+    "": "speed [rad/s],torque [N*m]",
+    "efficiency": "speed [rpm],torque [N*m],efficiency",
+    "loss": "speed [rpm],torque [N*m],loss [W]",
+}
+_Rows = list[tuple[int, list[str]]]
+_Reading = Callable[[str], float]
 
 
 def points_of(name: str) -> list[tuple[float, ...]]:
@@ -24,14 +40,31 @@ def points_of(name: str) -> list[tuple[float, ...]]:
     ValueError
         With the expected content.
     """
-    return _points(csv_rows(Path(name), MOST_POINT_FILE_BYTES, lambda cell: _name(cell) == "speed"))
+    return _points(_rows_of(name))
+
+
+def map_of(name: str, values: Values) -> MapLaw:
+    """Read a map from a file, whose rows have the points of a full grid in any order.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read, or is too large.
+    ValueError
+        With the expected content.
+    """
+    return _map(_rows_of(name), values)
+
+
+def _rows_of(name: str) -> _Rows:
+    return csv_rows(Path(name), MOST_POINT_FILE_BYTES, lambda cell: _name(cell) in _MEASURES)
 
 
 def _name(heading: str) -> str:
     return with_unit(heading)[0].casefold()
 
 
-def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
+def _points(rows: _Rows) -> list[tuple[float, ...]]:
     """Read points from rows with the columns `speed [unit],torque [unit]`.
 
     Raises
@@ -45,25 +78,90 @@ def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
     [(0.0, 2.0), (300.0, 3.5)]
     """
     heads = rows[0][1] if rows else []
-    units = [unit for _, unit in map(with_unit, heads) if unit]
-    if list(map(_name, heads)) != [name for name, _ in _COLUMNS] or len(units) != len(heads):
-        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
-    for unit, (name, kind) in zip(units, _COLUMNS, strict=True):
+    if list(map(_name, heads)) != [*_MEASURES]:
+        raise _expected("")
+    return [point for _, point in _numbers(rows[1:], [_reading(head, "") for head in heads])]
+
+
+def _map(rows: _Rows, values: Values) -> MapLaw:
+    """Build a map from the rows of a file.
+
+    Examples
+    --------
+    >>> grid = [["100", "0", "90"], ["100", "50", "95"], ["200", "50", "97"], ["200", "0", "92"]]
+    >>> head = (1, ["speed [rad/s]", "torque [N*m]", "efficiency [%]"])
+    >>> _map([head, *enumerate(grid, 2)], "efficiency").rows
+    ((100.0, 0.9, 0.95), (200.0, 0.92, 0.97))
+    """
+    heads = rows[0][1] if rows else []
+    names = list(map(_name, heads))
+    if sorted(names) != sorted([*_MEASURES, values]):
+        raise _expected(values)
+    places = [names.index(name) for name in (*_MEASURES, values)]
+    points: dict[tuple[float, float], tuple[int, float]] = {}
+    for line, numbers in _numbers(rows[1:], [_reading(head, values) for head in heads]):
+        speed, torque, value = (numbers[place] for place in places)
+        if (speed, torque) in points:
+            first = points[speed, torque][0]
+            message = f"line {line}: {_point(speed, torque)} is on line {first}, too"
+            raise ValueError(f"{message}; expected each point once")
+        points[speed, torque] = line, value
+    speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
+    for speed, torque in product(speeds, torques):
+        if (speed, torque) not in points:
+            raise ValueError(f"expected a full grid: there is no value at {_point(speed, torque)}")
+    grid = [[speed, *(points[speed, torque][1] for torque in torques)] for speed in speeds]
+    unit = _plain(with_unit(heads[places[-1]])[1] or "")
+    return MapLaw(torques, grid, next((known for known in _LOSS_UNITS if known == unit), ""))
+
+
+def _expected(values: str) -> ValueError:
+    return ValueError(f"expected a CSV file with the head `{_HEADS[values]}`")
+
+
+def _point(speed: float, torque: float) -> str:
+    return f"{speed:g} rad/s, {torque:g} N*m"
+
+
+def _plain(unit: str) -> str:
+    return "N*m" if unit in ("Nm", "N m", "N\u00b7m") else unit
+
+
+def _reading(heading: str, values: str) -> _Reading:
+    """Return the function that reads the numbers of a column, in SI units."""
+    name, unit = _name(heading), with_unit(heading)[1] or ""
+    if name in _MEASURES:
+        if not unit:
+            raise _expected(values)
         try:
-            measured(f"1 {unit}", kind)
+            measured(f"1 {unit}", _MEASURES[name])
         except ValueError as error:
             raise ValueError(f"line 1: the unit of {name}: {error}") from None
-    points = []
-    for number, row in rows[1:]:
-        if len(row) != len(units):
-            raise ValueError(f"line {number}: expected {len(units)} numbers")
-        try:
-            cells = zip(row, units, _COLUMNS, strict=True)
-            points.append(
-                tuple(measured(f"{cell} {unit}", kind) for cell, unit, (_, kind) in cells)
-            )
-        except ValueError as error:
-            raise ValueError(f"line {number}: {error}") from None
-    if not points:
+        return partial(_measured, unit, _MEASURES[name])
+    allowed = ("", "%") if name == "efficiency" else _LOSS_UNITS
+    if _plain(unit) not in allowed:
+        words = spoken((unit for unit in allowed if unit), "or")
+        raise ValueError(f"line 1: the unit of {name}: read {unit or 'none'}, expected {words}")
+    return _percent if unit == "%" else scalars.number
+
+
+def _measured(unit: str, measure: Measure, cell: str) -> float:
+    return measured(f"{cell} {unit}", measure)
+
+
+def _percent(cell: str) -> float:
+    return scalars.number(f"{cell}%")
+
+
+def _numbers(rows: _Rows, readings: Sequence[_Reading]) -> Iterator[tuple[int, tuple[float, ...]]]:
+    """Yield the line and the numbers of each row."""
+    if not rows:
         raise ValueError("expected a point at least, below the head")
-    return points
+    for line, row in rows:
+        if len(row) != len(readings):
+            raise ValueError(f"line {line}: expected {len(readings)} numbers")
+        try:
+            numbers = tuple(read(cell) for read, cell in zip(readings, row, strict=True))
+        except ValueError as error:
+            raise ValueError(f"line {line}: {error}") from None
+        yield line, numbers

@@ -211,7 +211,8 @@ def _sequence(shape: Links | Ends | ListOf | Pair | RowOf) -> Words:
             items = {"items": _NAME, "minItems": 2, "maxItems": 2}
         case RowOf():
             known = [_shape(item) for item in (*shape.items, *shape.optional)]
-            items = {"prefixItems": known, "minItems": len(shape.items), "maxItems": len(known)}
+            last = {"maxItems": len(known)} if shape.more is None else {"items": _shape(shape.more)}
+            items = {"prefixItems": known, "minItems": len(shape.items), **last}
     return {"type": "array", **items}
 
 
@@ -220,14 +221,16 @@ def _of_law(shape: Balances | ByLaw) -> Words:
     if isinstance(shape, Balances):
         words = _by_name(_shape(shape.links.item))
         return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
-    rows = [] if shape.row is None else [_shape(ListOf(shape.row))]
-    return {"anyOf": [_shape(shape.scalar), *rows, _shape(shape.mapping)]}
+    forms = (shape.scalar, shape.row and ListOf(shape.row), shape.mapping)
+    several = [_shape(form) for form in forms if form is not None]
+    return {"anyOf": several} if len(several) > 1 else several[0]
 
 
 def _of_kind(shape: ByKind, kind: str) -> Words:
     record = shape.records[kind]
     words = _record(record)
-    words["properties"][shape.key] = {"const": kind}
+    name = kind.strip("[]").split(", ") if kind.startswith("[") else kind
+    words["properties"][shape.key] = {"const": name}
     return {**words, "type": "object", "required": [*dict.fromkeys([shape.key, *record.required])]}
 
 
@@ -245,7 +248,7 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {**_reference("number"), "minimum": 0}
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
-        case "relative_speed" | "drag":
+        case "relative_speed" | "drag" | "efficiency":
             return {"type": ["number", "string"]}  # a text is `FACTOR * LINK`, or a formula
         case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}

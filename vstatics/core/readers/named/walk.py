@@ -7,7 +7,7 @@ and returns a stand-in for each unreadable value.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import Any
 
@@ -295,7 +295,9 @@ class Walk:
             self.spots.complain(spot, message, merged, identity)
             self.spots.unreadable.append(spot.path)
             return {}
-        kind = self.read(spot.key(shape.key, shape.key, given[0]), Leaf("choice", known))
+        kind = self.read(
+            spot.key(shape.key, shape.key, _joined(given[0], known)), Leaf("choice", known)
+        )
         if (*spot.path, shape.key) in self.spots.unreadable:
             return {}
         return self._by_key(spot, shape.records[kind])
@@ -335,3 +337,13 @@ class Walk:
         if shape.straight:
             return either_way(node.text, shape.kind)
         return LEAVES[shape.kind].parse(node.text)
+
+
+def _joined(node: Node, known: Iterable[str]) -> Node:
+    """Return a list of words as one word, if `ByKind` names any record by a list."""
+    if not isinstance(node, Listing) or not all(isinstance(item, Scalar) for item in node.items):
+        return node
+    if not any(name.startswith("[") for name in known):
+        return node
+    words = [item.text for item in node.items if isinstance(item, Scalar)]
+    return Scalar(f"[{', '.join(words)}]", node.line, node.column)

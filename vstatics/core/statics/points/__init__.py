@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vstatics.core.errors import not_allowed
+from vstatics.core.errors import not_allowed, spoken
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics import diagnosis
@@ -27,11 +27,17 @@ from vstatics.core.statics.points.balance import (
     sought_link,
     without_balances,
 )
-from vstatics.core.statics.points.laws import NONE, SEVERAL, Followed, follow_laws
+from vstatics.core.statics.points.laws import (
+    NO_EFFICIENCY,
+    NONE,
+    SEVERAL,
+    Followed,
+    follow_laws,
+)
 from vstatics.core.statics.points.parts import cases_of_points, joined
 from vstatics.core.statics.points.paths import CaseNumber, Columns, columns_of, numbers_of, together
 from vstatics.core.statics.points.relative import solve_points, with_numbers
-from vstatics.core.statics.result_arrays import ARRAYS, Message, OperatingPoints
+from vstatics.core.statics.result_arrays import ARRAYS, Message, OperatingPoints, Outside
 from vstatics.core.statics.results import Results
 
 if TYPE_CHECKING:
@@ -39,7 +45,7 @@ if TYPE_CHECKING:
 
 
 CONSEQUENCES = frozenset({"W418", "W420", "W423", "W424"})
-"""Ids of messages about missing torques, which are omitted if W426 or W427 states the cause."""
+"""Ids of messages about missing torques, omitted if W426, W427 or W433 states the cause."""
 
 
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
@@ -136,7 +142,7 @@ def _single(case: Transmission, answer: Followed) -> Results:
         for message in diagnosis.messages(at_point)
         if not (message.gear in unknown and message.id in CONSEQUENCES)
     ]
-    said += not_allowed(_messages(case, points), case.untold)
+    said += not_allowed(_messages(case, points, answer.wrong), case.untold)
     return at_point._replace(case=case, messages=tuple(said))
 
 
@@ -152,8 +158,13 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
     return efficiencies
 
 
-def _messages(case: Transmission, points: Any) -> Iterator[Message]:
-    for gear, settled, state in zip(case.gears, points.gears, points.open.tolist(), strict=True):
+def _messages(case: Transmission, points: Any, wrong: Outside) -> Iterator[Message]:
+    states = zip(case.gears, points.gears, points.open.tolist(), strict=True)
+    for number, (gear, settled, state) in enumerate(states):
+        if state == NO_EFFICIENCY:
+            names = spoken(name for name, where in wrong.items() if where[0, number])
+            text = f"the formula for the efficiency of {names} is not above 0 and at most 1 here, "
+            yield Message("W433", f"{text}so torques with losses are unknown", gear.name)
         if state in (NONE, SEVERAL):
             words = "no torque is" if state == NONE else "more than one torque is"
             text = f"{words} consistent with the losses that depend on speed or torque, so torques "

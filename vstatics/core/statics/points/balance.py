@@ -1,11 +1,12 @@
 """Search for the torque on a link that balances the powers of electric machines and a battery.
 
 A link gives its machine the power ``P = -external torque x speed``; the battery receives
-``P x efficiency``, or gives ``P/efficiency`` if P is below 0. The surplus is the sum over all
-machines minus the charging power that the case demands. It is a piecewise nearly linear function of
-the unknown torque. It is calculated on a grid of torques of both signs and all sizes. In the first
-`MOST_SOLUTIONS` intervals in which its sign changes, roots are searched for by the Illinois rule
-(Dowell, Jarratt 1971) and bisection.
+``P x efficiency``, or gives ``P/efficiency`` if P is below 0. An efficiency can depend on the speed
+and the torque of its machine. The surplus is the sum over all machines minus the charging power
+that the case demands. It is a piecewise nearly linear function of the unknown torque. It is
+calculated on a grid of torques of both signs and all sizes. In the first `MOST_SOLUTIONS` intervals
+in which its sign changes, roots are searched for by the Illinois rule (Dowell, Jarratt 1971) and
+bisection.
 """
 
 from __future__ import annotations
@@ -18,13 +19,16 @@ from typing import Any
 import numpy as np
 
 from vstatics.core.errors import CaseError, spoken
+from vstatics.core.model.parts import RAD_PER_RPM, Law
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.tolerances import BALANCED, EPSILON
 from vstatics.core.statics.physical import RELATIVE_TO_INPUT
 from vstatics.core.statics.points.laws import Followed, without_laws
+from vstatics.core.statics.points.machines import battery_power, efficiency_at, machine_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
+from vstatics.core.statics.result_arrays import Outside
 from vstatics.core.statics.results import Results
 
 GRID_SIZE = 65
@@ -58,6 +62,7 @@ class OpenBalance:
     link: int
     """Link with the unknown torque."""
     efficiencies: tuple[tuple[int, float], ...]
+    """Links and efficiencies of machines, which can be laws."""
     battery: Floats
     """Charging power of the battery, shape (points,). [W]"""
 
@@ -72,17 +77,17 @@ class OpenBalance:
         total = -self.battery
         for link, efficiency in self.efficiencies:
             power = -1000 * entering[:, link - 1]
-            total = total + battery_power(power, efficiency)
+            speed, torque = self.machine(results, link, power)
+            total = total + battery_power(power, efficiency_at(efficiency, speed, torque, power))
         return total
 
+    def machine(self, results: Results, link: int, power: Floats) -> tuple[Floats, Floats]:
+        """Return the magnitude of a machine's speed [rad/s], and its torque along it [N*m].
 
-def battery_power(power: Any, efficiency: float) -> Any:
-    """Return the charging power of a battery for the power given to a machine.
-
-    >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
-    [1.6, -2.5]
-    """
-    return np.where(power > 0, power * efficiency, power / efficiency)
+        The torque follows from the power given to the machine [W]; it is 0 at rest.
+        """
+        speed = np.abs(results.speeds_rpm[:, self.gear, link - 1]) * RAD_PER_RPM
+        return speed, np.divide(-power, speed, out=np.zeros_like(power), where=speed > 0)
 
 
 def balanced(
@@ -146,8 +151,29 @@ def balanced(
     solution = follow(columns, variants)
     results = _with_torques(solution.results, open_balances, columns, unknown)
     return Followed(
-        results, solution.columns, np.where(unknown, unknown, solution.open), solution.outside
+        results,
+        solution.columns,
+        np.where(unknown, unknown, solution.open),
+        {**solution.outside, **_outside(case, open_balances, results)},
+        solution.wrong,
     )
+
+
+def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Results) -> Outside:
+    """Return the points at which a machine is outside the map of its efficiency, by its link."""
+    outside: dict[str, Any] = {}
+    for balance in balances:
+        for link, law in balance.efficiencies:
+            if not isinstance(law, Law) or law.text:
+                continue
+            power = -1000 * results.port_powers_kW[:, balance.gear, link - 1]
+            speed, torque = balance.machine(results, link, power)
+            sizes = law.sizes_of(speed, machine_torque(law, torque))
+            wrong = law.is_outside(*sizes) & (power != 0)  # type: ignore[attr-defined] # a map
+            if wrong.any():
+                none = np.zeros_like(results.consistent)
+                outside.setdefault(case.link_name(link), none)[:, balance.gear] |= wrong
+    return outside
 
 
 def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:

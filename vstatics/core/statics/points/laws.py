@@ -1,8 +1,9 @@
-"""Drag torques and efficiencies that depend on speed or torque, solved for all points at once.
+"""Losses that depend on speed, torque or both, solved for all points at once.
 
-Speeds do not depend on losses, so they determine drag torques and efficiencies over speed. If drag
-changes the state of freewheels, this is repeated until the states settle. Efficiencies over torque
-are found by fixed-point iteration, from the smallest and from the largest values. If only one
+Speeds do not depend on losses, so they determine drag torques, efficiencies over speed, and the
+losses of gears as a whole, whose input torque is given. If drag changes the state of freewheels,
+this is repeated until the states settle. Efficiencies over torque, or over speed and torque, are
+found by fixed-point iteration, from the smallest and from the largest values. If only one
 efficiency of a gear depends on torque, all its solutions between the two results are searched for.
 A solution is accepted only if it is the only one.
 """
@@ -19,9 +20,10 @@ from vstatics.core.model.parts import HOUSING, Law
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
+from vstatics.core.statics.points.gear_loss import brake_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
-from vstatics.core.statics.result_arrays import ARRAYS, Outside, first_rows, row_names
+from vstatics.core.statics.result_arrays import ARRAYS, NOWHERE, Outside, first_rows, row_names
 from vstatics.core.statics.results import Results
 
 MOST_FIXED_POINT_STEPS = 100
@@ -34,15 +36,19 @@ MOST_ROOTS = 3
 """Largest number of sign changes searched for roots."""
 ROOT_BISECTIONS = 60
 """Number of bisections for a root, enough for the precision of a float."""
-NONE, SEVERAL = 1, 2
-"""States of a gear: no solution, or several solutions for the efficiencies."""
+LEAST_EFFICIENCY = 1e-6
+"""Efficiency in place of a smaller value of a formula, during a search. [-]"""
+NONE, SEVERAL, NO_EFFICIENCY = 1, 2, 5
+"""States of a gear: no solution, several solutions, or a formula that gives no efficiency."""
 WITH_LOSSES = (
     *("lossy_torques", "lossy_holding_torques", "efficiency", "losses", "power_balance"),
-    *("drag_losses", "lossy_mesh_torques", "mesh_losses", "power_sign"),
+    *("drag_losses", "gear_losses", "lossy_mesh_torques", "mesh_losses", "power_sign"),
 )
 """Names of arrays that are undefined if the efficiencies have no single solution."""
 
 Laws = Mapping[CaseNumber, Law]
+_Sizes = Mapping[CaseNumber, tuple[Floats, ...]]
+"""Magnitudes of speed [rad/s], torque [N*m] or both at which each law is read."""
 
 
 class Followed(NamedTuple):
@@ -55,44 +61,50 @@ class Followed(NamedTuple):
     """State of each point and gear, shape (points, gears): 0 if there is a single solution."""
     outside: Outside
     """Points outside the range of laws, by the name of the part."""
+    wrong: Outside = NOWHERE
+    """Points at which a formula gives no efficiency, by the name of the part."""
 
 
 def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
-    """Solve all points with drag torques and efficiencies by laws."""
+    """Solve all points with drag torques, efficiencies and losses by laws."""
     laws = {number: law for number, law in laws_of(case).items() if number not in given}
     plain = without_laws(case)
-    over_speed = {number: law for number, law in laws.items() if law.over == "speed"}
-    over_torque = {number: law for number, law in laws.items() if law.over == "torque"}
+    sought = {n: law for n, law in laws.items() if _is_efficiency(n) and law.over != "speed"}
+    known = {number: law for number, law in laws.items() if number not in sought}
     columns: dict[CaseNumber, Floats] = dict(given)
-    results, sizes, moved = _with_speeds(case, plain, over_speed, columns, variants)
+    results, sizes, moved = _with_speeds(case, plain, known, columns, variants)
     unsettled = np.where(moved, NONE, 0)
-    if over_torque:
-        search = _Search(plain, columns, over_torque, variants)
+    if sought:
+        search = _Search(plain, columns, sought, results)
         with_efficiencies, columns, states = search.solved()
         moved = _differ(with_efficiencies.speeds, results.speeds)
         unsettled = np.where(moved, NONE, np.where(states, states, unsettled))
         results = with_efficiencies
         sizes |= search.sizes(results)
+    wrong = _wrong_efficiencies(case, laws, sizes, results.consistent & (unsettled == 0))
+    for where in wrong.values():
+        unsettled[where] = NO_EFFICIENCY
     results = _without_values(results, unsettled)
-    return Followed(results, columns, unsettled, _outside(case, laws, sizes))
+    return Followed(results, columns, unsettled, _outside(case, laws, sizes), wrong)
 
 
 def laws_of(case: Transmission) -> Laws:
     """Return all laws of a case, by the number that each determines."""
     numbers: dict[CaseNumber, Any] = {}
-    for index, gear in enumerate(case.gears_with_drag):
-        for n, torque in gear.open_drag.items():
+    for index, gear in enumerate(case.gears):
+        for n, torque in case.gear_open_drag(gear).items():
             numbers[CaseNumber(index, "open_drag", n)] = torque
-        for link, torque in gear.drag.items():
+        for link, torque in case.gear_drag(gear).items():
             numbers[CaseNumber(index, "drag", link)] = torque
         for owner, mechanism in enumerate(case.mechanisms):
             numbers[CaseNumber(index, "efficiency", owner)] = mechanism.efficiency
             numbers[CaseNumber(index, "back_efficiency", owner)] = mechanism.back_efficiency
+        numbers[CaseNumber(index, "loss_torques", case.gear_input(gear))] = gear.loss
     return {number: law for number, law in numbers.items() if isinstance(law, Law)}
 
 
 def without_laws(case: Transmission) -> Transmission:
-    """Return the case with numbers instead of laws: no drag, and the efficiencies at 0."""
+    """Return the case with numbers instead of laws: no drag, no loss, and efficiencies at 0."""
 
     def plain(number: Any, instead: float) -> Any:
         return instead if isinstance(number, Law) else number
@@ -113,6 +125,7 @@ def without_laws(case: Transmission) -> Transmission:
             gear._replace(
                 drag={link: plain(torque, 0.0) for link, torque in gear.drag.items()},
                 open_drag={n: plain(torque, 0.0) for n, torque in gear.open_drag.items()},
+                loss=None,
             )
             for gear in case.gears
         ],
@@ -125,17 +138,23 @@ def _with_speeds(
     laws: Laws,
     columns: dict[CaseNumber, Floats],
     variants: int,
-) -> tuple[Results, dict[CaseNumber, Floats], Booleans]:
-    """Solve with laws over speed; return results, speeds of the laws, and flags of unsettled gears.
+) -> tuple[Results, dict[CaseNumber, tuple[Floats, ...]], Booleans]:
+    """Solve with laws over known quantities; return results, the quantities, and unsettled gears.
 
     Drag can release or lock a freewheel, which changes the speeds.
     """
     results = solve_points(plain, columns, variants)
+    loads: Any = loads_of(plain, columns, variants)
     for _ in range(MOST_FREEWHEEL_PASSES):
         before = results.speeds
-        sizes = {number: _speed(plain, results, columns, number) for number in laws}
+        sizes = {
+            number: law.sizes_of(
+                _speed(plain, results, columns, number), np.abs(loads[number.gear or 0].torque)
+            )
+            for number, law in laws.items()
+        }
         for number, law in laws.items():
-            columns[number] = _checked(case, number, law.at(sizes[number]))
+            columns[number] = _checked(case, number, _values(law, number, sizes[number]))
         results = solve_points(plain, columns, variants)
         moved = _differ(results.speeds, before) & bool(case.freewheels)
         if not moved.any():
@@ -146,7 +165,7 @@ def _with_speeds(
 def _speed(case: Transmission, results: Results, columns: Columns, number: CaseNumber) -> Floats:
     """Return the magnitude of the speed at which a law is read [rad/s]; 0 if indeterminate."""
     index, quantity, owner = number
-    if quantity == "drag":
+    if quantity in ("drag", "loss_torques"):
         speed = results.speeds[:, index, owner - 1]
     elif quantity == "open_drag":
         speed = results.slip_speeds[:, index, owner - 1]
@@ -159,6 +178,14 @@ def _speed(case: Transmission, results: Results, columns: Columns, number: CaseN
     input_speed: Any = loads_of(case, columns, len(results.speeds))[index or 0].speed
     size: Floats = np.nan_to_num(np.abs(speed * input_speed))
     return size
+
+
+def _values(law: Law, number: CaseNumber, sizes: tuple[Floats, ...]) -> Floats:
+    """Return the drag torque, efficiency or brake torque of a law."""
+    if number.quantity == "loss_torques":
+        return brake_torque(law, *sizes)
+    values: Floats = law.at(*sizes)
+    return np.where(_are_efficiencies(values), values, 1.0) if _is_efficiency(number) else values
 
 
 def _checked(case: Transmission, number: CaseNumber, values: Floats) -> Floats:
@@ -187,18 +214,89 @@ def _differ(speeds: Floats, others: Floats) -> Booleans:
     return differ  # type: ignore[no-any-return] # an array
 
 
+def _wrong_efficiencies(case: Transmission, laws: Laws, sizes: _Sizes, settled: Any) -> Outside:
+    """Return the points at which a formula of an efficiency is not above 0 and up to 1."""
+    by_name: dict[str, Any] = {}
+    for number, law in laws.items():
+        if law.text and _is_efficiency(number):
+            wrong = ~_are_efficiencies(law.at(*sizes[number])) & settled[:, number.gear]
+            if wrong.any():
+                none = np.zeros_like(settled)
+                by_name.setdefault(_name(case, number), none)[:, number.gear] |= wrong
+    return by_name
+
+
+def _is_efficiency(number: CaseNumber) -> bool:
+    return number.quantity in ("efficiency", "back_efficiency")
+
+
+def _are_efficiencies(values: Floats) -> Booleans:
+    return (values > 0) & (values <= 1)
+
+
 class _Search:
     """Search for efficiencies over torque, consistent with the resulting torques."""
 
-    def __init__(self, case: Transmission, columns: Columns, laws: Laws, variants: int) -> None:
+    def __init__(self, case: Transmission, columns: Columns, laws: Laws, results: Results) -> None:
         self.case, self.columns, self.laws = case, columns, laws
-        self.variants = variants
+        self.variants = len(results.speeds)
+        self.speeds = {number: _speed(case, results, columns, number) for number in laws}
         names = row_names(case, "torques")
         first = first_rows(case)
         self.rows = {number: names.index(first[number.owner]) for number in laws}
         self.of_gear: dict[int, list[CaseNumber]] = {}
         for number in laws:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
+
+    def sizes(self, results: Results) -> dict[CaseNumber, tuple[Floats, ...]]:
+        """Return the magnitudes of speed and torque at which each law is read; NaN if undefined."""
+        torques = results.lossy_torques_Nm
+        return {
+            number: law.sizes_of(
+                self.speeds[number], np.abs(torques[:, number.gear, self.rows[number]])
+            )
+            for number, law in self.laws.items()
+        }
+
+    def _tried(
+        self, guess: Mapping[CaseNumber, Floats]
+    ) -> tuple[Results, dict[CaseNumber, Floats]]:
+        """Solve with guessed efficiencies; return results and the efficiencies by the laws."""
+        results = solve_points(self.case, {**self.columns, **guess}, self.variants)
+        sizes = self.sizes(results)
+        efficiencies = {}
+        for number, law in self.laws.items():
+            values: Floats = law.at(*sizes[number])
+            if law.text:  # the value of a formula is judged at the solution
+                values = np.clip(np.nan_to_num(values, nan=LEAST_EFFICIENCY), LEAST_EFFICIENCY, 1.0)
+                values = np.where(np.isnan(sizes[number][-1]), np.nan, values)
+            efficiencies[number] = values
+        return results, efficiencies
+
+    def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
+        """Iterate to a fixed point from an end of each law: `end` is min or max of efficiencies.
+
+        Returns
+        -------
+        guess, is_fixed, is_lacking
+            Efficiencies, and flags (points, gears) of convergence and of missing torques.
+        """
+        guess = {
+            number: np.full(self.variants, float(end(_ends(law))))
+            for number, law in self.laws.items()
+        }
+        still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
+        for _ in range(MOST_FIXED_POINT_STEPS):
+            _, efficiencies = self._tried(guess)
+            still[:], lacking[:] = True, False
+            for number, values in efficiencies.items():
+                moved = np.abs(values - guess[number]) > STANDS_STILL
+                still[:, number.gear or 0] &= ~moved
+                lacking[:, number.gear or 0] |= np.isnan(values)
+                guess[number] = np.where(np.isnan(values), guess[number], values)
+            if still.all():
+                break
+        return guess, still & ~lacking, lacking
 
     def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Any]:
         """Return results of the single solution, all numbers, and the states of gears."""
@@ -221,51 +319,12 @@ class _Search:
         results = solve_points(self.case, columns, self.variants)
         return results, columns, state
 
-    def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
-        """Iterate to a fixed point from an end of each law: `end` is min or max of efficiencies.
-
-        Returns
-        -------
-        guess, is_fixed, is_lacking
-            Efficiencies, and flags (points, gears) of convergence and of missing torques.
-        """
-        guess = {
-            number: np.full(self.variants, float(end(y for _, y in law.points)))
-            for number, law in self.laws.items()
-        }
-        still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
-        for _ in range(MOST_FIXED_POINT_STEPS):
-            _, efficiencies = self._tried(guess)
-            still[:], lacking[:] = True, False
-            for number, values in efficiencies.items():
-                moved = np.abs(values - guess[number]) > STANDS_STILL
-                still[:, number.gear or 0] &= ~moved
-                lacking[:, number.gear or 0] |= np.isnan(values)
-                guess[number] = np.where(np.isnan(values), guess[number], values)
-            if still.all():
-                break
-        return guess, still & ~lacking, lacking
-
-    def _tried(
-        self, guess: Mapping[CaseNumber, Floats]
-    ) -> tuple[Results, dict[CaseNumber, Floats]]:
-        """Solve with guessed efficiencies; return results and the efficiencies by the laws."""
-        results = solve_points(self.case, {**self.columns, **guess}, self.variants)
-        sizes = self.sizes(results)
-        return results, {number: law.at(sizes[number]) for number, law in self.laws.items()}
-
-    def sizes(self, results: Results) -> dict[CaseNumber, Floats]:
-        """Return the magnitude of the torque at which each law is read [N*m]; NaN if undefined."""
-        torques = results.lossy_torques_Nm
-        return {number: np.abs(torques[:, number.gear, row]) for number, row in self.rows.items()}
-
     def _scan(self, best: dict[CaseNumber, Floats], state: Any) -> None:
         """Search a law for all solutions of gears with a single unknown efficiency."""
         single = [numbers[0] for numbers in self.of_gear.values() if len(numbers) == 1]
         if not single:
             return
-        values = {n: [y for _, y in self.laws[n].points] for n in single}
-        grid = {n: np.linspace(min(y), max(y), SCAN_POINTS) for n, y in values.items()}
+        grid = {n: np.linspace(*_ends(self.laws[n]), SCAN_POINTS) for n in single}
         left = {n: np.empty((SCAN_POINTS, self.variants)) for n in single}
         for place in range(SCAN_POINTS):
             guess = {**best, **{n: np.full(self.variants, grid[n][place]) for n in single}}
@@ -320,9 +379,14 @@ class _Search:
         return middle, stands
 
 
-def _middle(values: Iterable[float]) -> float:
-    known = [*values]
-    return (min(known) + max(known)) / 2
+def _ends(law: Law) -> tuple[float, float]:
+    """Return the smallest and largest efficiency of a law."""
+    ends: tuple[float, float] = getattr(law, "ends", (LEAST_EFFICIENCY, 1.0))
+    return ends
+
+
+def _middle(ends: Iterable[float]) -> float:
+    return sum(ends) / 2
 
 
 def _without_values(results: Results, state: Any) -> Results:
@@ -338,12 +402,12 @@ def _without_values(results: Results, state: Any) -> Results:
     return results._replace(**changed, undecided=results.undecided | wrong)
 
 
-def _outside(case: Transmission, laws: Laws, sizes: Mapping[CaseNumber, Floats]) -> Outside:
+def _outside(case: Transmission, laws: Laws, sizes: _Sizes) -> Outside:
     outside: dict[str, Any] = {}
     for number, law in laws.items():
-        if not law.points:
+        if law.text:
             continue
-        wrong = law.is_outside(sizes[number])  # type: ignore[attr-defined] # it has points
+        wrong = law.is_outside(*sizes[number])  # type: ignore[attr-defined] # it has points
         if wrong.any():
             none = np.zeros((len(wrong), len(case.gears)), np.bool_)
             outside.setdefault(_name(case, number), none)[:, number.gear] |= wrong
@@ -351,6 +415,8 @@ def _outside(case: Transmission, laws: Laws, sizes: Mapping[CaseNumber, Floats])
 
 
 def _name(case: Transmission, number: CaseNumber) -> str:
+    if number.quantity == "loss_torques":
+        return f"the loss of gear {case.gears[number.gear or 0].name}"
     if number.quantity == "drag":
         return case.link_name(number.owner)
     if number.quantity == "open_drag":

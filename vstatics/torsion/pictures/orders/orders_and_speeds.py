@@ -113,7 +113,7 @@ class HasEngine(Protocol):
 
 def _engine_speeds(case: Transmission) -> Iterator[float]:
     if isinstance(case.vehicle, HasEngine):
-        yield from (speed for speed, _ in (*case.vehicle.engine, *case.vehicle.overrun))
+        yield from (speed for speed, _ in (*case.vehicle.full_load, *case.vehicle.braking))
     dump = ClutchDump.of(case)
     if dump is not None and dump.J1[0] == case.input:
         yield dump.omega1

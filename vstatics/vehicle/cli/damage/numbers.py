@@ -29,11 +29,15 @@ def number(name: str, text: str, default: float | None = None) -> Option:
 
 
 def stress(name: str, text: str) -> Option:
-    """Return a required option for a stress with unit, in Pa."""
+    """Return a required option for a stress with unit, in Pa, or a distribution of it."""
 
     def read(given: str) -> float:
         from vstatics.core.readers.named.si_units import in_any_unit
+        from vstatics.vehicle.damage.scatter import read_scattered
 
+        scattered = told(read_scattered)(given)
+        if scattered is not None:
+            return scattered
         return above_0(told(lambda text: in_any_unit(text, ["stress"]))(given))
 
     return click.option(

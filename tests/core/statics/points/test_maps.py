@@ -1,0 +1,232 @@
+"""Losses by maps over speed and torque: scipy's interpolation and roots, energy balances."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.interpolate import RegularGridInterpolator
+from scipy.optimize import brentq
+
+from tests.chance import count, seeded
+from vstatics import CaseError, Gear, Load, Mechanism, ReadError, Transmission, load, loads, solve
+from vstatics.core.model.laws import MapLaw
+from vstatics.core.model.parts import BatteryBalance
+from vstatics.core.readers.named.law_formulas import EfficiencyFormula
+from vstatics.core.statics.points.gear_loss import braked_torques
+from vstatics.core.writers.named import write_json, write_yaml
+
+RPM = 30 / math.pi
+Grid = tuple[list[float], list[list[float]]]
+
+
+def random_map(
+    chance: Random, *, low: float, high: float, sides: bool = False, rise: float = 1.0
+) -> Grid:
+    """Columns and rows of a random map; `sides` adds torques below 0."""
+    torques = sorted(chance.uniform(0, 400) for _ in range(chance.randint(2, 5)))
+    columns = [-torque for torque in reversed(torques)] * sides + torques
+    speeds = sorted(chance.uniform(0, 600) for _ in range(chance.randint(2, 5)))
+    middle = (low + high) / 2
+
+    def value() -> float:
+        return middle + rise * (chance.uniform(low, high) - middle)
+
+    return columns, [[speed, *(value() for _ in columns)] for speed in speeds]
+
+
+def interpolated(columns: list[float], rows: list[list[float]]) -> Callable[[float, float], float]:
+    """The map as a function of speed and torque, by scipy, constant outside."""
+    speeds = [row[0] for row in rows]
+    inside = RegularGridInterpolator((speeds, columns), np.array([row[1:] for row in rows]))
+
+    def value(speed: float, torque: float) -> float:
+        x, y = np.clip(speed, speeds[0], speeds[-1]), np.clip(torque, columns[0], columns[-1])
+        return float(inside((x, y)))
+
+    return value
+
+
+def test_a_chain_of_gear_pairs_with_maps() -> None:
+    """Forward, by its first link, a pair passes T u eta(w, T); by its second, T/u eta(w, T/u eta).
+
+    The loss of the gear brakes the input by L/w.
+    """
+    chance = seeded(51)
+    for _ in range(count(30, 2000)):
+        speed, torque = chance.uniform(20, 500), chance.uniform(10, 350)
+        of_gear = random_map(chance, low=0, high=900)
+        mechanisms, passed, turning = [], torque, speed
+        passed -= interpolated(*of_gear)(speed, torque) / speed
+        for link in range(1, chance.randint(3, 5)):
+            grid = random_map(chance, low=0.8, high=1.0, rise=0.3)
+            eta, ratio = interpolated(*grid), chance.uniform(0.4, 3)
+            if chance.random() < 0.5:
+                mechanisms.append(Mechanism(link, link + 1, 0, ratio, MapLaw(*grid)))
+                passed *= ratio * eta(turning, passed)
+                turning /= ratio
+            else:
+                mechanisms.append(Mechanism(link + 1, link, 0, 1 / ratio, MapLaw(*grid)))
+                before, turning = passed * ratio, turning / ratio
+                passed = brentq(
+                    lambda t, b=before, w=turning, f=eta: t - b * f(w, t), 0, before + 1, xtol=1e-13
+                )
+        gear = Gear(loss=MapLaw(*of_gear, "W"))
+        case = Transmission(
+            len(mechanisms) + 1, [], mechanisms, [gear], load=Load(speed * RPM, torque)
+        )
+        results = solve(case)
+        assert results.lossy_output_torque_Nm == pytest.approx([passed], rel=1e-11)
+        assert results.gear_losses_kW == pytest.approx(
+            interpolated(*of_gear)(speed, torque) / 1000, rel=1e-12
+        )
+        assert results.power_balance == pytest.approx(0, abs=1e-12)
+        assert {message.id for message in results.messages} <= {"N414"}
+
+
+def test_a_back_efficiency_by_a_formula_of_torque() -> None:
+    """Driven by its second link, a worm passes T/u eta with eta = 0.5 - 2/(M + 9) at M = T/u eta."""
+    law = EfficiencyFormula("0.5 - 2/(T + 9)")
+    worm = Mechanism(2, 1, 0, 20.0, 0.9, back_efficiency=law)
+    results = solve(Transmission(2, [], [worm], [Gear()], load=Load(100, 4000)))
+    # M^2 + M (9 - 100) + 2 * 200 - 900 = 0 with T/u = 200
+    expected = (91 + math.sqrt(91**2 + 4 * 500)) / 2
+    assert results.lossy_output_torque_Nm == pytest.approx([expected], rel=1e-12)
+
+
+@pytest.mark.parametrize("formula", ["1.2 - w/1000", "0.9 - 2*T", "sqrt(1 - T)"])
+def test_a_formula_that_gives_no_efficiency_leaves_no_torques(formula: str) -> None:
+    pair = Mechanism(1, 2, 0, 2.0, EfficiencyFormula(formula), name="pair")
+    results = solve(Transmission(2, [], [pair], [Gear()], load=Load(1000, 50)))
+    assert np.isnan(results.efficiency).all()
+    assert [message.id for message in results.messages] == ["W433"]
+    assert "of pair " in results.messages[0].text
+
+
+def test_machines_with_maps_balance_a_battery() -> None:
+    """Sum of P eta of generators less P/eta of motors is the power of the battery."""
+    chance = seeded(52)
+    balanced = 0
+    for _ in range(count(25, 500)):
+        grids = [random_map(chance, low=0.7, high=0.95, sides=n > 0, rise=0.5) for n in range(2)]
+        battery = chance.uniform(-3, 3)
+        machines = [(2, MapLaw(*grids[0])), (4, MapLaw(*grids[1]))]
+        gear = Gear(
+            speeds={2: chance.uniform(-0.8, 0.8)}, balance=BatteryBalance(machines, battery)
+        )
+        mechanisms = [Mechanism(1, 2, 3, -2.0, 0.98), Mechanism(4, 3, 0, 3.0, 0.97)]
+        results = solve(Transmission(4, [], mechanisms, [gear], load=Load(2000, 100), output=3))
+        if not results.consistent.all():
+            continue
+        balanced += 1
+        total = 0.0
+        for (link, _), grid in zip(machines, grids, strict=True):
+            power = -results.port_powers_kW[0, link - 1]
+            speed = results.speeds_rpm[0, link - 1] / RPM
+            along = -1000 * power / abs(speed)
+            eta = interpolated(*grid)(abs(speed), along if min(grid[0]) < 0 else abs(along))
+            total += power * eta if power > 0 else power / eta
+        assert total == pytest.approx(battery, abs=1e-9)
+    assert balanced > 5
+
+
+def test_the_input_torque_of_a_passed_torque() -> None:
+    """The torque passed on is that of the input less the brake torque; counted on a fine grid."""
+    chance = seeded(53)
+    for _ in range(count(20, 300)):
+        columns, rows = random_map(chance, low=0, high=150)
+        law, speed = MapLaw(columns, rows, "N*m"), chance.uniform(1, 500)
+        value = interpolated(columns, rows)
+        torque = chance.uniform(-300, 500)
+        passed = torque - value(speed, abs(torque))
+        tried = np.linspace(-1000, 1000, 8001)
+        left = tried - [value(speed, abs(each)) for each in tried] - passed
+        roots = int((np.sign(left[1:]) != np.sign(left[:-1])).sum())
+        [found], [solutions] = braked_torques(law, np.array([speed]), np.array([passed]))
+        assert (solutions == 1) == (roots == 1)
+        assert solutions != 1 or found == pytest.approx(torque, rel=1e-10)
+
+
+CASE = """\
+links: [a, b]
+load: {{speed: 200 rad/s, torque: 100 N*m}}
+mechanisms: {{D: {{first: a, second: b, ratio: -2, efficiency: {efficiency}}}}}
+gears: {{low: {{loss: {loss}}}}}
+"""
+LOSS = "{over: [speed, torque], columns: [0, 200 N*m], rows: [[0, 20, 60], [6000 rpm, 300, 700]]}"
+
+
+def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: Path) -> None:
+    efficiency = "torque [N*m];speed [rpm];efficiency [%]\n0;0;90\n50;0;95\n50;3000;97\n0;3000;92\n"
+    (tmp_path / "map.csv").write_text(efficiency, encoding="utf-8")
+    loss = "speed [rad/s],torque [N*m],loss [kW]\n0,0,0.1\n0,9,0.2\n100,9,0.4\n100,0,0.3\n"
+    (tmp_path / "loss.csv").write_text(loss, encoding="utf-8")
+    file = tmp_path / "case.yaml"
+    both = ["{over: [speed, torque], file: map.csv}", "{over: [speed, torque], file: loss.csv}"]
+    file.write_text(CASE.format(efficiency=both[0], loss=both[1]), encoding="utf-8")
+    case = load(file)
+    law: Any = case.mechanisms[0].efficiency
+    assert law.columns == (0, 50)
+    assert law.rows == ((0, 0.9, 0.95), (pytest.approx(100 * math.pi), 0.92, 0.97))
+    assert case.gears[0].loss == MapLaw([0, 9], [[0, 0.1, 0.2], [100, 0.3, 0.4]], "kW")
+    assert loads(write_yaml(case)) == loads(write_json(case)) == case
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ("0,0,0.9\n0,5,0.9\n9,0,0.9\n", "a full grid: there is no value at 9 rad/s, 5 N"),
+        (
+            "0,0,0.9\n0,0,0.8\n",
+            "line 3: 0 rad/s, 0 N.m is on line 2, too; expected each point",
+        ),
+        ("0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n", r"rows\[1\]\[2\]: read 1.2, expected an efficiency"),
+        ("0,0,0.9\n0,5,0.9\n", r"rows: read 1 of speeds, expected two speeds or more"),
+        ("0,0\n", "line 2: expected 3 numbers"),
+    ],
+)
+def test_a_file_with_a_map_that_is_wrong_is_told(tmp_path: Path, rows: str, said: str) -> None:
+    head = "speed [rad/s],torque [N*m],efficiency\n"
+    (tmp_path / "map.csv").write_text(head + rows, encoding="utf-8")
+    file = tmp_path / "case.yaml"
+    text = CASE.format(efficiency="{over: [speed, torque], file: map.csv}", loss=LOSS)
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(ReadError, match=said):
+        load(file)
+
+
+def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
+    one = "{over: [speed, torque], columns: %s, rows: %s}"
+    for columns, rows, said in (
+        (
+            "[0, 5, 5]",
+            "[[0, 1, 1, 1], [9, 1, 1, 1]]",
+            r"columns\[3\]: read 5, expected a torque ab",
+        ),
+        ("[-1, 5]", "[[0, 1, 1], [9, 1, 1]]", r"columns\[1\]: read -1, expected a torque of 0 or"),
+        ("[0, 5]", "[[9, 1, 1], [0, 1, 1]]", r"rows\[2\]\[1\]: read 0, expected a speed above 9"),
+        ("[0, 5]", "[[0, 1, 1], [9, 1]]", r"rows\[2\]: read 2 numbers, expected 3: the speed, and"),
+        (
+            "[0, 5]",
+            "[[0, 1, 0], [9, 1, 1]]",
+            r"rows\[1\]\[3\]: read 0, expected an efficiency abov",
+        ),
+        ("[0]", "[[0, 1], [9, 1]]", r"columns: read 1 of torques, expected two torques or more"),
+    ):
+        with pytest.raises(ReadError, match=said):
+            loads(CASE.format(efficiency=one % (columns, rows), loss=LOSS))
+    for loss, said in (
+        ("500", "low.loss: read '500', expected a mapping with `over`, `columns` and `rows`"),
+        ("{over: [torque, speed], columns: [0], rows: []}", "a row begins with its speed"),
+        ("{over: [speed, torque], file: a.csv, unit: W}", "read `file` beside `unit`"),
+        (LOSS.replace("700", "-7"), r"loss.rows\[2\]\[3\]: read -7, expected a loss of 0 or more"),
+    ):
+        with pytest.raises(ReadError, match=said):
+            loads(CASE.format(efficiency="1", loss=loss))
+    with pytest.raises(CaseError, match=r"loss: it depends on speed and torque, but .* no speed"):
+        solve(loads(CASE.format(efficiency="1", loss=LOSS)).replace(load=Load(torque=1.0)))

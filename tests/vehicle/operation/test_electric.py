@@ -1,0 +1,219 @@
+"""Electric vehicles in a cycle: each step by hand with scipy's maps, and balances of energy."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from random import Random
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.core.statics.points.test_maps import Grid, interpolated, random_map
+from vstatics import CaseError, Gear, Mechanism, ReadError, ShiftElement, Transmission, loads
+from vstatics.core.model.laws import MapLaw
+from vstatics.core.numerics.constants import AIR, GRAVITY
+from vstatics.core.readers.named.law_formulas import EfficiencyFormula
+from vstatics.core.writers.named import write_yaml
+from vstatics.vehicle.case.vehicle import Machine, Vehicle
+from vstatics.vehicle.operation.cycle_steps import GearChoice
+from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
+from vstatics.vehicle.operation.trace import read_trace
+from vstatics.vehicle.operation.traction import performance
+
+RATIO, ETA, INERTIA = 8.0, 0.95, 0.04
+
+
+def driven(vehicle: Vehicle, speeds: list[float], loss: MapLaw | None = None) -> DriveCycle:
+    """Steps of 2 s with a gear pair."""
+    pair = Mechanism(1, 2, 0, RATIO, ETA, name="pair")
+    gear = Gear(name="1", loss=loss)
+    case = Transmission(2, [], [pair], [gear], inertias={1: INERTIA}, vehicle=vehicle)
+    rows = [f"{2 * number},{speed!r}" for number, speed in enumerate(speeds)]
+    trace = read_trace("\n".join(["time [s],speed [m/s]", *rows]).encode(), "t.csv")
+    return drive(case, trace, GearChoice())
+
+
+def random_drive(chance: Random) -> tuple[Vehicle, Grid, float]:
+    grid = random_map(chance, low=0.6, high=0.95, sides=True)
+    battery = chance.uniform(0.9, 1)
+    generating = [(0.0, -20.0), (700.0, -90.0)] * (chance.random() < 0.5)
+    machine = Machine([(0, 260), (900, 120)], generating, MapLaw(*grid), battery)
+    part = chance.choice([0.0, 0.5, 0.8, 1.0])
+    car = Vehicle(1500, 0.3, 0.012, 0.6, machine=machine, recuperation=part)
+    return car, grid, battery
+
+
+def test_each_step_by_hand() -> None:
+    """P of the wheels through pair and inertia to the machine, by its map to the battery."""
+    chance = seeded(61)
+    for _ in range(count(12, 500)):
+        car, grid, battery = random_drive(chance)
+        assert car.machine is not None
+        eta = interpolated(*grid)
+        speeds = [chance.uniform(0.5, 25) for _ in range(chance.randint(4, 9))]
+        found = driven(car, speeds)
+        out = returned = brakes = mechanical = 0.0
+        for before, after in pairwise(speeds):
+            v, a = (before + after) / 2, (after - before) / 2
+            force = 1500 * GRAVITY * 0.012 + AIR * 0.6 / 2 * v**2 + 1500 * a
+            asked = force if force > 0 else car.recuperation * force
+            w, at_pair = v / 0.3 * RATIO, asked * 0.3 / RATIO
+            torque = at_pair * (1 / ETA if at_pair > 0 else ETA) + INERTIA * a / 0.3 * RATIO
+            if torque < (limit := float(car.overrun_torque(w))):
+                given = limit - INERTIA * a / 0.3 * RATIO
+                asked, torque = given * RATIO / 0.3 * (ETA if given > 0 else 1 / ETA), limit
+            brakes += 2 * (asked - force) * v
+            power = torque * w
+            e = eta(w, torque)
+            electric = power / e if power > 0 else power * e
+            from_battery = electric / battery if electric > 0 else electric * battery
+            mechanical += 2 * power
+            out += 2 * max(from_battery, 0)
+            returned += 2 * max(-from_battery, 0)
+        energy, use = found.energy, found.battery
+        assert use is not None
+        assert (use.out, use.returned) == pytest.approx((out, returned), rel=1e-9)
+        assert energy.brakes == pytest.approx(brakes, rel=1e-9, abs=1e-6)
+        assert energy.machine == pytest.approx(mechanical, rel=1e-9, abs=1e-6)
+        assert found.consumption == pytest.approx(
+            (out - returned) / 3.6e6 / (found.distance / 1e5), rel=1e-9
+        )
+
+
+def test_energies_add_up_with_a_loss_of_the_gear() -> None:
+    chance = seeded(62)
+    for _ in range(count(12, 500)):
+        car, _, _ = random_drive(chance)
+        columns, rows = random_map(chance, low=0, high=15)
+        found = driven(car, [chance.uniform(1, 25) for _ in range(6)], MapLaw(columns, rows, "N*m"))
+        energy, use = found.energy, found.battery
+        parts: list[Any] = [energy.machine, energy.machine_lost, energy.battery_lost]
+        assert energy.engine is None
+        assert use is not None
+        assert energy.battery == pytest.approx(use.out - use.returned, rel=1e-12)
+        assert energy.battery == pytest.approx(math.fsum(parts), rel=1e-12)
+        assert energy.machine == pytest.approx(
+            energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values()), rel=1e-9
+        )
+        machine, torques = found.steps["machine speed [rpm]"], found.steps["machine torque [N*m]"]
+        value = interpolated(columns, rows)
+        braked = [
+            value(n * math.pi / 30, abs(torque)) * n * math.pi / 30 * 2
+            for n, torque in zip(machine, torques, strict=True)
+        ]
+        assert energy.lost["gear.1"] == pytest.approx(sum(braked), rel=1e-9)
+
+
+def test_a_machine_pulls_as_an_engine_with_its_full_load() -> None:
+    """Top speed, slope and time are those of an engine; without points it brakes as it drives."""
+    points = [(0.0, 260.0), (900.0, 120.0)]
+    pair = Mechanism(1, 2, 0, RATIO, ETA)
+    engine, electric = (
+        performance(Transmission(2, [], [pair], [Gear()], vehicle=Vehicle(1500, 0.3, **own)))
+        for own in ({"engine": points}, {"machine": Machine(points)})
+    )
+    assert engine == electric
+    car = Vehicle(1500, 0.3, machine=Machine(points))
+    assert car.overrun_torque(np.array([0.0, 450.0])).tolist() == [-260, -190]
+
+
+def test_a_formula_that_gives_no_efficiency_fails_at_its_step() -> None:
+    machine = Machine([(0, 300)], efficiency=EfficiencyFormula("0.9 - 0.001*w"))
+    with pytest.raises(
+        CaseError, match=r"efficiency of the machine, at 1200 rad/s and .*"
+    ) as caught:
+        driven(Vehicle(1000, 0.3, machine=machine), [44, 46, 48])
+    assert [problem.path for problem in caught.value.problems] == [(0,), (1,)]
+
+
+CAR = """\
+links: [m, w]
+mechanisms: {p: {first: m, second: w, ratio: 8}}
+gears: {"1": []}
+vehicle: {mass: 1500, radius: 0.3, %s}
+"""
+MACHINE = "machine: {torque: [[0, 200], [9000 rpm, 60]]%s}"
+
+
+def test_a_machine_is_written_as_it_was_read() -> None:
+    own = ", generating: [[0, -90]], efficiency: 0.92, battery: {efficiency: 0.97}"
+    case = loads(CAR % (MACHINE % own + ", recuperation: 0.6"))
+    assert loads(write_yaml(case)) == case
+    assert case.vehicle.machine.battery_efficiency == 0.97
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            MACHINE % "" + ", engine: [[0, 9]]",
+            "read `machine` beside `engine`, expected an engine or",
+        ),
+        (
+            MACHINE % ", generating: [[0, 5]]",
+            "generating[1]: read 5 N*m, expected a torque of 0 or less",
+        ),
+        (
+            MACHINE % "" + ", recuperation: 1.2",
+            "recuperation: read 1.2, expected a part from 0 to 1",
+        ),
+        ("recuperation: 0.5", "read `recuperation` without `machine`"),
+        (
+            MACHINE % ", efficiency: 1.1",
+            "efficiency: read 1.1, expected an efficiency above 0 and up",
+        ),
+        (
+            MACHINE % ", battery: {efficiency: 0}",
+            "battery.efficiency: read 0, expected an efficiency",
+        ),
+        ("machine: {torque: []}", "torque: read no points, expected at least one"),
+        ("machine: {efficiency: 0.9}", "`torque` is missing"),
+    ],
+)
+def test_a_machine_that_cannot_be_is_refused_at_its_place(text: str, said: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        loads(CAR % text)
+    assert said in str(caught.value)
+    assert ":4:" in str(caught.value)
+
+
+def test_the_gear_of_least_loss_is_that_of_the_least_energy_alone() -> None:
+    """Each step is driven alone in each gear, and the one with the least energy is chosen."""
+    chance = seeded(63)
+    compared = 0
+    for _ in range(count(6, 200)):
+        car, _, _ = random_drive(chance)
+        if chance.random() < 0.5:
+            points = [(0.0, 200.0), (500.0, 260.0), (700.0, 150.0)]
+            car = Vehicle(1500, 0.3, 0.012, 0.6, engine=points, overrun=[(0, -30), (700, -80)])
+        pairs = [Mechanism(n, 4, 0, chance.uniform(4, 16), chance.uniform(0.9, 1)) for n in (2, 3)]
+        case = Transmission(
+            4,
+            [ShiftElement(1, 2, name="A"), ShiftElement(1, 3, name="B")],
+            pairs,
+            [Gear([1], name="1"), Gear([2], name="2")],
+            inertias={1: INERTIA},
+            vehicle=car,
+        )
+        speeds = [chance.uniform(0.5, 25) for _ in range(6)]
+
+        def energy(gear: str, before: float, after: float, case: Transmission = case) -> float:
+            rows = f"time [s],speed [m/s],gear\n0,{before!r},{gear}\n2,{after!r},{gear}\n"
+            alone = drive(case, read_trace(rows.encode(), "t.csv"), GearChoice())
+            if alone.beyond or any(message.id == "W428" for message in alone.messages):
+                return math.inf
+            given = alone.energy.engine if alone.energy.machine is None else alone.energy.battery
+            return math.nan if given is None else given
+
+        lines = [f"{2 * number},{speed!r}" for number, speed in enumerate(speeds)]
+        trace = read_trace("\n".join(["time [s],speed [m/s]", *lines]).encode(), "t.csv")
+        found = drive(case, trace, GearChoice(least_loss=True))
+        for gear, (before, after) in zip(found.gears, pairwise(speeds), strict=True):
+            energies = {name: energy(name, before, after) for name in ("1", "2")}
+            if math.isfinite(min(energies.values())):
+                compared += 1
+                assert energies[gear] == pytest.approx(min(energies.values()), rel=1e-9)
+    assert compared > 10

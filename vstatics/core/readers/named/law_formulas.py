@@ -1,0 +1,155 @@
+"""Laws as formulas: drag `1.2 + 0.004*w`, efficiency `0.98 - 1.5/(T + 20)`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+from types import MappingProxyType
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from vstatics.core.errors import ReadError, quoted
+from vstatics.core.model.parts import Law
+from vstatics.core.readers.expressions.evaluation import evaluate
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
+from vstatics.core.readers.expressions.operands import DottedName, TableName
+from vstatics.core.suggestions import nearest
+
+SPEED, TORQUE = "w", "T"
+"""Names of a speed [rad/s] and a torque [N*m] in a formula, magnitudes unless a law has signs."""
+OF_SPEED: Mapping[str, str] = MappingProxyType({SPEED: "speed", "speed": "speed"})
+"""Quantities by their names in formulas of drag; in formulas of a scenario the speed has a sign."""
+OF_BOTH: Mapping[str, str] = MappingProxyType({**OF_SPEED, TORQUE: "torque", "torque": "torque"})
+"""Quantities by their names in formulas of efficiency."""
+FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
+
+
+class _LawFormula(Law):
+    """Law as a formula of speed, or of speed and torque."""
+
+    quantities: ClassVar[Mapping[str, str]]
+    """Quantities by their names."""
+
+    def __new__(cls, text: str) -> Self:
+        """Parse and store the text."""
+        tree = _tree(text, tuple(cls.quantities))
+        of = {cls.quantities[name] for name in map(_name, _names(tree)) if name in cls.quantities}
+        law = super().__new__(cls, cls._at_0(_value(text, cls, dict.fromkeys(of, np.zeros(1)))))
+        law.over = "both" if len(of) == 2 else "torque" if of == {"torque"} else "speed"
+        law.text = text
+        return law
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        """Return the arguments for pickling."""
+        return (self.text,)
+
+    @staticmethod
+    def _at_0(values: Any) -> float:
+        return float(values[0])
+
+    def at(self, *sizes: Any) -> Any:
+        """Return the value at speed, torque or both, or of arrays; NaN if undefined."""
+        names = ("speed", "torque") if self.over == "both" else (self.over,)
+        arrays = np.broadcast_arrays(*(np.atleast_1d(np.asarray(size, float)) for size in sizes))
+        values = _value(self.text, type(self), dict(zip(names, arrays, strict=True)))
+        is_array = any(isinstance(size, np.ndarray) for size in sizes)
+        return values if is_array else float(values[0])
+
+
+class DragFormula(_LawFormula):
+    """Drag torque [N*m] as a formula of the speed w [rad/s].
+
+    Examples
+    --------
+    >>> law = DragFormula("1.2 + 0.004*w")
+    >>> law.at(100.0), law.at(np.array([0.0, 50.0])).tolist(), float(law)
+    (1.6, [1.2, 1.4], 1.2)
+    """
+
+    quantities = OF_SPEED
+
+
+class EfficiencyFormula(_LawFormula):
+    """Efficiency [-] as a formula of the speed w [rad/s] and the torque T [N*m].
+
+    As a number it is the value at 0, or 1 if that is not an efficiency.
+
+    Examples
+    --------
+    >>> law = EfficiencyFormula("0.98 - 1.5/(T + 25)")
+    >>> law.at(75.0), law.over, float(law)
+    (0.965, 'torque', 0.9199999999999999)
+    """
+
+    quantities = OF_BOTH
+
+    @staticmethod
+    def _at_0(values: Any) -> float:
+        return float(values[0]) if 0 < values[0] <= 1 else 1.0
+
+
+def read_formula(text: str, law: type[_LawFormula]) -> _LawFormula:
+    """Parse a formula.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> read_formula("1.2 + 0.004*v*w", DragFormula)
+    Traceback (most recent call last):
+        ...
+    ValueError: a formula of w: read `v` in it, expected a number, the speed w in rad/s, pi, or \
+one of abs, min, max, sqrt, exp, tanh
+    """
+    try:
+        return law(text.strip())
+    except ReadError as error:
+        of = f"{SPEED} and {TORQUE}" if law is EfficiencyFormula else SPEED
+        raise ValueError(f"a formula of {of}: {error.problems[0].message}") from None
+
+
+def _value(text: str, law: type[_LawFormula], given: Mapping[str, Any]) -> Any:
+    size = max((len(values) for values in given.values()), default=1)
+
+    def value_of(name: TableName) -> Any:
+        if name.name == "pi":
+            return np.array([[math.pi]])
+        return given[law.quantities[name.name]][:, None, None]
+
+    values = evaluate(_tree(text, tuple(law.quantities)), value_of)
+    return np.broadcast_to(values, (size, 1, 1))[:, 0, 0]
+
+
+@lru_cache(maxsize=256)
+def _tree(text: str, names: tuple[str, ...]) -> Tree:
+    """Parse a formula, and check all names."""
+    torque = f", the torque {TORQUE} in N*m" if TORQUE in names else ""
+    operands = f"a number, the speed {SPEED} in rad/s{torque}, pi, or one of {', '.join(FUNCTIONS)}"
+    excerpt = Excerpt(text, "law")
+    tree = parse(excerpt, Language(FUNCTIONS, operands, SPEED, caret=True))
+    for part in _names(tree):
+        known = isinstance(part, TableName) and not part.subscripts
+        if not known or _name(part) not in (*names, "pi"):
+            read = _name(part)
+            message = f"read {quoted(read)} in it, expected {operands}"
+            raise excerpt.error(message + nearest(read, FUNCTIONS), part.at)
+    return tree
+
+
+def _name(part: TableName | DottedName) -> str:
+    return part.name if isinstance(part, TableName) else part.written
+
+
+def _names(tree: Tree) -> Iterator[TableName | DottedName]:
+    """Yield all names in a tree."""
+    if isinstance(tree, Applied):
+        for part in tree.operands:
+            yield from _names(part)
+    elif isinstance(tree, TableName | DottedName):
+        yield tree

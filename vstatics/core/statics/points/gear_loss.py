@@ -1,0 +1,80 @@
+"""Loss of a gear that is measured as a whole, as a torque that brakes the input link."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vstatics.core.model.parts import Law
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.tolerances import SAME_SOLUTION
+
+
+def brake_torque(loss: Law, speed: Floats, torque: Floats) -> Floats:
+    """Return the torque by which a loss brakes the input link, 0 at rest [N*m].
+
+    Parameters
+    ----------
+    loss : Law
+        Map of the loss, in its unit.
+    speed, torque : ndarray
+        Magnitudes of the speed [rad/s] and the torque [N*m] of the input.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.laws import MapLaw
+    >>> loss = MapLaw([0, 100], [[0, 0, 0], [100, 200, 400]], "W")
+    >>> brake_torque(loss, np.array([50.0, 0.0]), np.array([100.0, 100.0])).tolist()
+    [4.0, 0.0]
+    """
+    values: Floats = loss.at(speed, torque)
+    unit = getattr(loss, "unit", "W")
+    if unit == "N*m":
+        return np.where(speed > 0, values, 0.0)
+    watts = values * (1000.0 if unit == "kW" else 1.0)
+    return np.divide(watts, speed, out=np.zeros_like(watts), where=speed > 0)
+
+
+def braked_torques(loss: Law, speed: Floats, passed: Floats) -> tuple[Floats, Integers]:
+    """Return input torques T with ``T - brake torque(T) = passed``, and the number of solutions.
+
+    Parameters
+    ----------
+    loss : Law
+        Map of the loss.
+    speed : ndarray
+        Magnitude of the input speed. [rad/s]
+    passed : ndarray
+        Torque along the speed that the input link passes on. [N*m]
+
+    Examples
+    --------
+    A brake torque of a tenth of the input torque leaves nine tenths.
+
+    >>> from vstatics.core.model.laws import MapLaw
+    >>> loss = MapLaw([0, 1000], [[0, 0, 100], [100, 0, 100]], "N*m")
+    >>> braked_torques(loss, np.array([50.0]), np.array([90.0]))
+    (array([100.]), array([1]))
+    """
+    columns = np.array(loss.columns)  # type: ignore[attr-defined] # a map
+    ends = np.concatenate([-columns[::-1], columns])
+    at_ends = brake_torque(
+        loss, np.repeat(speed, len(ends)), np.tile(np.abs(ends), len(speed))
+    ).reshape(len(speed), len(ends))
+    # The brake torque is linear between the torques of the map and constant beyond.
+    low = np.concatenate([[-np.inf], ends])
+    high = np.concatenate([ends, [np.inf]])
+    with np.errstate(invalid="ignore"):
+        widths = np.where(np.isfinite(high - low), high - low, 1.0)
+    first = np.concatenate([at_ends[:, :1], at_ends], axis=1)
+    last = np.concatenate([at_ends, at_ends[:, -1:]], axis=1)
+    slopes = np.where(widths > 0, (last - first) / np.where(widths > 0, widths, 1.0), 0.0)
+    starts = np.where(np.isfinite(low), low, high)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        roots = (passed[:, None] + first - slopes * starts) / (1 - slopes)
+    is_root = (roots >= low) & (roots <= high) & (widths > 0)
+    least = np.where(is_root, roots, np.inf).min(axis=1)
+    most = np.where(is_root, roots, -np.inf).max(axis=1)
+    counts = np.where(
+        least > most, 0, np.where(most - least > SAME_SOLUTION * (1 + np.abs(most)), 2, 1)
+    )
+    return np.where(counts == 1, least, np.nan), counts

@@ -1,0 +1,94 @@
+"""Names of links, members of gear sets, planets and shift elements, whose loads a duty gives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vstatics.core.errors import Path, Problem, listed, quoted
+from vstatics.core.model.parts import element_names
+from vstatics.core.suggestions import nearest
+
+if TYPE_CHECKING:
+    from vstatics.core.model.fields import TransmissionFields
+
+
+class Members(NamedTuple):
+    """Names under which the loads of a duty cycle are known.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0, name="P")], [Gear()])
+    >>> Members.of(case).with_torque
+    ['1', '2', '3', 'P.first', 'P.second', 'P.third']
+    >>> Members.of(case).firsts["P"], Members.of(case).planets
+    ('P.first', ['P'])
+    """
+
+    links: list[str]
+    of_sets: list[str]
+    """Members of gear sets: ``P1.sun``."""
+    planets: list[str]
+    elements: list[str]
+    firsts: dict[str, str]
+    """First member of each device, by the name of the device."""
+    contacts: dict[str, int]
+    """Flanks that a tooth of a member meets in a turn, where the planets are counted."""
+
+    @classmethod
+    def of(cls, case: TransmissionFields) -> Members:
+        """Return the names of a case."""
+        devices = case.own_devices
+        planets = {}
+        drawn: Any = case.drawing
+        for element in drawn.elements if drawn else ():
+            if element.planets:
+                planets[element.name] = int(element.planets)
+        links = case.link_names[: case.own_links] or range(1, case.own_links + 1)
+        return cls(
+            [str(name) for name in links],
+            [f"{device.name}.{member.name}" for device in devices for member in device.members],
+            [planet.name for device in devices for planet in device.planets],
+            element_names(case.shift_elements),
+            {device.name: f"{device.name}.{device.members[0].name}" for device in devices},
+            {
+                f"{device.name}.{member.name}": planets[device.name]
+                for device in devices
+                if device.name in planets
+                for member in device.members
+                if member.name != "carrier"
+            },
+        )
+
+    @property
+    def with_torque(self) -> list[str]:
+        """Names of links, members and shift elements, which have a torque of their own."""
+        return [*self.links, *self.of_sets, *self.elements]
+
+    def resolved(self, name: str, *, turning: bool = False) -> str:
+        """Return the name of a member; a device stands for its first member.
+
+        If only the speed counts (`turning`), a planet with the name of its device comes first.
+        """
+        known = [*self.with_torque, *(self.planets if turning else ())]
+        return name if name in known else self.firsts.get(name, name)
+
+    def unknown(self, name: str, path: Path) -> Iterator[Problem]:
+        """Yield the problem of a name of no link, member, planet or shift element."""
+        known = [*self.with_torque, *self.planets, *self.firsts]
+        if name not in known:
+            yield self.fault(name, known, "link or member", path)
+
+    def without_torque(self, name: str, path: Path) -> Iterator[Problem]:
+        """Yield the problem of a name of nothing with a torque of its own."""
+        known = [*self.with_torque, *self.firsts]
+        if name not in known:
+            yield self.fault(name, known, "link or member with a torque", path)
+
+    @staticmethod
+    def fault(name: str, known: Iterable[str], what: str, path: Path) -> Problem:
+        """Return the problem of an unknown name, with the nearest name."""
+        names = [*known]
+        hint = nearest(name, names) or f"; there are {listed(names, 12) or 'none'}"
+        return Problem("E880", f"there is no {what} {quoted(name)}{hint}", path)

@@ -1,0 +1,124 @@
+"""Scatter of strength and stress, and the distribution of lives that follows by random samples."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from typing import Any, Literal, NamedTuple, Self
+
+import numpy as np
+
+from vstatics.core.model.shape import Measure
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.named.scalars import number
+from vstatics.core.readers.named.si_units import in_any_unit
+from vstatics.core.tables.answer import json_keys
+
+SHARES = np.arange(1, 100) / 100
+"""Shares of failed components at which the distribution of lives is given. [-]"""
+_DISTRIBUTION = re.compile(r"\s*(normal|lognormal)\s*\((.*),(.*)\)\s*")
+
+
+class Scattered(float):
+    """Stress with a distribution; as a number it is the median or mean [Pa].
+
+    Examples
+    --------
+    >>> Scattered(100e6, "lognormal", 0.08)
+    100000000.0
+    """
+
+    kind: Literal["normal", "lognormal"]
+    spread: float
+    """Standard deviation of a normal distribution [Pa], or of the natural logarithm [-]."""
+    measure: Measure | None
+
+    def __new__(
+        cls,
+        middle: float,
+        kind: Literal["normal", "lognormal"],
+        spread: float,
+        measure: Measure | None = None,
+    ) -> Self:
+        """Store the distribution with its median or mean."""
+        scattered = super().__new__(cls, middle)
+        scattered.kind, scattered.spread, scattered.measure = kind, spread, measure
+        return scattered
+
+    def samples(self, count: int, random: np.random.Generator) -> Floats:
+        """Return random stresses, drawn again where they are not above 0 [Pa]."""
+        if self.kind == "lognormal":
+            return float(self) * np.exp(self.spread * random.standard_normal(count))
+        drawn: Floats = random.normal(float(self), self.spread, count)
+        while (wrong := drawn <= 0).any():
+            drawn[wrong] = random.normal(float(self), self.spread, int(wrong.sum()))
+        return drawn
+
+
+def read_scattered(text: str) -> Scattered | None:
+    """Parse a distribution of a stress; return None for another text.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> stress = read_scattered("normal(100 MPa, 8 MPa)")
+    >>> stress, stress.kind, stress.spread, read_scattered("100 MPa")
+    (100000000.0, 'normal', 8000000.0, None)
+    """
+    match = _DISTRIBUTION.fullmatch(text)
+    if match is None:
+        return None
+    kind: Any = match[1]
+    middle = in_any_unit(match[2].strip(), ["stress"])
+    spread: float = number(match[3].strip()) if kind == "lognormal" else 0.0
+    if kind == "normal":
+        deviation = in_any_unit(match[3].strip(), ["stress"])
+        if deviation.measure != middle.measure:
+            raise ValueError("expected a unit of both numbers, or of none")
+        spread = float(deviation)
+    if not (0 < middle < math.inf and 0 < spread < math.inf):
+        raise ValueError("expected a median or mean, and a deviation, above 0")
+    return Scattered(float(middle), kind, spread, middle.measure)
+
+
+def drawn(given: float, count: int, random: np.random.Generator) -> Floats:
+    """Return samples of a number, which are equal unless it is scattered."""
+    if isinstance(given, Scattered):
+        return given.samples(count, random)
+    return np.full(count, float(given))
+
+
+@json_keys("B10", "B50", "mean", "curve", count="number")
+class LifeSamples(NamedTuple):
+    """Distribution of lives of random samples."""
+
+    number: int
+    B10: float
+    """Life that 10 % do not reach; NaN for unlimited life, as for the other numbers."""
+    B50: float
+    """Life that 50 % do not reach."""
+    mean: float
+    curve: Sequence[tuple[float, float]]
+    """Pairs of limited life and share that failed until then, at whole percents."""
+
+    @classmethod
+    def of(cls, lives: Floats) -> LifeSamples:
+        """Return the distribution of lives, which can be infinite.
+
+        >>> LifeSamples.of(np.arange(1.0, 101.0))[1:4]
+        (10.0, 50.0, 50.5)
+        """
+        ordered = np.sort(lives)
+        places = np.ceil(SHARES * len(ordered) - 1e-9).astype(int) - 1
+        quantiles = ordered[np.maximum(places, 0)].tolist()
+        curve = [
+            (life, share)
+            for life, share in zip(quantiles, SHARES.tolist(), strict=True)
+            if math.isfinite(life)
+        ]
+        return cls(len(ordered), quantiles[9], quantiles[49], float(ordered.mean()), curve)

@@ -1,0 +1,79 @@
+"""Life of rolling bearings over a duty cycle, by ISO 281 and Miner's rule."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.tables.grid import Grid, grid_of
+from vstatics.vehicle.case.bearing import Bearing
+from vstatics.vehicle.life.member_rows import MemberRows
+from vstatics.vehicle.life.strength import life_of
+
+RATED_REVOLUTIONS = 1e6
+"""Revolutions that 90 % of bearings endure under the dynamic load rating. [-]"""
+
+
+class BearingLife(NamedTuple):
+    """Damage and life L10 of a bearing over a duty cycle."""
+
+    damage: float
+    """Damage of one cycle; 10 % have failed at 1. [-]"""
+    revolutions: float
+    equivalent_load: float
+    """``(sum n P^p/sum n)^(1/p)`` with loads P, turns n and life exponent p; NaN at rest. [N]"""
+    repeats: float | None
+    """Number of cycles to a damage of 1; None without damage. [-]"""
+    hours: float | None
+    """Life; None without damage. [h]"""
+
+
+def bearing_lives(case: Transmission, rows: MemberRows) -> dict[str, BearingLife]:
+    """Return the life of each bearing of a case.
+
+    Under the load P a bearing endures ``L10 = (dynamic/P)^exponent`` million turns; the damage of
+    a row is its turns divided by L10.
+
+    Examples
+    --------
+    A thousand turns at the load rating, 10 N/(N*m) by 100 N*m:
+
+    >>> from vstatics import Bearing, Gear, Mechanism
+    >>> bearings = {"b": Bearing("1", 10.0, 1000.0)}
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.0)], [Gear()], bearings=bearings)
+    >>> moving = {"1": (np.array([100.0]), np.array([2 * np.pi]))}
+    >>> rows = MemberRows.of(case, moving, np.array([1000.0]), 0.0, np.zeros((1, 3)))
+    >>> life = bearing_lives(case, rows)["b"]
+    >>> round(life.damage, 12), round(life.equivalent_load, 9)
+    (0.001, 1000.0)
+    """
+    return {name: _life(bearing, rows) for name, bearing in Bearing.of(case).items()}
+
+
+def _life(bearing: Bearing, rows: MemberRows) -> BearingLife:
+    if isinstance(bearing.on, str):
+        turns = rows.row(bearing.on, turning=True).turns
+    else:
+        turns = rows.turns_between(*bearing.on)
+    torques = np.nan_to_num(rows.row(bearing.torque_owner or "").torques)
+    loads = np.abs(torques) * bearing.load_per_torque
+    total, p = float(turns.sum()), bearing.exponent
+    with np.errstate(over="ignore"):
+        damage = float(((loads / bearing.dynamic) ** p) @ turns) / RATED_REVOLUTIONS
+    largest = float(loads.max(initial=0.0))
+    equivalent = math.nan
+    if total:
+        parts = loads / largest if largest else loads
+        equivalent = largest * float((parts**p) @ turns / total) ** (1 / p)
+    return BearingLife(damage, total, equivalent, *life_of(damage, 1.0, rows.duration))
+
+
+def bearing_grid(lives: Mapping[str, BearingLife]) -> Grid:
+    """Return a table with a row for each bearing."""
+    rows = [(name, *life) for name, life in lives.items()]
+    headings = ("bearing", "damage", "turns", "equivalent load, N", "repeats", "L10, h")
+    return grid_of("Life of bearings", headings, rows, key="duty bearings")

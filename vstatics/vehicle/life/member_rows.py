@@ -1,0 +1,77 @@
+"""Torque and speed of links, members, planets and shift elements at the points of a duty cycle."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.vehicle.case.members import Members
+
+
+class MemberRow(NamedTuple):
+    """Torques and revolutions of a member at the points that move, shape (points,)."""
+
+    torques: Floats
+    """Torque; NaN of a planet. [N*m]"""
+    turns: Floats
+    """Revolutions during each point, 0 or more. [-]"""
+
+    @property
+    def has_torque(self) -> bool:
+        """True if a torque other than 0 occurs."""
+        return bool(np.nan_to_num(self.torques).any())
+
+
+class MemberRows(NamedTuple):
+    """Members at the points of a duty cycle."""
+
+    rows: Mapping[str, MemberRow]
+    weights: Floats
+    """Durations [s], or shares with the sum 1, of the points that move."""
+    standing: float
+    """Duration or share of the points that stand."""
+    members: Members
+    speeds: Floats
+    """Speeds of links with the housing first, shape (points, links). [rad/s]"""
+
+    @classmethod
+    def of(
+        cls,
+        case: Transmission,
+        members: Mapping[str, tuple[Floats, Floats]],
+        weights: Floats,
+        standing: float,
+        speeds: Floats,
+    ) -> MemberRows:
+        """Return members from their torques [N*m] and speeds [rad/s]."""
+        rows = {
+            name: MemberRow(torques, np.nan_to_num(np.abs(speed)) * weights / (2 * math.pi))
+            for name, (torques, speed) in members.items()
+        }
+        return cls(rows, weights, standing, Members.of(case), speeds)
+
+    @property
+    def duration(self) -> float:
+        """Duration of the cycle [s]; 1 with shares."""
+        return float(self.weights.sum()) + self.standing
+
+    def row(self, name: str, *, turning: bool = False) -> MemberRow:
+        """Return a member, see `Members.resolved`; a planet without speeds stands still."""
+        resolved = self.members.resolved(name, turning=turning)
+        nothing = MemberRow(np.full(len(self.weights), math.nan), np.zeros(len(self.weights)))
+        return self.rows.get(resolved, nothing)
+
+    def contacts(self, name: str) -> float:
+        """Return the flanks that a tooth of a member meets in a turn."""
+        return float(self.members.contacts.get(self.members.resolved(name), 1))
+
+    def turns_between(self, first: str, second: str) -> Floats:
+        """Return the revolutions of a link against another during each point."""
+        places = [self.members.links.index(name) + 1 for name in (first, second)]
+        relative = np.abs(self.speeds[:, places[0]] - self.speeds[:, places[1]])
+        return np.nan_to_num(relative) * self.weights / (2 * math.pi)

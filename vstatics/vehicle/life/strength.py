@@ -1,0 +1,84 @@
+"""Life of members by the torques of a duty cycle: contacts, damage by Miner's rule."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.grid import Grid, grid_of
+from vstatics.vehicle.case.fatigue import TorqueStrength
+from vstatics.vehicle.life.member_rows import MemberRows
+
+SECONDS_PER_HOUR = 3600.0
+
+
+class MemberLife(NamedTuple):
+    """Damage and life of a member over a duty cycle."""
+
+    damage: float
+    """Damage of one cycle; the member fails at `sum` of its strength. [-]"""
+    contacts: float
+    """Contacts of a tooth under torque in one cycle. [-]"""
+    repeats: float | None
+    """Number of cycles to failure; None without damage. [-]"""
+    hours: float | None
+    """Life; None without damage. [h]"""
+
+
+def lives(case: Transmission, rows: MemberRows) -> dict[str, MemberLife]:
+    """Return the life of each member with a strength under torque.
+
+    A row with torque T causes the damage ``contacts/cycles (|T|/torque)^exponent``, unless |T| is
+    below the threshold.
+
+    Examples
+    --------
+    A thousand turns at the torque that is endured for a million:
+
+    >>> from vstatics import Gear, Mechanism, TorqueStrength
+    >>> strength = TorqueStrength(50.0, 6.0, 1e6)
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.0)], [Gear()], fatigue={"1": strength})
+    >>> moving = {"1": (np.array([50.0]), np.array([2 * np.pi]))}
+    >>> rows = MemberRows.of(case, moving, np.array([1000.0]), 0.0, np.zeros((1, 3)))
+    >>> round(lives(case, rows)["1"].repeats, 9)
+    1000.0
+    """
+    return {name: _life(name, strength, rows) for name, strength in TorqueStrength.of(case).items()}
+
+
+def _life(name: str, strength: TorqueStrength, rows: MemberRows) -> MemberLife:
+    row = rows.row(name, turning=strength.torque_of is not None)
+    torques = np.nan_to_num(rows.row(strength.torque_of or name).torques)
+    flanks = rows.contacts(name) if strength.contacts is None else strength.contacts
+    contacts = np.where(torques != 0, row.turns * flanks, 0.0)
+    parts = np.abs(torques) / strength.torque
+    with np.errstate(over="ignore"):
+        harm = contacts / strength.cycles * parts**strength.exponent
+    harm = np.where(parts >= strength.threshold, harm, 0.0)
+    damage = _worse(torques, harm) if strength.flanks == "apart" else float(harm.sum())
+    repeats, hours = life_of(damage, strength.sum, rows.duration)
+    return MemberLife(damage, float(contacts.sum()), repeats, hours)
+
+
+def _worse(torques: Floats, harm: Floats) -> float:
+    """Return the larger damage of the two signs of torque."""
+    return max(float(harm[torques > 0].sum()), float(harm[torques < 0].sum()))
+
+
+def life_of(damage: float, at_failure: float, duration: float) -> tuple[float | None, float | None]:
+    """Return the repeats of a cycle until failure, and the hours; None without damage."""
+    if not damage > 0:
+        return None, None
+    repeats = at_failure / damage
+    return repeats, repeats * duration / SECONDS_PER_HOUR
+
+
+def life_grid(lives: Mapping[str, MemberLife]) -> Grid:
+    """Return a table with a row for each member."""
+    rows = [(name, *life) for name, life in lives.items()]
+    headings = ("member", "damage", "contacts", "repeats", "life, h")
+    return grid_of("Life of members", headings, rows, key="duty life")
