@@ -2,8 +2,8 @@
 
 `paths` finds the numbers that a path names. `parts` groups points by numbers that require a new
 case, such as tooth numbers, and `relative` by the signs of loads, and relates numbers to the loads.
-`laws` calculates drag torques and efficiencies that depend on speed or torque, and `balance` finds
-the torque that balances a battery.
+`laws` calculates drag torques, efficiencies and losses of gears (`gear_loss`) that depend on speed
+and torque. `balance` finds the torque that balances `machines` with a battery.
 """
 
 from __future__ import annotations
