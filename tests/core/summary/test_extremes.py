@@ -102,7 +102,7 @@ def test_tables_of_relative_numbers_say_so_beside_tables_in_units() -> None:
         grids = summary_grids(summarize(solve(differential().replace(load=load))))
         return [grid.title for grid in grids if grid.title.startswith("Largest")]
 
-    planets, elements = "speeds of planets relative to their carriers", "slip and torque of shift"
+    planets, elements = "planet speeds relative to the carrier", "slip and torque of shift"
     expected = [f"Largest {planets}", f"Largest {elements} elements"]
     assert titles(None) == expected
     units = [f"{title}, {unit}" for title, unit in zip(expected, ("rpm", "rpm, N*m"), strict=True)]

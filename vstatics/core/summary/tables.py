@@ -137,7 +137,7 @@ def _planets(summary: Summary, *, loaded: bool) -> Grid:
     # Gear pairs have rows without a planet, which are left out.
     known = (line for line in lines if line.row in without_teeth or not math.isnan(line.value))
     rows = [[line.row, *_cells(shown, line)] for line in known]
-    parts = ["Largest speeds of planets relative to their carriers"]
+    parts = ["Largest planet speeds relative to the carrier"]
     parts += [UNITS[shown.unit].text] if loaded else _relative(summary, [PLANETS])
     return grid_of(", ".join(parts), headings, rows, key="planets" + WITH_LOAD * loaded)
 

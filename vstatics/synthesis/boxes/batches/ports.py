@@ -24,7 +24,7 @@ from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.kernel import (
     Room,
     RoomOfSequences,
-    Sample,
+    SetSample,
     boxes_in,
     find_gears,
 )
@@ -70,7 +70,7 @@ class PortSearch:
             if find_gears(self.table, self.gears, port, asked, room.ports):
                 sets, _ = some_sets(self.table, port, room.ports.sets, NO_END)
             if sets >= 0:
-                every = Sample(sets, NO_END)
+                every = SetSample(sets, NO_END)
                 count, _, given_up = boxes_in(self.table, port, asked, room, every)
                 self.given_up += int(given_up)
                 return [self._box(room, row, first, last) for row in range(count)]

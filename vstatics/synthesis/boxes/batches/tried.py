@@ -21,7 +21,7 @@ from vstatics.synthesis.boxes.schemes.choices import BoxScheme, Ports
 from vstatics.synthesis.boxes.schemes.stems import stems
 from vstatics.synthesis.boxes.search.elements import some_sets
 from vstatics.synthesis.boxes.search.engaged import combinations_table
-from vstatics.synthesis.boxes.search.kernel import Sample, boxes_in, find_gears
+from vstatics.synthesis.boxes.search.kernel import SetSample, boxes_in, find_gears
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
 """Times to try an addition to a set, to examine a cell, and to examine a cell of a sequence. [s]"""
@@ -93,7 +93,7 @@ def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
     if count < 0:
         count = ELEMENT_SETS
     times.append(time.process_time())
-    boxes, looked_at, _ = boxes_in(table, port, asked, room, Sample(count, depth.sets))
+    boxes, looked_at, _ = boxes_in(table, port, asked, room, SetSample(count, depth.sets))
     times.append(time.process_time())
     of_sets = looked_at / count if count else 1.0
     ports_time = PORT + PORT_GEAR * len(table.members)

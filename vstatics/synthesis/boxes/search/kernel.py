@@ -69,7 +69,7 @@ class RoomOfSequences(NamedTuple):
     found: FoundRoom
 
 
-class Sample(NamedTuple):
+class SetSample(NamedTuple):
     """Size of a sample."""
 
     there: int
@@ -83,7 +83,7 @@ def boxes_in(
     port: PortGears,
     asked: Asked,
     room: Room | RoomOfSequences,
-    sample: Sample,
+    sample: SetSample,
 ) -> tuple[int, int, int]:
     """Find the gearboxes in a sample of the listed sets, within the limit of `steps`.
 
@@ -94,7 +94,7 @@ def boxes_in(
         Gears with their ratios.
     asked : Asked
     room : Room or RoomOfSequences
-    sample : Sample
+    sample : SetSample
 
     Returns
     -------
@@ -108,7 +108,7 @@ def boxes_in(
 
 @compiled
 def _boxes_in(
-    table: Combinations, port: PortGears, asked: Asked, room: Room, sample: Sample
+    table: Combinations, port: PortGears, asked: Asked, room: Room, sample: SetSample
 ) -> tuple[int, int, int]:
     cells, found, sets = room.cells, room.found, room.ports.sets.listed
     step = max(sample.there // sample.most, 1)
@@ -133,7 +133,7 @@ def _boxes_in(
 
 @compiled
 def _sequences_in(
-    table: Combinations, port: PortGears, asked: Asked, room: RoomOfSequences, sample: Sample
+    table: Combinations, port: PortGears, asked: Asked, room: RoomOfSequences, sample: SetSample
 ) -> tuple[int, int, int]:
     cells, found, sets = room.cells, room.found, room.ports.sets.listed
     step = max(sample.there // sample.most, 1)
