@@ -20,7 +20,7 @@ def test_every_document_is_a_page_of_a_kind() -> None:
     assert len({*known.values()}) == len(known)
 
 
-@needs("sweep")
+@needs("sweep", "vehicle")
 def test_links_to_documents_follow_them_to_their_pages() -> None:
     texts = {page.name: page.text for page in pages()}
     assert "](../reference/sweep.md)" in texts["how-to/vary-a-number"]
@@ -44,6 +44,7 @@ def test_each_kind_of_element_has_its_keys() -> None:
     assert all(members[kind] <= {name for _, name in sections[kind]} for kind in members)
 
 
+@needs("simulation", "vehicle")
 def test_a_page_tells_how_its_files_are_got(tmp_path: Path) -> None:
     """What it says, typed in an empty folder, makes the files that it calculates."""
     texts = {page.name: page.text for page in pages()}
