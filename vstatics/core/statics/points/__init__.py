@@ -3,41 +3,30 @@
 `paths` finds the numbers that a path names. `parts` groups points by numbers that require a new
 case, such as tooth numbers, and `relative` by the signs of loads, and relates numbers to the loads.
 `laws` calculates drag torques, efficiencies and losses of gears (`gear_loss`) that depend on speed
-and torque. `balance` finds the torque that balances `machines` with a battery.
+and torque. `balance` finds the torque that balances `machines` with a battery, and `unsolved`
+states where there is no such solution.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vstatics.core.errors import not_allowed, spoken
+from vstatics.core.errors import not_allowed
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics import diagnosis
 from vstatics.core.statics.efficiency import Efficiency
-from vstatics.core.statics.points.balance import (
-    NO_BALANCE,
-    TWO_BALANCES,
-    balanced,
-    settled_gear,
-    sought_link,
-    without_balances,
-)
-from vstatics.core.statics.points.laws import (
-    NO_EFFICIENCY,
-    NONE,
-    SEVERAL,
-    Followed,
-    follow_laws,
-)
+from vstatics.core.statics.points.balance import balanced, settled_gear, without_balances
+from vstatics.core.statics.points.laws import Followed, follow_laws
 from vstatics.core.statics.points.parts import cases_of_points, joined
 from vstatics.core.statics.points.paths import CaseNumber, Columns, columns_of, numbers_of, together
 from vstatics.core.statics.points.relative import solve_points, with_numbers
-from vstatics.core.statics.result_arrays import ARRAYS, Message, OperatingPoints, Outside
+from vstatics.core.statics.points.unsolved import unsolved
+from vstatics.core.statics.result_arrays import ARRAYS, OperatingPoints
 from vstatics.core.statics.results import Results
 
 if TYPE_CHECKING:
@@ -142,7 +131,7 @@ def _single(case: Transmission, answer: Followed) -> Results:
         for message in diagnosis.messages(at_point)
         if not (message.gear in unknown and message.id in CONSEQUENCES)
     ]
-    said += not_allowed(_messages(case, points, answer.wrong), case.untold)
+    said += not_allowed(unsolved(case, points, answer.wrong), case.untold)
     return at_point._replace(case=case, messages=tuple(said))
 
 
@@ -156,23 +145,3 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
             Efficiency(float(forward), float(backward), mechanism.kind == "variator")
         )
     return efficiencies
-
-
-def _messages(case: Transmission, points: Any, wrong: Outside) -> Iterator[Message]:
-    states = zip(case.gears, points.gears, points.open.tolist(), strict=True)
-    for number, (gear, settled, state) in enumerate(states):
-        if state == NO_EFFICIENCY:
-            names = spoken(name for name, where in wrong.items() if where[0, number])
-            text = f"the formula for the efficiency of {names} is not above 0 and at most 1 here, "
-            yield Message("W433", f"{text}so torques with losses are unknown", gear.name)
-        if state in (NONE, SEVERAL):
-            words = "no torque is" if state == NONE else "more than one torque is"
-            text = f"{words} consistent with the losses that depend on speed or torque, so torques "
-            text += "with losses are unknown"
-            yield Message("W426", text, gear.name)
-        if state in (NO_BALANCE, TWO_BALANCES):
-            link = sought_link(gear, settled)
-            none, two = "no torque on {} satisfies", "two torques on {} satisfy"
-            words = (none if state == NO_BALANCE else two).format(case.link_name(link))
-            text = f"balance: {words} the battery balance, so the torques are unknown"
-            yield Message("W427", text, gear.name)
