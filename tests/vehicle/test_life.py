@@ -287,6 +287,19 @@ def test_classes_that_cannot_be_are_wrong_use(classes: str, said: str) -> None:
     )
 
 
+@pytest.mark.usefixtures("folder")
+def test_a_deck_holds_neither_bearings_nor_losses_of_gears() -> None:
+    loss = "{over: [speed, torque], columns: [0, 9], rows: [[0, 1, 1], [9, 1, 1]]}"
+    text = (CASE % STRENGTH).replace('"1": []', f'"1": {{loss: {loss}}}')
+    Path("case.yaml").write_text(text + "load: {speed: 9 rpm, torque: 9 N*m}\n", encoding="utf-8")
+    said = vstatics("convert", "case.yaml", "case.dat")
+    for what in ("loss of gear of 1", "bearing of pin, main, out", "fatigue strength of P1.sun"):
+        assert what in said.err
+    assert not Path("case.dat").exists()
+    printed = vstatics("run", "case.yaml", "-f", "source")
+    assert "the published listing has no field for losses of gears as a whole: 1" in printed.err
+
+
 def test_a_cycle_that_never_moves_is_an_error() -> None:
     rows = Rows(seeded(75))
     rows.speeds[:] = 0.0

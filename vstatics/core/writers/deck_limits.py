@@ -59,7 +59,9 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     laws = [part.name for part in case.mechanisms if isinstance(part.efficiency, Law)]
     laws += [part.name for part in case.mechanisms if isinstance(part.back_efficiency, Law)]
     yield "efficiency over speed or torque", [*dict.fromkeys(laws)]
+    yield "loss of gear", [gear.name for gear in case.gears if gear.loss is not None]
     yield "fatigue strength", [*case.fatigue]
+    yield "bearing", [*case.bearings]
     yield "balance of gear", [gear.name for gear in case.gears if gear.balance]
     yield "planet masses", [element.name for element in elements if element.planet_masses]
 
@@ -117,6 +119,7 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
             if _acts(part.drag)
         },
     )
+    yield "losses of gears as a whole", _gears(case, "loss", lambda gear: gear.loss is not None)
     yield "drag in gears", _gears(case, "drag", lambda gear: any(map(_acts, gear.drag.values())))
     yield (
         "the drag of disengaged shift elements in gears",

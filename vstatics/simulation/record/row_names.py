@@ -127,7 +127,9 @@ _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
     "link with a road": lambda scenario: _named(scenario, roads_of(scenario)),
     "step": _steps,
     "target": _targets,
-    "device with fatigue": lambda scenario: scenario.case.fatigue,
+    "device with fatigue": lambda scenario: [
+        name for name, given in scenario.case.fatigue.items() if hasattr(given, "endurance")
+    ],
     "converter": _converters,
     "number": lambda _scenario: (),
 }
