@@ -221,6 +221,11 @@ def test_strengths_and_bearings_are_written_as_they_were_read() -> None:
             "bearings: {b: {on: P1.planet, load_per_torque: 1, dynamic: 9}}",
             "expected `torque_of` of b",
         ),
+        (
+            "bearings: {b: {on: P1.carrier, load_per_torque: 1, dynamic: 9}}",
+            "does not turn against",
+        ),
+        ("fatigue: {s: {torque: 9, cycles: 9, exponent: 3, flanks: apart}}", "is a magnitude"),
         ("bearings: {b: {on: s, load_per_torque: 0, dynamic: 9 kN}}", "a load per torque above 0"),
         ("bearings: {b: {on: s, load_per_torque: 1 N, dynamic: 9}}", "load_per_torque: read '1 N'"),
     ],
@@ -298,6 +303,36 @@ def test_a_deck_holds_neither_bearings_nor_losses_of_gears() -> None:
     assert not Path("case.dat").exists()
     printed = vstatics("run", "case.yaml", "-f", "source")
     assert "the published listing has no field for losses of gears as a whole: 1" in printed.err
+
+
+@pytest.mark.usefixtures("folder")
+def test_points_are_read_below_a_comment_beside_other_speeds_and_stand_in_no_gear() -> None:
+    Path("case.yaml").write_text(CASE % STRENGTH, encoding="utf-8")
+    rows = "speed [km/h],duration [s],gear,speed [rpm],torque [N*m]\n9,10,1,900,50\n0,5,,0,0\n"
+    wanted: Any = None
+    for text in (rows, "\ufeff" + rows, "# steps\n" + rows):
+        Path("d.csv").write_text(text, encoding="utf-8")
+        duty = json_answer("summary", "case.yaml", "--duty", "d.csv", "-f", "json")["duty"]
+        assert wanted in (None, duty)
+        wanted = duty
+    assert wanted["members"]["s"]["revolutions"] == pytest.approx(150)
+    Path("d.csv").write_text(rows.replace(",10,", ",-1,"), encoding="utf-8")
+    said = vstatics("summary", "case.yaml", "--duty", "d.csv")
+    assert "duration: read -1, expected 0 or more" in said.err
+
+
+def test_an_unknown_torque_leaves_the_life_unknown() -> None:
+    """Two brakes hold the ring, so the torque of neither is known."""
+    text = CASE.replace("ring: housing", "ring: r").replace("links: [s,", "links: [r, s,")
+    text = text.replace(
+        "output: out", "input: s\noutput: out\nshift_elements: {A: [r, housing], B: [r, housing]}"
+    )
+    text = text.replace('"1": []', '"1": [A, B]')
+    keys = "bearings: {b: {on: s, torque_of: A, load_per_torque: 1, dynamic: 9 kN}}"
+    found = spectrum(loads(text % keys), Rows(seeded(76)).points())
+    assert found.bearings is not None
+    assert math.isnan(found.bearings["b"].damage)
+    assert found.bearings["b"].hours is None
 
 
 def test_a_cycle_that_never_moves_is_an_error() -> None:

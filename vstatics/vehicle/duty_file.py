@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 from collections.abc import Iterator
 from typing import NamedTuple, get_args
@@ -10,7 +11,7 @@ from vstatics.core.errors import CaseError, Problem, ReadError, of_file, spoken
 from vstatics.core.model.shape import ByKey, KeyShape, Shares
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.kinds import KEYS, is_of_kind
-from vstatics.core.readers.named.headings import TableColumn
+from vstatics.core.readers.named.headings import MOST_TITLE_LINES, TableColumn
 from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.reader import read_document
 from vstatics.core.readers.named.si_units import measured
@@ -100,8 +101,8 @@ def without_inertias(case: Transmission) -> Iterator[Message]:
     behind = [link for link, inertia in case.heavy.items() if inertia and link not in inputs]
     if behind and "N418" not in case.untold:
         names = spoken([case.link_name(link) for link in behind])
-        text = f"inertias behind the input, of {names}, load no member: the torque of each row is "
-        yield Message("N418", f"{text}that of the input at constant speed")
+        text = f"inertias behind the input, of {names}, load no member: only the torque of the "
+        yield Message("N418", f"{text}inertia of the input itself is taken off")
 
 
 def _row(problem: Problem) -> int:
@@ -113,7 +114,7 @@ def _row(problem: Problem) -> int:
 _STEP_COLUMNS = (TableColumn("duration", "time"), *_COLUMNS[2:])
 """Columns of the steps of a driving cycle; others are skipped."""
 _DURATION = re.compile(r"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
-_SPEED = re.compile(r"(?<=[,;\t])(\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
+_SPEED = re.compile(r"(^|[,;\t])(\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
 
 
 def read_duty_table(
@@ -136,11 +137,13 @@ def read_duty_table(
     ReadError
         If the file is in error, with every problem and its position.
     """
-    head, end, others = data.partition(b"\n")
-    if _DURATION.search(headings := head.decode("utf-8", errors="surrogateescape")):
-        headings = _SPEED.sub(_of_road, headings)
-        plain = headings.encode("utf-8", errors="surrogateescape") + end + others
-        return _steps(plain, file, exponent, classes)
+    lines = data.removeprefix(codecs.BOM_UTF8).split(b"\n")
+    for number, line in enumerate(lines[:MOST_TITLE_LINES]):
+        headings = line.decode("utf-8", errors="surrogateescape")
+        if _DURATION.search(headings):
+            plain = _SPEED.sub(_of_road, headings).encode("utf-8", errors="surrogateescape")
+            lines[number] = plain
+            return _steps(b"\n".join(lines), file, exponent, classes)
     table = read_unit_table(
         data, file, "a duty cycle: time or share, gear, speed, torque", _COLUMNS, "E121"
     )
@@ -152,11 +155,11 @@ def read_duty_table(
 
 def _of_road(speed: re.Match[str]) -> str:
     """Rename the column of a speed of the vehicle, beside that of the input."""
-    blank, heading, unit = speed.groups()
+    sign, blank, heading, unit = speed.groups()
     try:
         measured(f"1 {unit}", "si_speed")
     except ValueError:
-        return f"{blank}road {heading}"
+        return f"{sign}{blank}road {heading}"
     return speed[0]
 
 

@@ -15,7 +15,7 @@ from tests.core.statics.points.test_maps import Grid, interpolated, random_map
 from vstatics import CaseError, Gear, Mechanism, ReadError, ShiftElement, Transmission, loads
 from vstatics.core.model.laws import MapLaw
 from vstatics.core.numerics.constants import AIR, GRAVITY
-from vstatics.core.readers.named.law_formulas import EfficiencyFormula
+from vstatics.core.readers.named.law_formulas import DragFormula, EfficiencyFormula
 from vstatics.core.writers.named import write_yaml
 from vstatics.vehicle.case.vehicle import Machine, Vehicle
 from vstatics.vehicle.operation.cycle_steps import GearChoice
@@ -117,7 +117,7 @@ def test_a_machine_pulls_as_an_engine_with_its_full_load() -> None:
     )
     assert engine == electric
     car = Vehicle(1500, 0.3, machine=Machine(points))
-    assert car.overrun_torque(np.array([0.0, 450.0])).tolist() == [-260, -190]
+    assert car.overrun_torque(np.array([0.0, 450.0, 901.0])).tolist() == [-260, -190, 0]
 
 
 def test_a_formula_that_gives_no_efficiency_fails_at_its_step() -> None:
@@ -142,7 +142,10 @@ def test_a_machine_is_written_as_it_was_read() -> None:
     own = ", generating: [[0, -90]], efficiency: 0.92, battery: {efficiency: 0.97}"
     case = loads(CAR % (MACHINE % own + ", recuperation: 0.6"))
     assert loads(write_yaml(case)) == case
-    assert case.vehicle.machine.battery_efficiency == 0.97
+    vehicle = Vehicle.of(case)
+    assert vehicle is not None
+    assert vehicle.machine is not None
+    assert vehicle.machine.battery_efficiency == 0.97
 
 
 @pytest.mark.parametrize(
@@ -217,3 +220,21 @@ def test_the_gear_of_least_loss_is_that_of_the_least_energy_alone() -> None:
                 compared += 1
                 assert energies[gear] == pytest.approx(min(energies.values()), rel=1e-9)
     assert compared > 10
+
+
+def test_a_drag_below_0_is_an_error_of_the_case() -> None:
+    """Its place is that of the drag, not a row of the trace."""
+    pair = Mechanism(1, 2, 0, RATIO, ETA)
+    drag: dict[int, float] = {2: DragFormula("0.5 - 0.01*w")}
+    case = Transmission(2, [], [pair], [Gear(name="1")], drag=drag, vehicle=Vehicle(1000, 0.3))
+    trace = read_trace(b"time [s],speed [m/s]\n0,30\n1,30\n", "t.csv")
+    for choice in (GearChoice(), GearChoice(least_loss=True)):
+        with pytest.raises(CaseError, match="expected a torque of 0 or more") as caught:
+            drive(case, trace, choice)
+        assert [problem.path for problem in caught.value.problems] == [("drag", 2)]
+
+
+def test_a_cycle_that_stands_has_no_consumption() -> None:
+    found = driven(Vehicle(1000, 0.3, machine=Machine([(0, 300)])), [0.0, 0.0])
+    assert found.consumption is not None
+    assert math.isnan(found.consumption)

@@ -89,6 +89,7 @@ def of_bearings(case: TransmissionFields) -> Iterator[Problem]:
 def _of_places(bearing: Bearing, members: Members, path: tuple[Any, ...]) -> Iterator[Problem]:
     if isinstance(bearing.on, str):
         yield from members.unknown(bearing.on, path)
+        yield from members.at_rest(bearing.on, path)
         return
     if len(bearing.on) != 2:
         message = f"read {len(bearing.on)} links, expected two: [first, second]"

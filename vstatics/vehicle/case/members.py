@@ -33,6 +33,8 @@ class Members(NamedTuple):
     elements: list[str]
     firsts: dict[str, str]
     """First member of each device, by the name of the device."""
+    still: list[str]
+    """Members that turn with the third link of their set, against which speeds are counted."""
     contacts: dict[str, int]
     """Flanks that a tooth of a member meets in a turn, where the planets are counted."""
 
@@ -52,6 +54,12 @@ class Members(NamedTuple):
             [planet.name for device in devices for planet in device.planets],
             element_names(case.shift_elements),
             {device.name: f"{device.name}.{device.members[0].name}" for device in devices},
+            [
+                f"{device.name}.{member.name}"
+                for device in devices
+                for member in device.members
+                if member.link == case.mechanisms[device.mechanisms[0]].third
+            ],
             {
                 f"{device.name}.{member.name}": planets[device.name]
                 for device in devices
@@ -79,6 +87,12 @@ class Members(NamedTuple):
         known = [*self.with_torque, *self.planets, *self.firsts]
         if name not in known:
             yield self.fault(name, known, "link or member", path)
+
+    def at_rest(self, name: str, path: Path) -> Iterator[Problem]:
+        """Yield the problem of a member without speed against its own carrier."""
+        if name in self.still:
+            message = f"{quoted(name)} does not turn against itself, expected its link"
+            yield Problem("E880", f"{message}, or two links", path)
 
     def without_torque(self, name: str, path: Path) -> Iterator[Problem]:
         """Yield the problem of a name of nothing with a torque of its own."""

@@ -196,7 +196,11 @@ class Vehicle(NamedTuple):
 
     def overrun_torque(self, speed: Any) -> Any:
         """Return the largest braking torque, 0 or below [N*m], at a speed [rad/s]."""
-        return _between(self.braking, speed) if self.braking else np.zeros_like(speed)
+        if not self.braking:
+            return np.zeros_like(speed)
+        torques = _between(self.braking, speed)
+        as_it_drives = self.machine is not None and not self.machine.generating
+        return np.where(self.may_turn(speed), torques, 0.0) if as_it_drives else torques
 
     def completed(self) -> Vehicle:
         """Return the vehicle with all numbers as floats."""

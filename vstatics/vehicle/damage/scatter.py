@@ -17,6 +17,8 @@ from vstatics.core.tables.answer import json_keys
 
 SHARES = np.arange(1, 100) / 100
 """Shares of failed components at which the distribution of lives is given. [-]"""
+LARGEST_LOG_DEVIATION = 10.0
+"""Largest standard deviation of the natural logarithm of a stress. [-]"""
 _DISTRIBUTION = re.compile(r"\s*(normal|lognormal)\s*\((.*),(.*)\)\s*")
 
 
@@ -81,6 +83,8 @@ def read_scattered(text: str) -> Scattered | None:
         if deviation.measure != middle.measure:
             raise ValueError("expected a unit of both numbers, or of none")
         spread = float(deviation)
+    if kind == "lognormal" and spread > LARGEST_LOG_DEVIATION:
+        raise ValueError(f"expected a deviation of the logarithm up to {LARGEST_LOG_DEVIATION:g}")
     if not (0 < middle < math.inf and 0 < spread < math.inf):
         raise ValueError("expected a median or mean, and a deviation, above 0")
     return Scattered(float(middle), kind, spread, middle.measure)

@@ -59,9 +59,11 @@ def _life(bearing: Bearing, rows: MemberRows) -> BearingLife:
         turns = rows.row(bearing.on, turning=True).turns
     else:
         turns = rows.turns_between(*bearing.on)
-    torques = np.nan_to_num(rows.row(bearing.torque_owner or "").torques)
-    loads = np.abs(torques) * bearing.load_per_torque
+    torques = rows.row(bearing.torque_owner or "").torques
     total, p = float(turns.sum()), bearing.exponent
+    if (np.isnan(torques) & (turns > 0)).any():
+        return BearingLife(math.nan, total, math.nan, None, None)
+    loads = np.abs(np.nan_to_num(torques)) * bearing.load_per_torque
     with np.errstate(over="ignore"):
         damage = float(((loads / bearing.dynamic) ** p) @ turns) / RATED_REVOLUTIONS
     largest = float(loads.max(initial=0.0))

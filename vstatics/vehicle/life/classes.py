@@ -101,7 +101,7 @@ def _spectrum(row: MemberRow, rows: MemberRows, classes: Classes, flanks: float)
             among = own & (place == number)
             ends = sign * float(edges[number]) + 0.0, sign * float(edges[number + 1])
             counted.append(_class(ends, among, row, rows.weights, flanks))
-    idle = torques == 0
+    idle = row.torques == 0
     time = float(rows.weights[idle].sum()) + rows.standing
     return MemberSpectrum(counted, IdleTime(float(row.turns[idle].sum()), time))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -20,7 +21,7 @@ class MemberLife(NamedTuple):
     """Damage and life of a member over a duty cycle."""
 
     damage: float
-    """Damage of one cycle; the member fails at `sum` of its strength. [-]"""
+    """Damage of one cycle, up to `sum` at failure; NaN if a torque is unknown. [-]"""
     contacts: float
     """Contacts of a tooth under torque in one cycle. [-]"""
     repeats: float | None
@@ -52,7 +53,10 @@ def lives(case: Transmission, rows: MemberRows) -> dict[str, MemberLife]:
 
 def _life(name: str, strength: TorqueStrength, rows: MemberRows) -> MemberLife:
     row = rows.row(name, turning=strength.torque_of is not None)
-    torques = np.nan_to_num(rows.row(strength.torque_of or name).torques)
+    torques = rows.row(strength.torque_of or name).torques
+    if (np.isnan(torques) & (row.turns > 0)).any():
+        return MemberLife(math.nan, math.nan, None, None)
+    torques = np.nan_to_num(torques)
     flanks = rows.contacts(name) if strength.contacts is None else strength.contacts
     contacts = np.where(torques != 0, row.turns * flanks, 0.0)
     parts = np.abs(torques) / strength.torque

@@ -17,7 +17,7 @@ from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
-from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads
+from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
 from vstatics.vehicle.operation.shifting import (
     EngineSpeeds,
     ShiftSpeed,
@@ -152,10 +152,11 @@ class CycleSteps(NamedTuple):
                 torques = self.engine_torques(rows)
                 break
             except CaseError as error:
-                lacking = [p.path[0] for p in error.problems if p.path]
-                if not lacking:
+                firsts = [problem.path[0] for problem in error.problems if problem.path]
+                others = np.setdiff1d(rows, [row for row in firsts if isinstance(row, int)])
+                if others.size == rows.size:
                     raise
-                rows = np.setdiff1d(rows, lacking)
+                rows = others
         turning = speeds[rows]
         torques = np.maximum(torques, self.vehicle.overrun_torque(turning))
         full = self.vehicle.full_torque(turning) if self.vehicle.full_load else np.inf
@@ -302,13 +303,7 @@ class CycleSteps(NamedTuple):
         try:
             return PointLoads.of(case, points, self._elsewhere(case, rows))
         except CaseError as error:
-            problems = [
-                problem._replace(
-                    path=tuple(int(rows[row]) for row in problem.path if isinstance(row, int))
-                )
-                for problem in error.problems
-            ]
-            raise CaseError(problems) from None
+            raise at_rows(error, rows) from None
 
     def engine_torques(self, rows: Integers) -> Floats:
         """Return engine torques with all losses, in the direction of the engine [N*m].
@@ -360,7 +355,10 @@ class CycleSteps(NamedTuple):
         for number, gear in enumerate(self.case.gears):
             own = here.gears == number
             if gear.loss is not None and own.any():
-                brake = brake_torque(gear.loss, speeds[own], np.abs(engine[rows][own]))
+                sizes = speeds[own], np.abs(engine[rows][own])
+                if gear.loss.is_outside(*sizes).any():  # type: ignore[attr-defined] # a map
+                    lost.outside[f"the loss of gear {gear.name}"] = None
+                brake = brake_torque(gear.loss, *sizes)
                 energy = float((brake * speeds[own]) @ here.trace.duration[own])
                 name = loss_name(gear)
                 lost.energies[name] = lost.energies.get(name, 0.0) + energy

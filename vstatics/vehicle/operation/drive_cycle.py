@@ -168,7 +168,7 @@ def drive(
         course["battery power [W]"] = supply.battery
         energy = supply.energies(energy, trace.duration)
         given = supply.battery * trace.duration
-        battery = BatteryEnergy(float(given[given > 0].sum()), float(-given[given < 0].sum()))
+        battery = BatteryEnergy(float(given[given > 0].sum()), float(-given[given < 0].sum()) + 0.0)
         outside += ["vehicle.machine.efficiency"] * supply.is_outside
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
@@ -177,7 +177,7 @@ def drive(
     doubts += (outside_message(outside),) * bool(outside)
     messages = not_allowed(doubts, case.untold)
     course |= steps.input_course(engine)
-    consumption = energy.battery and _per_distance(energy.battery, distance)
+    consumption = None if energy.battery is None else _per_distance(energy.battery, distance)
     return DriveCycle(
         duration,
         distance,

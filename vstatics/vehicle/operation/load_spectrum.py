@@ -26,7 +26,7 @@ from vstatics.vehicle.life.bearing_life import BearingLife, bearing_grid, bearin
 from vstatics.vehicle.life.classes import Classes, MemberSpectrum, spectra, spectrum_grid
 from vstatics.vehicle.life.member_rows import MemberRows
 from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
-from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads
+from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
 
 EXPONENT = 3.0
 """Exponent of equivalent torques, near that of tooth roots and roller bearings (10/3). [-]"""
@@ -222,11 +222,7 @@ def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> Point
     try:
         return PointLoads.of(case, parts)
     except CaseError as error:
-        problems = []
-        for problem in error.problems:
-            path = tuple(int(moving[row]) for row in problem.path if isinstance(row, int))
-            problems.append(problem._replace(path=path))
-        raise CaseError(problems) from None
+        raise at_rows(error, moving) from None
 
 
 def _doubts(case: Transmission, loads: PointLoads, moving: Integers) -> Iterator[Message]:
@@ -276,10 +272,10 @@ def points_of(
     names = [gear.name for gear in case.gears]
     problems = [
         Problem("E416", f"there is no gear {gear!r} in the case", (row,))
-        for row, gear in enumerate(gears)
-        if gear not in names
+        for row, (gear, speed) in enumerate(zip(gears, numbers["speed"], strict=True))
+        if gear not in names and (gear or speed)
     ]
-    kind = "share" if "share" in numbers else "time"
+    kind = next(name for name in ("share", "duration", "time") if name in numbers)
     problems += [
         Problem("E425", f"{kind}: read {value:g}, expected 0 or more", (row,))
         for row, value in enumerate(numbers[kind])
@@ -296,5 +292,5 @@ def points_of(
     if problems:
         raise CaseError(problems)
     speeds, torques, weights = (np.array(numbers[name]) for name in ("speed", "torque", kind))
-    indices = np.array([names.index(gear) for gear in gears])
+    indices = np.array([names.index(gear) if gear else 0 for gear in gears])
     return DutyPoints(indices, speeds, torques, weights, kind == "share")

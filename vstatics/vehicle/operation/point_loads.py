@@ -44,6 +44,16 @@ class DutyPoints(NamedTuple):
     are_shares: bool = False
 
 
+def at_rows(error: CaseError, rows: Integers) -> CaseError:
+    """Return an error whose problems at points of a part have the rows of these points."""
+    problems = []
+    for problem in error.problems:
+        first = next(iter(problem.path), None)
+        path = (int(rows[first]),) if isinstance(first, int) else problem.path
+        problems.append(problem._replace(path=path))
+    return CaseError(problems)
+
+
 class PointLoads(NamedTuple):
     """Results of all points, in the gear of each point; arrays of shape (points, ...)."""
 

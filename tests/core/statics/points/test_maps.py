@@ -108,6 +108,15 @@ def test_a_formula_that_gives_no_efficiency_leaves_no_torques(formula: str) -> N
     assert "of pair " in results.messages[0].text
 
 
+def test_a_formula_that_is_not_used_takes_no_torques_away() -> None:
+    """A pair without torque, and the efficiency of the other direction, have no value here."""
+    idle = Mechanism(1, 2, 0, 2.0, EfficiencyFormula("0.9 - 2/T"))
+    other = Mechanism(1, 3, 0, 2.0, 0.8, back_efficiency=EfficiencyFormula("0.5 - 20/(T + 9)"))
+    results = solve(Transmission(3, [], [idle, other], [Gear()], load=Load(1000, 10)))
+    assert results.efficiency == pytest.approx([0.8])
+    assert "W433" not in {message.id for message in results.messages}
+
+
 def test_machines_with_maps_balance_a_battery() -> None:
     """Sum of P eta of generators less P/eta of motors is the power of the battery."""
     chance = seeded(52)

@@ -8,6 +8,9 @@ from vstatics.core.model.parts import Law
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.tolerances import SAME_SOLUTION
 
+ROUNDING = 1e-12
+"""Relative distance up to which a solution counts as inside an interval of the map. [-]"""
+
 
 def brake_torque(loss: Law, speed: Floats, torque: Floats) -> Floats:
     """Return the torque by which a loss brakes the input link, 0 at rest [N*m].
@@ -71,7 +74,8 @@ def braked_torques(loss: Law, speed: Floats, passed: Floats) -> tuple[Floats, In
     starts = np.where(np.isfinite(low), low, high)
     with np.errstate(divide="ignore", invalid="ignore"):
         roots = (passed[:, None] + first - slopes * starts) / (1 - slopes)
-    is_root = (roots >= low) & (roots <= high) & (widths > 0)
+    room = ROUNDING * (np.abs(roots) + 1)
+    is_root = (roots >= low - room) & (roots <= high + room) & (widths > 0)
     least = np.where(is_root, roots, np.inf).min(axis=1)
     most = np.where(is_root, roots, -np.inf).max(axis=1)
     counts = np.where(

@@ -81,7 +81,7 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
         unsettled = np.where(moved, NONE, np.where(states, states, unsettled))
         results = with_efficiencies
         sizes |= search.sizes(results)
-    wrong = _wrong_efficiencies(case, laws, sizes, results.consistent & (unsettled == 0))
+    wrong = _wrong_efficiencies(case, laws, sizes, results, unsettled == 0)
     for where in wrong.values():
         unsettled[where] = NO_EFFICIENCY
     results = _without_values(results, unsettled)
@@ -214,12 +214,22 @@ def _differ(speeds: Floats, others: Floats) -> Booleans:
     return differ  # type: ignore[no-any-return] # an array
 
 
-def _wrong_efficiencies(case: Transmission, laws: Laws, sizes: _Sizes, settled: Any) -> Outside:
-    """Return the points at which a formula of an efficiency is not above 0 and up to 1."""
+def _wrong_efficiencies(
+    case: Transmission, laws: Laws, sizes: _Sizes, results: Results, settled: Any
+) -> Outside:
+    """Return the points at which the formula of an efficiency in use is not above 0 and up to 1.
+
+    It is in use where power flows through the mechanism in the direction of the efficiency.
+    """
     by_name: dict[str, Any] = {}
+    settled = settled & results.consistent
     for number, law in laws.items():
         if law.text and _is_efficiency(number):
-            wrong = ~_are_efficiencies(law.at(*sizes[number])) & settled[:, number.gear]
+            sign = results.power_sign[:, number.gear, number.owner]
+            in_use = sign != 0
+            if case.mechanisms[number.owner].back_efficiency is not None:
+                in_use = sign > 0 if number.quantity == "efficiency" else sign < 0
+            wrong = ~_are_efficiencies(law.at(*sizes[number])) & settled[:, number.gear] & in_use
             if wrong.any():
                 none = np.zeros_like(settled)
                 by_name.setdefault(_name(case, number), none)[:, number.gear] |= wrong
