@@ -73,7 +73,7 @@ def machine_balance(results: Results, number: int) -> MachineBalance | None:
         torque = -1000 * power / speed if speed else 0.0
         sizes = (np.array([size]) for size in (speed, torque, power))
         efficiency = float(np.asarray(efficiency_at(law, *sizes)).item())
-        given = float(battery_power(power, efficiency))
+        given = float(battery_power(np.array(power), efficiency))
         shares.append(MachineShare(case.link_name(link), power, efficiency, given))
     if any(math.isnan(share.power_kW) for share in shares):
         return None

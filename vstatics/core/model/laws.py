@@ -11,7 +11,8 @@ import numpy as np
 
 from vstatics.core.errors import Path, Problem
 from vstatics.core.model.fields import TransmissionFields
-from vstatics.core.model.parts import Gear, Law
+from vstatics.core.model.parts import Gear, Law, Size
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 
 MOST_LAW_POINTS = 10_000
@@ -50,15 +51,15 @@ class PointLaw(Law):
         """Return the arguments of the constructor, for pickling."""
         return self.points, self.over
 
-    def at(self, *sizes: Any) -> Any:
+    def at(self, *sizes: Size) -> Size:
         """Return the value at a speed or torque, or an array of values at an array of speeds."""
         (size,) = sizes
         x, y = zip(*self.points, strict=True)
         values = np.interp(size, x, y)
-        return values if isinstance(size, np.ndarray) else float(values)
+        return values if isinstance(size, np.ndarray) else float(values)  # type: ignore[no-any-return]
 
-    def is_outside(self, *sizes: Any) -> Any:
-        """Return whether a speed or torque, or each of an array, is outside the points."""
+    def is_outside(self, *sizes: Floats) -> Booleans:
+        """Return whether each speed or torque is outside the points."""
         (size,) = sizes
         return (size < self.points[0][0]) | (size > self.points[-1][0])
 
@@ -113,15 +114,15 @@ class MapLaw(Law):
             tuple(row[0] for row in self.rows), tuple(row[1:] for row in self.rows), self.columns
         )
 
-    def at(self, *sizes: Any) -> Any:
+    def at(self, *sizes: Size) -> Size:
         """Return the value at a speed and a torque, or at each of two arrays."""
         speed, torque = sizes
         if isinstance(speed, np.ndarray) or isinstance(torque, np.ndarray):
             return self.table.along(*np.broadcast_arrays(speed, torque))
         return self.table.at(speed, torque)
 
-    def is_outside(self, *sizes: Any) -> Any:
-        """Return whether a speed and a torque, or each of two arrays, are outside the map."""
+    def is_outside(self, *sizes: Floats) -> Booleans:
+        """Return whether each pair of speed and torque is outside the map."""
         speed, torque = sizes
         low, high = self.rows[0][0], self.rows[-1][0]
         first, last = self.columns[0], self.columns[-1]
@@ -134,7 +135,7 @@ class MapLaw(Law):
         return min(values), max(values)
 
     @property
-    def _definition(self) -> tuple[Any, ...]:
+    def _definition(self) -> tuple[object, ...]:
         return type(self), self.columns, self.rows, self.unit
 
     def __repr__(self) -> str:

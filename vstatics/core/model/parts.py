@@ -13,7 +13,11 @@ import math
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, Literal, NamedTuple, Self, get_args
+from typing import Any, Literal, NamedTuple, Self, TypeVar, get_args
+
+import numpy as np
+
+from vstatics.core.numerics.arrays import Booleans, Floats
 
 
 class Damping(NamedTuple):
@@ -536,6 +540,10 @@ def related(number: float, whole: float | None) -> float:
     return number.by(whole) if isinstance(number, OfLoad) else number
 
 
+Size = TypeVar("Size", float, Floats)
+"""A number, or an array of numbers."""
+
+
 class Law(float):
     """Drag torque [N*m], efficiency [-] or loss over speed [rad/s], torque [N*m] or both.
 
@@ -552,11 +560,15 @@ class Law(float):
     file: str = ""
     """Name of the file with the points; irrelevant for equality."""
 
-    def at(self, *sizes: Any) -> Any:
+    def at(self, *sizes: Size) -> Size:
         """Return the value at the quantities of `sizes_of`, numbers or arrays."""
         raise NotImplementedError
 
-    def sizes_of(self, speed: Any, torque: Any) -> tuple[Any, ...]:
+    def is_outside(self, *sizes: Floats) -> Booleans:
+        """Return whether quantities are outside the given points; a formula has none."""
+        return np.zeros(np.shape(sizes[0]), np.bool_)
+
+    def sizes_of(self, speed: Size, torque: Size) -> tuple[Size, ...]:
         """Return speed, torque or both, whatever the law is over."""
         if self.over == "both":
             return speed, torque
@@ -567,7 +579,7 @@ class Law(float):
         return True
 
     @property
-    def _definition(self) -> tuple[Any, ...]:
+    def _definition(self) -> tuple[object, ...]:
         return type(self), self.over, self.points, self.text
 
     def __eq__(self, other: object) -> bool:

@@ -84,7 +84,7 @@ def check_published_listing(results: Results) -> None:
     vstatics.core.errors.CaseError: gears[2].input: the published listing has no field for ...
     """
     problems = []
-    for what, parts in _unprinted(results):
+    for what, parts in (*_unprinted_parts(results.case), *_unprinted_gears(results)):
         if parts:
             message = f"the published listing has no field for {what}: {listed([*parts], SHOWN)}"
             expected = "expected another format, such as `-f listing`"
@@ -94,9 +94,8 @@ def check_published_listing(results: Results) -> None:
         raise CaseError(problems)
 
 
-def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
+def _unprinted_parts(case: Transmission) -> Iterator[tuple[str, dict[str, Path]]]:
     """Yield each kind of part without a field, with the paths of such parts by name."""
-    case = results.case
     yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
     yield (
@@ -119,6 +118,11 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
             if _acts(part.drag)
         },
     )
+
+
+def _unprinted_gears(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
+    """Yield each key of gears without a field, with its paths by name of the gear."""
+    case = results.case
     yield "losses of gears as a whole", _gears(case, "loss", lambda gear: gear.loss is not None)
     yield "drag in gears", _gears(case, "drag", lambda gear: any(map(_acts, gear.drag.values())))
     yield (

@@ -128,26 +128,10 @@ class Margins:
 
     def __init__(self, equations: Equations) -> None:
         self.equations = equations
-        system, states = equations.system, equations.states
-        layout, structure = equations.layout, equations.structure
+        system, layout, structure = equations.system, equations.layout, equations.structure
         self.watches: list[Watch] = []
         self.is_torque: list[bool] = []
-        self.slipping: list[tuple[int, float]] = []
-        self.holding: list[tuple[Contact, int, int]] = []
-        """Limits of sticking contacts: contact, row of its multiplier, 1 upper or -1 lower."""
-        for index, state in enumerate(states.contacts):
-            if state in SIGNS:
-                self.slipping.append((layout.contacts + index, SIGNS[state]))
-                self._watch("slip", index, torque=False)
-        for index, (contact, state) in enumerate(
-            zip(system.contacts, states.contacts, strict=True)
-        ):
-            if state == "stick":
-                first = contact.switch.jump.side if contact.switch else "+"
-                for side in (1, -1) if first == "+" else (-1, 1):
-                    if (side == 1 and contact.one_way) or _is_limited(contact, equations.time):
-                        self.holding.append((contact, structure.contact_rows[index], side))
-                        self._watch("hold", index, side)
+        self._contacts()
         self._meshes()
         self._springs()
         self._pieces()
@@ -203,6 +187,27 @@ class Margins:
     def _watch(self, kind: Watched, index: int, side: int = 1, *, torque: bool = True) -> None:
         self.watches.append(Watch(kind, index, side))
         self.is_torque.append(torque)
+
+    def _contacts(self) -> None:
+        equations = self.equations
+        self.slipping: list[tuple[int, float]] = []
+        self.holding: list[tuple[Contact, int, int]] = []
+        """Limits of sticking contacts: contact, row of its multiplier, 1 upper or -1 lower."""
+        contacts = [
+            *enumerate(zip(equations.system.contacts, equations.states.contacts, strict=True))
+        ]
+        for index, (_, state) in contacts:
+            if state in SIGNS:
+                self.slipping.append((equations.layout.contacts + index, SIGNS[state]))
+                self._watch("slip", index, torque=False)
+        for index, (contact, state) in contacts:
+            if state == "stick":
+                first = contact.switch.jump.side if contact.switch else "+"
+                for side in (1, -1) if first == "+" else (-1, 1):
+                    if (side == 1 and contact.one_way) or _is_limited(contact, equations.time):
+                        row = equations.structure.contact_rows[index]
+                        self.holding.append((contact, row, side))
+                        self._watch("hold", index, side)
 
     def _meshes(self) -> None:
         system, states = self.equations.system, self.equations.states

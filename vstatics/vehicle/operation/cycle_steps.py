@@ -356,7 +356,7 @@ class CycleSteps(NamedTuple):
             own = here.gears == number
             if gear.loss is not None and own.any():
                 sizes = speeds[own], np.abs(engine[rows][own])
-                if gear.loss.is_outside(*sizes).any():  # type: ignore[attr-defined] # a map
+                if gear.loss.is_outside(*sizes).any():
                     lost.outside[f"the loss of gear {gear.name}"] = None
                 brake = brake_torque(gear.loss, *sizes)
                 energy = float((brake * speeds[own]) @ here.trace.duration[own])

@@ -131,19 +131,8 @@ def drive(
     """
     vehicle = Vehicle.needed(case)
     steps = CycleSteps.of(bare(case), vehicle, trace, choice)
-    engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
-    lost = CycleLosses({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))
-    brakes = 0.0
-    if (trace.speed > 0).any():
-        for rows in _blocks(trace.speed > 0):
-            engine[rows] = steps.engine_torques(rows)
-        over = engine < vehicle.overrun_torque(speeds) - SAME_ENGINE_TORQUE
-        over &= trace.speed > 0
-        if over.any():
-            engine[over] = vehicle.overrun_torque(speeds[over])
-        for rows in _blocks((trace.speed > 0) & ~over):
-            brakes += steps.add_losses(rows, engine, lost)
-        brakes += math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
+    speeds = steps.engine_speeds
+    engine, lost, brakes = _solved(steps)
     energy = CycleEnergy(
         float((engine * speeds) @ trace.duration),
         float((steps.forces * trace.speed) @ trace.duration),
@@ -179,17 +168,23 @@ def drive(
     course |= steps.input_course(engine)
     consumption = None if energy.battery is None else _per_distance(energy.battery, distance)
     return DriveCycle(
-        duration,
-        distance,
-        taken,
-        energy,
-        gears,
-        beyond,
-        messages,
-        course,
-        battery,
-        consumption,
+        *(duration, distance, taken, energy, gears, beyond, messages, course, battery, consumption)
     )
+
+
+def _solved(steps: CycleSteps) -> tuple[Floats, CycleLosses, float]:
+    """Return engine torques [N*m], losses, and the energy of the brakes [J]."""
+    speeds, is_moving = steps.engine_speeds, steps.trace.speed > 0
+    engine = np.zeros(len(speeds))
+    lost = CycleLosses({}, {}, np.zeros((len(speeds), len(steps.case.shift_elements))))
+    for rows in _blocks(is_moving):
+        engine[rows] = steps.engine_torques(rows)
+    least = steps.vehicle.overrun_torque(speeds)
+    over = is_moving & (engine < least - SAME_ENGINE_TORQUE)
+    engine = np.where(over, least, engine)
+    brakes = math.fsum(steps.add_losses(rows, engine, lost) for rows in _blocks(is_moving & ~over))
+    brakes += math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
+    return engine, lost, brakes
 
 
 def _per_distance(energy: float, distance: float) -> float:
@@ -229,10 +224,9 @@ class ElectricSupply(NamedTuple):
         if problems:
             raise CaseError(problems)
         law, is_outside = machine.efficiency, False
-        if isinstance(law, Law) and not law.text:
-            sizes = law.sizes_of(speeds, machine_torque(law, torques))
-            wrong = law.is_outside(*sizes) & (mechanical != 0)  # type: ignore[attr-defined] # a map
-            is_outside = bool(wrong.any())
+        if isinstance(law, Law):
+            wrong = law.is_outside(*law.sizes_of(speeds, machine_torque(law, torques)))
+            is_outside = bool((wrong & (mechanical != 0)).any())
         return cls(mechanical, electric, machine.battery_power(electric), is_outside)
 
     def energies(self, energy: CycleEnergy, duration: Floats) -> CycleEnergy:

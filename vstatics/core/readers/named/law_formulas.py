@@ -11,7 +11,8 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from vstatics.core.errors import ReadError, quoted
-from vstatics.core.model.parts import Law
+from vstatics.core.model.parts import Law, Size
+from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.expressions.evaluation import evaluate
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
@@ -47,16 +48,16 @@ class _LawFormula(Law):
         return (self.text,)
 
     @staticmethod
-    def _at_0(values: Any) -> float:
+    def _at_0(values: Floats) -> float:
         return float(values[0])
 
-    def at(self, *sizes: Any) -> Any:
+    def at(self, *sizes: Size) -> Size:
         """Return the value at speed, torque or both, or of arrays; NaN if undefined."""
         names = ("speed", "torque") if self.over == "both" else (self.over,)
         arrays = np.broadcast_arrays(*(np.atleast_1d(np.asarray(size, float)) for size in sizes))
         values = _value(self.text, type(self), dict(zip(names, arrays, strict=True)))
         is_array = any(isinstance(size, np.ndarray) for size in sizes)
-        return values if is_array else float(values[0])
+        return values if is_array else float(values[0])  # type: ignore[return-value] # as given
 
 
 class DragFormula(_LawFormula):
@@ -87,7 +88,7 @@ class EfficiencyFormula(_LawFormula):
     quantities = OF_BOTH
 
     @staticmethod
-    def _at_0(values: Any) -> float:
+    def _at_0(values: Floats) -> float:
         return float(values[0]) if 0 < values[0] <= 1 else 1.0
 
 
@@ -114,10 +115,10 @@ one of abs, min, max, sqrt, exp, tanh
         raise ValueError(f"a formula of {of}: {error.problems[0].message}") from None
 
 
-def _value(text: str, law: type[_LawFormula], given: Mapping[str, Any]) -> Any:
+def _value(text: str, law: type[_LawFormula], given: Mapping[str, Floats]) -> Floats:
     size = max((len(values) for values in given.values()), default=1)
 
-    def value_of(name: TableName) -> Any:
+    def value_of(name: TableName) -> Floats:
         if name.name == "pi":
             return np.array([[math.pi]])
         return given[law.quantities[name.name]][:, None, None]

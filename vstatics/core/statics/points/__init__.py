@@ -25,7 +25,7 @@ from vstatics.core.statics.points.laws import Followed, follow_laws
 from vstatics.core.statics.points.parts import cases_of_points, joined
 from vstatics.core.statics.points.paths import CaseNumber, Columns, columns_of, numbers_of, together
 from vstatics.core.statics.points.relative import solve_points, with_numbers
-from vstatics.core.statics.points.unsolved import unsolved
+from vstatics.core.statics.points.unsolved import unsolved_messages
 from vstatics.core.statics.result_arrays import ARRAYS, OperatingPoints
 from vstatics.core.statics.results import Results
 
@@ -131,7 +131,7 @@ def _single(case: Transmission, answer: Followed) -> Results:
         for message in diagnosis.messages(at_point)
         if not (message.gear in unknown and message.id in CONSEQUENCES)
     ]
-    said += not_allowed(unsolved(case, points, answer.wrong), case.untold)
+    said += not_allowed(unsolved_messages(case, points.gears, answer), case.untold)
     return at_point._replace(case=case, messages=tuple(said))
 
 

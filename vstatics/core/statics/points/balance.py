@@ -161,15 +161,15 @@ def balanced(
 
 def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Results) -> Outside:
     """Return the points at which a machine is outside the map of its efficiency, by its link."""
-    outside: dict[str, Any] = {}
+    outside: dict[str, Booleans] = {}
     for balance in balances:
         for link, law in balance.efficiencies:
-            if not isinstance(law, Law) or law.text:
+            if not isinstance(law, Law):
                 continue
             power = -1000 * results.port_powers_kW[:, balance.gear, link - 1]
             speed, torque = balance.machine(results, link, power)
-            sizes = law.sizes_of(speed, machine_torque(law, torque))
-            wrong = law.is_outside(*sizes) & (power != 0)  # type: ignore[attr-defined] # a map
+            wrong = law.is_outside(*law.sizes_of(speed, machine_torque(law, torque)))
+            wrong &= power != 0
             if wrong.any():
                 none = np.zeros_like(results.consistent)
                 outside.setdefault(case.link_name(link), none)[:, balance.gear] |= wrong

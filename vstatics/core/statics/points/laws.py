@@ -18,7 +18,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, Path, Problem
 from vstatics.core.model.parts import HOUSING, Law
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
 from vstatics.core.statics.points.gear_loss import brake_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
@@ -57,7 +57,7 @@ class Followed(NamedTuple):
     results: Results
     columns: Columns
     """Varied numbers, completed with the values of laws."""
-    open: Any
+    open: Integers
     """State of each point and gear, shape (points, gears): 0 if there is a single solution."""
     outside: Outside
     """Points outside the range of laws, by the name of the part."""
@@ -210,18 +210,17 @@ def _checked(case: Transmission, number: CaseNumber, values: Floats) -> Floats:
 
 def _differ(speeds: Floats, others: Floats) -> Booleans:
     same: Booleans = np.isclose(speeds, others, rtol=TIE, atol=TIE, equal_nan=True)
-    differ: Any = (~same).any(axis=-1)
-    return differ  # type: ignore[no-any-return] # an array
+    return np.asarray((~same).any(axis=-1))
 
 
 def _wrong_efficiencies(
-    case: Transmission, laws: Laws, sizes: _Sizes, results: Results, settled: Any
+    case: Transmission, laws: Laws, sizes: _Sizes, results: Results, settled: Booleans
 ) -> Outside:
     """Return the points at which the formula of an efficiency in use is not above 0 and up to 1.
 
     It is in use where power flows through the mechanism in the direction of the efficiency.
     """
-    by_name: dict[str, Any] = {}
+    by_name: dict[str, Booleans] = {}
     settled = settled & results.consistent
     for number, law in laws.items():
         if law.text and _is_efficiency(number):
@@ -308,7 +307,7 @@ class _Search:
                 break
         return guess, still & ~lacking, lacking
 
-    def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Any]:
+    def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Integers]:
         """Return results of the single solution, all numbers, and the states of gears."""
         several = any(len(numbers) > 1 for numbers in self.of_gear.values())
         starts = [self._from(end) for end in (min, max, *[_middle] * several)]
@@ -329,7 +328,7 @@ class _Search:
         results = solve_points(self.case, columns, self.variants)
         return results, columns, state
 
-    def _scan(self, best: dict[CaseNumber, Floats], state: Any) -> None:
+    def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
         """Search a law for all solutions of gears with a single unknown efficiency."""
         single = [numbers[0] for numbers in self.of_gear.values() if len(numbers) == 1]
         if not single:
@@ -345,7 +344,12 @@ class _Search:
             self._count(n, best, state, grid[n], left[n])
 
     def _count(
-        self, number: CaseNumber, best: dict[CaseNumber, Floats], state: Any, grid: Any, left: Any
+        self,
+        number: CaseNumber,
+        best: dict[CaseNumber, Floats],
+        state: Integers,
+        grid: Floats,
+        left: Floats,
     ) -> None:
         """Count the roots of an efficiency, unless the only sign change is the known solution."""
         turns = np.sign(left[1:]) * np.sign(left[:-1]) < 0
@@ -371,7 +375,7 @@ class _Search:
         best: Mapping[CaseNumber, Floats],
         grid: Floats,
         left: Floats,
-        place: Any,
+        place: Integers,
     ) -> tuple[Floats, Booleans]:
         """Bisect for the root after a grid point; return the root and flags of success.
 
@@ -399,7 +403,7 @@ def _middle(ends: Iterable[float]) -> float:
     return sum(ends) / 2
 
 
-def _without_values(results: Results, state: Any) -> Results:
+def _without_values(results: Results, state: Integers) -> Results:
     """Return results with undefined losses at points and gears without a single solution."""
     wrong = state != 0
     if not wrong.any():
@@ -413,11 +417,9 @@ def _without_values(results: Results, state: Any) -> Results:
 
 
 def _outside(case: Transmission, laws: Laws, sizes: _Sizes) -> Outside:
-    outside: dict[str, Any] = {}
+    outside: dict[str, Booleans] = {}
     for number, law in laws.items():
-        if law.text:
-            continue
-        wrong = law.is_outside(*sizes[number])  # type: ignore[attr-defined] # it has points
+        wrong = law.is_outside(*sizes[number])
         if wrong.any():
             none = np.zeros((len(wrong), len(case.gears)), np.bool_)
             outside.setdefault(_name(case, number), none)[:, number.gear] |= wrong

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from vstatics.core.model.parts import Law
 from vstatics.core.numerics.arrays import Floats
 
 
-def machine_efficiency(law: Law, speed: Any, torque: Any) -> Any:
+def machine_efficiency(law: Law, speed: Floats, torque: Floats) -> Floats:
     """Return the efficiency of a machine by a map or a formula.
 
     Parameters
@@ -33,20 +31,20 @@ def machine_efficiency(law: Law, speed: Any, torque: Any) -> Any:
     return law.at(*law.sizes_of(speed, machine_torque(law, torque)))
 
 
-def machine_torque(law: Law, torque: Any) -> Any:
+def machine_torque(law: Law, torque: Floats) -> Floats:
     """Return the torque at which the law of a machine is read [N*m]: signed, or its magnitude."""
     return torque if law.text or law.columns[0] < 0 else np.abs(torque)  # type: ignore[attr-defined] # a map
 
 
-def efficiency_at(given: float, speed: Floats, torque: Floats, power: Floats) -> Any:
+def efficiency_at(given: float, speed: Floats, torque: Floats, power: Floats) -> Floats:
     """Return the efficiency of a machine; NaN where a formula gives none though power flows."""
     if not isinstance(given, Law):
-        return given
+        return np.full(power.shape, given)
     values = machine_efficiency(given, speed, torque)
     return np.where(power == 0, 1.0, np.where((values > 0) & (values <= 1), values, np.nan))
 
 
-def battery_power(power: Any, efficiency: Any) -> Any:
+def battery_power(power: Floats, efficiency: Floats | float) -> Floats:
     """Return the charging power of a battery for the power given to a machine.
 
     >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
