@@ -6,7 +6,7 @@ parts that refer to them, for example.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 from vstatics.core.errors import quoted, spoken
@@ -172,11 +172,8 @@ def _map(columns: Any = (), rows: Any = (), unit: Any = "", **others: Any) -> An
     return others if "file" in others else MapLaw(columns, rows, unit)
 
 
-def _map_fault(over: Sequence[str], file: str | None = None, **others: Any) -> str:
-    """Return the reason why a map is not given once, over speed and torque; empty if valid."""
-    if [*over] != ["speed", "torque"]:
-        read = f"[{', '.join(over)}]"
-        return f"read {quoted(read)} in `over`, expected {quoted(MAP)}: a row begins with its speed"
+def _map_fault(file: str | None = None, **others: object) -> str:
+    """Return the reason why a map is given twice; empty if it is given once."""
     beside = [quoted(name) for name in ("columns", "rows", "unit") if name in others]
     if file is None or not beside:
         return ""
@@ -239,7 +236,12 @@ def _map_keys(values: str, head: str, of: str, *others: KeyShape) -> ByKey:
 
 
 MAP = "[speed, torque]"
-"""Value of `over` of a map."""
+"""Value of `over` of a map, whose rows begin with a speed."""
+
+
+def _map_alone(values: str, head: str, of: str, *others: KeyShape) -> ByKind:
+    """Return the shape of a law that must be a map; see `_map_keys`."""
+    return ByKind({MAP: _map_keys(values, head, of, *others)}, "over")
 
 
 def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
@@ -288,7 +290,7 @@ EFFICIENCY = ByLaw(
 
 MACHINE_EFFICIENCY = ByLaw(
     Leaf("efficiency"),
-    _map_keys(
+    _map_alone(
         "efficiency",
         "efficiency",
         "Magnitude of the speed of the machine, in rad/s, and its torque in N*m, below 0 against "
@@ -300,7 +302,7 @@ MACHINE_EFFICIENCY = ByLaw(
 
 GEAR_LOSS = ByLaw(
     None,
-    _map_keys(
+    _map_alone(
         "loss",
         "loss [W]",
         "Magnitudes of the speed of the input in rad/s, and of its torque in N*m.",

@@ -13,11 +13,10 @@ import math
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, Literal, NamedTuple, Self, TypeVar, get_args
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self, TypeVar, get_args
 
-import numpy as np
-
-from vstatics.core.numerics.arrays import Booleans, Floats
+if TYPE_CHECKING:
+    from vstatics.core.numerics.arrays import Booleans, Floats  # costs start-up time
 
 
 class Damping(NamedTuple):
@@ -540,7 +539,7 @@ def related(number: float, whole: float | None) -> float:
     return number.by(whole) if isinstance(number, OfLoad) else number
 
 
-Size = TypeVar("Size", float, Floats)
+Size = TypeVar("Size", float, "Floats")
 """A number, or an array of numbers."""
 
 
@@ -565,8 +564,8 @@ class Law(float):
         raise NotImplementedError
 
     def is_outside(self, *sizes: Floats) -> Booleans:
-        """Return whether quantities are outside the given points; a formula has none."""
-        return np.zeros(np.shape(sizes[0]), np.bool_)
+        """Return whether quantities of `sizes_of` are outside the given points."""
+        raise NotImplementedError
 
     def sizes_of(self, speed: Size, torque: Size) -> tuple[Size, ...]:
         """Return speed, torque or both, whatever the law is over."""

@@ -413,7 +413,8 @@ def _gears(
     if not trace.gears:
         if len(names) == 1:
             return np.zeros(len(trace.speed), np.int64)
-        message = "the trace has no column `gear`: expected this column, --shift, or --least-speed"
+        message = "the trace has no column `gear`, expected this column or one of --shift, "
+        message += "--least-speed and --strategy"
         raise CaseError("E426", message, place=trace.place)
     standing: Booleans = trace.speed <= 0
     numbers = {name: number for number, name in enumerate(names)}

@@ -231,7 +231,11 @@ def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
             loads(CASE.format(efficiency=one % (columns, rows), loss=LOSS))
     for loss, said in (
         ("500", "low.loss: read '500', expected a mapping with `over`, `columns` and `rows`"),
-        ("{over: [torque, speed], columns: [0], rows: []}", "a row begins with its speed"),
+        (
+            "{over: [torque, speed], columns: [0], rows: []}",
+            r"^[^\n]*loss.over: read '\[torque, speed\]', expected `\[speed, torque\]`",
+        ),
+        ("{over: speed, points: [[0, 1]]}", "loss.over: read 'speed', expected `.speed, torque.`"),
         ("{over: [speed, torque], file: a.csv, unit: W}", "read `file` beside `unit`"),
         (LOSS.replace("700", "-7"), r"loss.rows\[2\]\[3\]: read -7, expected a loss of 0 or more"),
     ):

@@ -12,7 +12,7 @@ import numpy as np
 
 from vstatics.core.errors import ReadError, quoted
 from vstatics.core.model.parts import Law, Size
-from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.readers.expressions.evaluation import evaluate
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
@@ -58,6 +58,10 @@ class _LawFormula(Law):
         values = _value(self.text, type(self), dict(zip(names, arrays, strict=True)))
         is_array = any(isinstance(size, np.ndarray) for size in sizes)
         return values if is_array else float(values[0])  # type: ignore[return-value] # as given
+
+    def is_outside(self, *sizes: Floats) -> Booleans:
+        """Return False everywhere, because a formula has no points."""
+        return np.zeros(np.shape(sizes[0]), np.bool_)
 
 
 class DragFormula(_LawFormula):

@@ -187,7 +187,8 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
             item = _shape(shape.item)
             return {"anyOf": [*item["anyOf"], {"type": "array", "items": item, "minItems": 1}]}
         case ByKind():
-            return {"oneOf": [_of_kind(shape, kind) for kind in shape.records]}
+            kinds = [_of_kind(shape, kind) for kind in shape.records]
+            return {"oneOf": kinds} if len(kinds) > 1 else kinds[0]
         case Numbers():
             return _by_name({**_shape(shape.item), **shape.limits})
         case Shares():
@@ -231,8 +232,15 @@ def _of_kind(shape: ByKind, kind: str) -> Words:
     record = shape.records[kind]
     words = _record(record)
     name = kind.strip("[]").split(", ") if kind.startswith("[") else kind
-    words["properties"][shape.key] = {"const": name}
+    words["properties"][shape.key] = {
+        **_described(words["properties"].get(shape.key, {})),
+        "const": name,
+    }
     return {**words, "type": "object", "required": [*dict.fromkeys([shape.key, *record.required])]}
+
+
+def _described(words: Words) -> Words:
+    return {name: words[name] for name in ("description",) if name in words}
 
 
 def _by_name(item: Words) -> Words:

@@ -287,7 +287,8 @@ class Walk:
         if not given:
             merged = next((key for key, _ in node.entries if is_merge(key)), None)
             kinds = spoken(map(quoted, known), "or")
-            missing = f"{quoted(shape.key)} is missing; expected one of {kinds}"
+            of_several = "one of " if len(known) > 1 else ""
+            missing = f"{quoted(shape.key)} is missing; expected {of_several}{kinds}"
             for key, _ in node.entries:
                 if key.text.startswith(f"{shape.key}:"):
                     missing = f"{quoted(shape.key)} is missing; write a blank after the colon"
@@ -329,7 +330,8 @@ class Walk:
                 return scalars.flag(node.text, plain=node.plain)
             case "choice":
                 if node.text not in shape.choices:
-                    hint = self.spots.document.hint(node.text, shape.choices)
+                    several = len(shape.choices) > 1
+                    hint = self.spots.document.hint(node.text, shape.choices) if several else ""
                     raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
                 return node.text
         if shape.infinite and node.plain and node.text in scalars.INFINITE:
