@@ -405,3 +405,7 @@ def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(files: Path) -> No
     assert "engine torque" in (files / "cycle.svg").read_text()
     assert vstatics(*command, "t.csv").status == 2
     assert (files / "t.csv").read_text() == TRACE_FILE
+    for output, more in (("-", ()), ("both.csv", ("-o", "both.csv"))):
+        assert vstatics(*command, output, *more).is_wrong_use("--time-steps and the report both go")
+    piped = vstatics(*command, "-", "-o", "report.txt")
+    assert (piped.status, piped.out) == (0, (files / "steps.csv").read_text())

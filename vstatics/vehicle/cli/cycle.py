@@ -20,6 +20,7 @@ from vstatics.core.cli.shared.options import OUTPUT, RenamedOption, command, gat
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import CaseError, Problem, ReadError, of_file
+from vstatics.core.jobs.files import STDOUT
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.results import Results
 from vstatics.core.tables import csv
@@ -154,6 +155,10 @@ def cycle_command(
     """
     to = wanted.destination([case, trace])
     files.spare([case, trace], steps)
+    if steps is not None and steps == (to.output or STDOUT):
+        where = "standard output" if steps == STDOUT else steps
+        message = f"--time-steps and the report both go to {where}"
+        raise click.UsageError(f"{message}; expected another file, as in `-o report.txt`")
     arguments.check_streams([case, trace])
     arguments.check_order(case, trace)
     from vstatics.vehicle.operation.trace import read_trace
