@@ -22,7 +22,7 @@ def pages() -> Iterator[Page]:
         of_kind = ""
         for path, key in keys(schema, name):
             own = path.partition(".")[2]
-            if "const" in key:
+            if "places" in key:
                 of_kind = f"{path}."
                 parent = own.removesuffix(f".{key['const']}")
                 lines += [anchor(path), f"## {parent} of kind: {key['const']}", "", *_of_kind(key)]
