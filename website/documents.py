@@ -22,6 +22,7 @@ PLACES = {
     "docs/python.md": "api/index",
     "docs/sources.md": "sources/index",
     "CHANGELOG.md": "reference/changelog",
+    "tests/README.md": "reference/testing",
 }
 HOW_TO = ("docs/ci.md", "docs/page/serve.md", "docs/vehicle/damage.md")
 """Besides those in docs/how-to."""
