@@ -20,6 +20,7 @@ from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers, l
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (
+    BETWEEN_EXACT,
     FITTING_TORQUE,
     LEAST_MASS,
     NOT_ZERO,
@@ -97,8 +98,10 @@ class Exponential:
         The shape is (rows, columns * nodes).
         """
         nodes, rows, size = self.nodes.shape
-        inner: Floats = (self.nodes.reshape(-1, size) @ starts).reshape(nodes, rows, -1)
-        return inner.transpose(1, 2, 0).reshape(rows, -1)
+        columns = starts.shape[1]
+        inner = self.nodes.reshape(nodes * rows, size) @ starts
+        inner = inner.reshape(nodes, rows, columns).transpose(1, 2, 0)
+        return np.ascontiguousarray(inner).reshape(rows, columns * nodes)
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
         """Return the first rows of ``exp(A s) x`` for each column x of `states` and its s."""
@@ -185,18 +188,39 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
     to_powers : ndarray, shape (DEGREE + 1, DEGREE + 1)
         Chebyshev coefficients to derivatives at the start, with the length of a part as the unit
         of time.
-    to_values : ndarray, shape (DEGREE + 1, instants)
-        Chebyshev coefficients to values.
+    to_values : ndarray, shape (DEGREE + 1, 1 + instants)
+        Chebyshev coefficients to values, at the start and at the instants.
     """
-    places = ((np.arange(count)[:, None] + NODES) / count).reshape(-1)
+    places = _places(count)
     degree = _degree(count)
-    values = np.asarray(np.polynomial.chebyshev.chebvander(2 * places - 1, degree), float)
+    values = np.polynomial.chebyshev.chebvander(2 * np.append(0.0, places) - 1, degree)
     to_series = np.zeros((len(places), DEGREE + 1))
-    to_series[:, : degree + 1] = np.linalg.pinv(values).T
-    to_values = np.zeros((DEGREE + 1, len(places)))
+    to_series[:, : degree + 1] = np.linalg.pinv(values[1:]).T
+    to_values = np.zeros((DEGREE + 1, len(values)))
     to_values[: degree + 1] = values.T
     scales = np.append(1.0, np.cumprod(count / np.arange(1, DEGREE + 1)))
     return to_series, _powers() / scales, to_values
+
+
+def _places(count: int) -> Floats:
+    """Return the instants of a number of parts, as fractions of their length."""
+    return ((np.arange(count)[:, None] + NODES) / count).reshape(-1)
+
+
+@lru_cache(maxsize=32)
+def _continuing(ratio: float, count: int) -> Floats:
+    """Return the matrix from Chebyshev coefficients to those of the next stretch.
+
+    Parameters
+    ----------
+    ratio : float
+        Length of the next stretch, relative to the length of the stretch before. [-]
+    count : int
+        Number of parts of the next stretch.
+    """
+    places = 1 + 2 * ratio * _places(count)
+    values: Floats = np.polynomial.chebyshev.chebvander(places, DEGREE).T
+    return values @ fitting(count)[0]
 
 
 @lru_cache(maxsize=1)
@@ -227,6 +251,8 @@ _MOST_AT_START = 64.0
 """Largest error of polynomials at the start of a stretch, as a multiple of the limit elsewhere."""
 _RELAXATION_ROUNDS = 12
 """Largest number of rounds of waveform relaxation."""
+_CONVERGED = 0.1
+"""Share of the limit that the error may have that is expected from the last two rounds."""
 _ORDERS = DEGREE + 1
 
 
@@ -279,6 +305,28 @@ class Parts(NamedTuple):
         """Return the end of the last part, or a given time that differs from it by rounding."""
         last = self.begin + self.length * self.number
         return end if abs(end - last) <= SAME_END * abs(end) else last
+
+
+class GivenSeries(NamedTuple):
+    """Chebyshev series of the nonlinear torques over a stretch."""
+
+    coefficients: Floats
+    """Coefficients, shape (torques, DEGREE + 1). [N*m]"""
+    parts: Parts
+    limit: float
+    """Largest error that counts as rounding. [N*m]"""
+
+    @property
+    def fit_twice(self) -> bool:
+        """Whether polynomials of this degree would fit a stretch of twice the length."""
+        last = _degree(self.parts.number)
+        orders = np.arange(last - 1, last + 1)
+        return largest(self.coefficients[:, orders] * 2.0**orders) <= self.limit
+
+    def continued(self, parts: Parts) -> Floats | None:
+        """Return the series continued over the next stretch, unless it is much longer."""
+        ratio = parts.length * parts.number / (self.parts.length * self.parts.number)
+        return self.coefficients @ _continuing(ratio, parts.number) if ratio <= 2 else None
 
 
 class TimeStretch(NamedTuple):
@@ -341,8 +389,8 @@ class Closed:
         """Orders used in each polynomial; only 0 and 1 for a law linear in all its inputs."""
         self.latest: Floats = np.zeros(len(self.bending))
         """Nonlinear torques at the end of the last stretch."""
-        self.fits_twice = False
-        """Whether the polynomials of the last stretch would fit a stretch of twice its length."""
+        self.series: GivenSeries | None = None
+        """Polynomials of the nonlinear torques over the last stretch, if any fits."""
         self.size = equations.works.start
         self._straighten(equations.time, state)
 
@@ -359,7 +407,7 @@ class Closed:
             self.affine = Affine(equations, by_rate, by_state)
         except np.linalg.LinAlgError:  # a speed depends on a law that sees another speed
             raise NoFit from None
-        self.latest = np.zeros(len(self.bending))
+        self.latest, self.series = np.zeros(len(self.bending)), None
         matrix = self.affine.change.by_state
         self.balance = self._balanced()
         self._balance_values(matrix)
@@ -448,7 +496,9 @@ class Closed:
                 time, state = parts.end_near(end), stretch.last
                 joined += count
                 smooth += 1
-                if self.fits_twice or (count == 1 and smooth % _SMOOTH == 0):
+                if (self.series and self.series.fit_twice) or (
+                    count == 1 and smooth % _SMOOTH == 0
+                ):
                     shorter, most = min(1.0, 2 * shorter), most if shorter < 1 else 2 * most
                     most = min(most, _MOST_HALVINGS)
             elif self._bends_elsewhere(time, state):
@@ -510,53 +560,58 @@ class Closed:
 
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
         """Calculate a stretch from its first state; return None if no polynomial fits."""
-        times = parts.times.reshape(-1)
+        given, self.series = self._expected(parts), None
+        times = self.equations.ports.inside(np.append(parts.begin, parts.times))
         to_series, to_powers, to_values = fitting(parts.number)
-        given = np.zeros((len(self.bending), _ORDERS))
-        given[:, 0] = self.latest
         before: Floats | None = None
+        change = 0.0
+        at = np.empty((self.size, len(times)))
+        at[:, 0] = state[: self.size]
         for _ in range(_RELAXATION_ROUNDS):
             if self.is_given:  # torques are nonlinear in the time alone
                 now = before = self.affine.given_at(times)[0][self.bending]
             else:
-                at = self._states(self._followed(parts, state, given, to_powers))
+                at[:, 1:] = self._states(self._followed(parts, state, given, to_powers))
                 now = self._bent(times, at, given, to_values)
             if not np.isfinite(now).all():
                 return None
-            given = now @ to_series
+            given = now[:, 1:] @ to_series
             limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
             bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
             if bends.any():  # from now on, polynomials of these torques keep all orders
                 self.is_used[bends] = True
                 self.exponentials.clear()
-                before = None
+                before, change = None, 0.0
             given[~self.is_used] = 0.0
-            if before is not None and largest(now - before) <= limit:
-                self.latest = now[:, -1]
-                if not largest(given @ to_values - now) <= 4 * limit:  # NaN fails, too
-                    return None
-                first = np.power(-1.0, np.arange(_ORDERS))[:, None]
-                begin = self._bent(np.array([parts.begin]), state[: self.size, None], given, first)
-                if not largest(given @ first - begin) <= _MOST_AT_START * limit:
-                    return None
-                last = _degree(parts.number)
-                grown = given[:, last - 1 : last + 1] * 2.0 ** np.arange(last - 1, last + 1)
-                self.fits_twice = largest(grown) <= limit
-                return self._followed(parts, state, given, to_powers)
+            if before is not None:
+                last_change, change = change, largest(now - before)
+                if change <= limit or change * change <= _CONVERGED * limit * last_change:
+                    errors = np.abs(given @ to_values - now)
+                    if not largest(errors[:, 1:]) <= 4 * limit:  # NaN fails, too
+                        return None
+                    if not largest(errors[:, 0]) <= _MOST_AT_START * limit:
+                        return None
+                    self.latest = now[:, -1]
+                    self.series = GivenSeries(given, parts, limit)
+                    return self._followed(parts, state, given, to_powers)
             before = now
         return None
+
+    def _expected(self, parts: Parts) -> Floats:
+        """Return the expected series of the nonlinear torques over a stretch."""
+        continued = self.series.continued(parts) if self.series else None
+        if continued is not None:
+            return continued
+        constant = np.zeros((len(self.bending), _ORDERS))
+        constant[:, 0] = self.latest
+        return constant
 
     def _followed(
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
     ) -> TimeStretch:
         exponential, unit = self._exponential(parts.length)
-        size = self.size
-        first = np.zeros(len(exponential.step))
-        first[:size] = self.balance * state[:size]
-        first[size] = parts.begin
-        first[size + 1] = 1.0
-        first[size + 2 :] = (given @ to_powers)[self.is_used]
-        first[size:] *= unit
+        inputs = np.append([parts.begin, 1.0], (given @ to_powers)[self.is_used])
+        first = np.append(self.balance * state[: self.size], unit * inputs)
         starts = exponential.repeated(first, parts.number)
         return TimeStretch(parts, exponential, self.balance, starts)
 
@@ -595,9 +650,10 @@ class Closed:
         befores = np.column_stack([state, states[:, :-1, -1]])
         between = partial(self._among, stretch, befores, powers)
         exact = partial(self._inside, stretch, befores)
-        last = float(times[-1, -1]), flat[:, -1].copy()
+        last, at_end = float(times[-1, -1]), flat[:, -1].copy()
+        times = times.reshape(-1)
         return TimeStep(
-            parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, NODES
+            *(parts.begin, last, state, at_end, between, exact, times, flat, NODES, BETWEEN_EXACT)
         )
 
     def _among(
