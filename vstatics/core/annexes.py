@@ -57,7 +57,10 @@ PURPOSES = MappingProxyType(
         "plot": "pictures",
         "plot_sweep": "sweep",
         "plot_motion": "simulation",
-        **dict.fromkeys(("damages", "torque_life", "vehicle_section"), "vehicle"),
+        **dict.fromkeys(
+            ("damages", "duty_points", "full_load_curves", "torque_life", "vehicle_section"),
+            "vehicle",
+        ),
     }
 )
 """Annex that provides each other feature requested by name."""

@@ -16,6 +16,9 @@ from vstatics.core.texts import Language
 from vstatics.pictures.drawing.lengths import page_width
 from vstatics.pictures.drawing.style import PAGE_WIDTH, Excitation, Style
 
+_PLAIN = ("merge", "wheels", "orders", "at", "speed", "levels", "duty", "limits", "best_gear")
+"""Options of some kinds of pictures whose values are the arguments of the same names."""
+
 
 class AskedPicture(NamedTuple):
     """Options of a picture on the command line."""
@@ -30,6 +33,10 @@ class AskedPicture(NamedTuple):
     y: tuple[str, ...] = ()
     z: str = ""
     by: str = ""
+    levels: int | list[float] | None = None
+    duty: str = ""
+    limits: str = ""
+    best_gear: bool = False
     out: str = ""
     orders: list[float] | None = None
     speed: tuple[float, float] | None = None
@@ -41,7 +48,7 @@ class AskedPicture(NamedTuple):
     def of_kinds(self) -> dict[str, object]:
         """Values, by name, of the options that only some kinds of pictures have."""
         return {
-            **{name: getattr(self, name) for name in ("merge", "wheels", "orders", "at", "speed")},
+            **{name: getattr(self, name) for name in _PLAIN},
             "order": self.order != "free",
             "ratios": self.ratios,
             "out": self.out,
@@ -66,6 +73,18 @@ class AskedPicture(NamedTuple):
             ordered=self.order == "as-given",
             excited=Excitation(tuple(self.orders or ()), self.at, shown=self.speed),
         )
+
+
+def _levels(text: str) -> int | list[float]:
+    """Parse a number of levels, or a list of levels.
+
+    Raises
+    ------
+    ValueError
+    """
+    if text.strip().isdecimal():
+        return int(text[:9])
+    return numbers("a number of levels, or a list such as 0.9,0.95", -math.inf)(text)
 
 
 def _of_kinds(name: str, *options: Option) -> Iterator[Option]:
@@ -151,6 +170,35 @@ options = gathered(
                 callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
                 help="Orders of the speed for campbell and response.  [default: orders of the "
                 "engine]",
+            ),
+        ),
+        *_of_kinds(
+            "levels",
+            click.option(
+                "--levels",
+                metavar="LEVELS",
+                callback=value(_levels),
+                help="Levels of a map: an approximate number, such as 10, or a list such as "
+                "0.9,0.95,0.97.",
+            ),
+            click.option(
+                "--duty",
+                metavar="FILE",
+                default="",
+                help="CSV file of a duty cycle, or of the time steps of a driving cycle, whose "
+                "operating points are drawn on a map over load.speed and load.torque.",
+            ),
+            click.option(
+                "--limits",
+                metavar="CASE",
+                default="",
+                help="Case whose vehicle has the full-load curve to draw on such a map.",
+            ),
+            click.option(
+                "--best-gear",
+                is_flag=True,
+                help="Draw where each gear has the largest efficiency (or --z), for a sweep "
+                "--by gear.",
             ),
         ),
         *_of_kinds(

@@ -34,7 +34,7 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.pair import PairedCase, pair_pages
 
 _MISSING_PACKAGE = "E014"
-_FLAGS = {"columns": "x, --y, --z, --by", "wheels": "teeth"}
+_FLAGS = {"columns": "x, --y, --z, --by", "wheels": "teeth", "best_gear": "best-gear"}
 """Names of options on the command line, by the option in the record of a kind."""
 
 
