@@ -61,7 +61,7 @@ ANNEX = Annex(
     picture_options={
         "columns": "only {kinds} have columns of a sweep",
         "levels": "only {kinds} has levels",
-        "duty": "only {kinds} shows operating points",
+        "duty": "only {kinds} show operating points",
         "limits": "only {kinds} shows a full-load curve",
         "best_gear": "only {kinds} shows the best gear",
     },

@@ -14,9 +14,12 @@ from vstatics.core.cli.shared.options import Option, RenamedOption, gathered, un
 from vstatics.core.cli.shared.values import numbers, shown_speeds, told, value
 from vstatics.core.texts import Language
 from vstatics.pictures.drawing.lengths import page_width
-from vstatics.pictures.drawing.style import PAGE_WIDTH, Excitation, Style
+from vstatics.pictures.drawing.style import PAGE_WIDTH, Excitation, PictureFiles, Style
 
-_PLAIN = ("merge", "wheels", "orders", "at", "speed", "levels", "duty", "limits", "best_gear")
+_PLAIN = (
+    *("merge", "wheels", "orders", "at", "speed", "torque"),
+    *("levels", "duty", "classes", "limits", "best_gear"),
+)
 """Options of some kinds of pictures whose values are the arguments of the same names."""
 
 
@@ -35,6 +38,8 @@ class AskedPicture(NamedTuple):
     by: str = ""
     levels: int | list[float] | None = None
     duty: str = ""
+    classes: str | None = None
+    torque: str = ""
     limits: str = ""
     best_gear: bool = False
     out: str = ""
@@ -60,6 +65,11 @@ class AskedPicture(NamedTuple):
         """Columns of a written sweep that the user names; None if no column is named."""
         named = (self.x, self.y, self.z, self.by)
         return named if any(named) else None
+
+    @property
+    def files(self) -> PictureFiles:
+        """Files of the picture in addition to the case."""
+        return PictureFiles(self.duty, self.classes or PictureFiles().classes, self.torque)
 
     def style(self, lang: Language, height: float) -> Style:
         """Return the style of the picture on pages of a height [pt]."""
@@ -173,6 +183,35 @@ options = gathered(
             ),
         ),
         *_of_kinds(
+            "duty",
+            click.option(
+                "--duty",
+                metavar="FILE",
+                default="",
+                help="CSV file of a duty cycle, or of the time steps of a driving cycle: for a "
+                "spectrum, and for operating points on a map over load.speed and load.torque.",
+            ),
+        ),
+        *_of_kinds(
+            "classes",
+            click.option(
+                "--spectrum",
+                "classes",
+                metavar="CLASSES",
+                help="Classes of torque of a spectrum, as of `vstatics summary`.  [default: 10]",
+            ),
+        ),
+        *_of_kinds(
+            "torque",
+            click.option(
+                "--torque",
+                metavar="FILE",
+                default="",
+                help="CSV file of the orders of the torque of a response, as of `vstatics torsion "
+                "response`.  [default: 1 N*m for each order]",
+            ),
+        ),
+        *_of_kinds(
             "levels",
             click.option(
                 "--levels",
@@ -180,13 +219,6 @@ options = gathered(
                 callback=value(_levels),
                 help="Levels of a map: an approximate number, such as 10, or a list such as "
                 "0.9,0.95,0.97.",
-            ),
-            click.option(
-                "--duty",
-                metavar="FILE",
-                default="",
-                help="CSV file of a duty cycle, or of the time steps of a driving cycle, whose "
-                "operating points are drawn on a map over load.speed and load.torque.",
             ),
             click.option(
                 "--limits",
