@@ -15,7 +15,7 @@ ANNEX = Annex(
     },
     keys={"dump": "vstatics.torsion.clutch.dump_key"},
     methods={
-        "drawn_torques": "vstatics.torsion.forced.torque_table",
+        "drawn_torques": "vstatics.torsion.cli.response",
         "frequencies": "vstatics.torsion.vibration.varied_frequencies",
         "mode_names": "vstatics.torsion.vibration.varied_frequencies",
         "modes_grids": "vstatics.torsion.vibration.tables",

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import read_unit_table
 from vstatics.torsion.forced.harmonic_torques import Harmonic
-
-if TYPE_CHECKING:
-    from vstatics.pictures.drawing.style import PictureFiles
 
 COLUMNS = (
     TableColumn("order"),
@@ -60,16 +55,3 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
     if problems:
         raise ReadError(problems)
     return list(harmonics.values())
-
-
-def drawn_torques(asked: PictureFiles) -> list[Harmonic]:
-    """Read the harmonics of the torque of a picture; empty without a file.
-
-    Raises
-    ------
-    ReadError
-        If the table is not valid.
-    """
-    from vstatics.core.cli.shared import files
-
-    return read_torque_table(*files.read_input(asked.torque)) if asked.torque else []
