@@ -57,7 +57,10 @@ PURPOSES = MappingProxyType(
         "plot": "pictures",
         "plot_sweep": "sweep",
         "plot_motion": "simulation",
-        **dict.fromkeys(("damages", "torque_life", "vehicle_section"), "vehicle"),
+        **dict.fromkeys(
+            ("damages", "duty_points", "full_load_curves", "torque_life", "vehicle_section"),
+            "vehicle",
+        ),
     }
 )
 """Annex that provides each other feature requested by name."""
@@ -91,6 +94,8 @@ class PictureKind(NamedTuple):
     """Special options of the kind, declared in `Annex.picture_options`."""
     refused: Mapping[str, str] = _NOTHING
     """Common options that the kind lacks, each with the reason."""
+    reads: str = ""
+    """Name of the function that reads further files of the picture; empty without such files."""
     plots: str = ""
     """Name of the function that plots a document; empty for pictures of a case."""
     least_width: float = 0.0

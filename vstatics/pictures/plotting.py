@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from vstatics.core.annexes import module_of_name
 from vstatics.core.arguments import refusing
-from vstatics.core.extras import require
+from vstatics.core.extras import higher, require
 from vstatics.core.jobs.page_files import replace_pages
 from vstatics.core.statics.results import Results, expect_one_case
 from vstatics.core.suggestions import nearest
@@ -23,6 +23,7 @@ from vstatics.pictures.drawing.style import (
     PAGE_WIDTH,
     POINTS_PER_MILLIMETRE,
     Excitation,
+    PictureFiles,
     Style,
 )
 
@@ -117,6 +118,9 @@ def plot(  # noqa: PLR0913 - all but the first by name
     orders: Sequence[float] = (),
     speed: tuple[float, float] | None = None,
     at: int | str = "",
+    duty: str | os.PathLike[str] = "",
+    classes: int | Sequence[float] | None = None,
+    torque: str | os.PathLike[str] = "",
     width: float = PAGE_WIDTH / POINTS_PER_MILLIMETRE,
     dark: bool = False,
     lang: Language = "en",
@@ -129,7 +133,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Results of one case.
     kind : str
         Kind of picture, as in ``vstatics plot --kind``: plan, lever, flow, structure, stick,
-        efficiency, modes, campbell, response, dump, shift, traction, sawtooth, steps.
+        efficiency, modes, campbell, response, dump, shift, traction, sawtooth, steps, spectrum.
     gear : int or str, optional
         Number from 1, or name, of the gear to show; by default all gears.
     motion : Motion, optional
@@ -146,6 +150,12 @@ def plot(  # noqa: PLR0913 - all but the first by name
         case. [rpm]
     at : int or str, optional
         Number or name of the link of a `response`; by default the input.
+    duty : path-like, optional
+        CSV file of the duty cycle of a `spectrum`.
+    classes : int or sequence of float, optional
+        Number of classes of torque of a `spectrum`, by default 10, or their upper bounds. [N*m]
+    torque : path-like, optional
+        CSV file of the orders of the torque of a `response`; by default 1 N*m for each order.
     width : float, optional
         Width of a page, 80 to 1200; the font size does not change. [mm]
     dark : bool, optional
@@ -179,8 +189,12 @@ def plot(  # noqa: PLR0913 - all but the first by name
     if kind not in (kinds := drawn_kinds()):
         hint = nearest(kind, kinds) or f"; expected one of {', '.join(kinds)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
+    drawn_files = PictureFiles(
+        os.fspath(duty), PictureFiles().classes if classes is None else classes, os.fspath(torque)
+    )
+    files = {"duty": drawn_files.duty, "classes": classes, "torque": drawn_files.torque}
     given = {"motion": motion, "merge": merge, "wheels": wheels, "at": at, "gear": gear}
-    for name, why in misplaced(kind, {**given, "orders": tuple(orders), "speed": speed}):
+    for name, why in misplaced(kind, {**given, **files, "orders": tuple(orders), "speed": speed}):
         raise ValueError(f"plot of kind {kind!r}: `{name}` is not for it, {why}")
     if kinds[kind].shows == "run" and motion is None:
         hint = "motion=vstatics.simulate(scenario), whose `plot` draws it, too"
@@ -195,4 +209,6 @@ def plot(  # noqa: PLR0913 - all but the first by name
     style = Style(
         lang, dark, wheels=wheels, merged=merge, width=checked_width(width), excited=excited
     )
+    if kinds[kind].reads:
+        style = style._replace(data=higher(kinds[kind].reads)(drawn_files))
     return Picture(results, kind, style, gears, motion)

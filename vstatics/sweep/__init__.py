@@ -42,6 +42,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     method: Literal["sobol", "lhs", "random"] = "sobol",
     seed: int = 0,
     variants: Mapping[str, ArrayLike] | None = None,
+    linked: Mapping[str, str] | Sequence[str] = (),
     out: str | Sequence[str] = "ratio,efficiency",
     where: str | None = None,
     min: str | Sequence[str] = (),  # noqa: A002
@@ -75,6 +76,9 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         Seed of the sample; equal seeds give equal samples.
     variants : mapping of str to array_like, optional
         A table of variants instead of `vary`, with a value of each number for every variant. [-]
+    linked : mapping of str to str, or sequence of str
+        Numbers that follow from varied numbers, earlier linked numbers, and numbers of the case:
+        ``{"P1.teeth.planet": "(P1.teeth.ring - P1.teeth.sun)/2"}``.
     out : str or sequence of str
         The columns, as in ``--out`` of the command line.
     where : str, optional
@@ -146,8 +150,12 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         require("sample", f"the method {method}")
     arrays = dict(vary) if isinstance(vary, Mapping) else {}
     texts = () if isinstance(vary, Mapping) else (vary,) if isinstance(vary, str) else vary
+    links = linked
+    if isinstance(linked, Mapping):
+        links = [f"{name}={formula}" for name, formula in linked.items()]
     options = SweepOptions.of(
         vary=texts,
+        linked=(links,) if isinstance(links, str) else links,
         zip=zip,
         sample=sample,
         method=method,

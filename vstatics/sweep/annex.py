@@ -33,7 +33,7 @@ ANNEX = Annex(
             "numbers, and the limit of operation",
             160,
             shows="sweep",
-            options=("columns",),
+            options=("columns", "levels", "duty", "limits", "best_gear"),
             refused=_NO_GEAR,
             plots="plot_written_sweep",
         ),
@@ -58,5 +58,11 @@ ANNEX = Annex(
             plots="plot_written_sweep",
         ),
     },
-    picture_options={"columns": "only {kinds} have columns of a sweep"},
+    picture_options={
+        "columns": "only {kinds} have columns of a sweep",
+        "levels": "only {kinds} has levels",
+        "duty": "only {kinds} show operating points",
+        "limits": "only {kinds} shows a full-load curve",
+        "best_gear": "only {kinds} shows the best gear",
+    },
 )

@@ -23,6 +23,7 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.columns import read_columns
 from vstatics.sweep.results.documents import Subject
 from vstatics.sweep.results.expressions import Terms
+from vstatics.sweep.results.linked import LinkedVariants, linked_variants
 from vstatics.sweep.results.meanings import OMEGA
 from vstatics.sweep.results.selection import read_objective, read_where
 from vstatics.sweep.runs import piece_of_runs
@@ -93,6 +94,7 @@ def plan(
     else:
         variants, places = _variants(subject, options, arrays or {})
     try:
+        variants, places = linked_variants(subject, variants, places, options.linked)
         _check_ratios(subject, variants.targets, places)
         if isinstance(subject, Transmission) and variants.count:
             _check_paths(subject, variants, places)
@@ -100,7 +102,7 @@ def plan(
         if isinstance(subject, Transmission):
             _check_slopes(sweep_plan)
     except BaseException:
-        if isinstance(variants, VariantTable):
+        if isinstance(variants, VariantTable | LinkedVariants):
             variants.close()
         raise
     return sweep_plan

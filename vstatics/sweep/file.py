@@ -21,6 +21,7 @@ from vstatics.core.readers.named.nodes import (
     what,
 )
 from vstatics.sweep.options import (
+    KEYS,
     OPTIONS,
     Option,
     PlacedFile,
@@ -64,7 +65,7 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
     source = decode(data, file, "a sweep")
     root = yaml_tree(source)
     if not isinstance(root, Mapping):
-        keys = spoken(map(quoted, list(OPTIONS)[:3]))
+        keys = spoken(map(quoted, list(KEYS)[:3]))
         expected = f"expected a sweep: a mapping with keys such as {keys}"
         source.stop(f"read {what(root)}, {expected}", root.line, root.column)
     if message := _NO_SWEEPS.get(kind_of(root) or ""):
@@ -93,17 +94,17 @@ class _Reader:
     def options(self, root: Mapping) -> SweepOptions:
         values: dict[str, Any] = {}
         for key, node in root.entries:
-            if key.text not in OPTIONS:
-                hint = self.source.hint(key.text, OPTIONS)
-                expected = hint or f", expected {spoken(map(quoted, OPTIONS))}"
+            if key.text not in KEYS:
+                hint = self.source.hint(key.text, KEYS)
+                expected = hint or f", expected {spoken(map(quoted, KEYS))}"
                 self.add(f"unknown key `{shown(key.text)}`{expected}", key)
-            elif key.text in values:
+            elif (name := KEYS[key.text]) in values:
                 self.add(f"key `{key.text}` is given twice", key)
             elif not is_null(node):
-                values[key.text] = None
-                option = OPTIONS[key.text]
+                values[name] = None
+                option = OPTIONS[name]
                 try:  # the method named after the kind of the option
-                    values[key.text] = getattr(self, option.kind)(node, option)
+                    values[name] = getattr(self, option.kind)(node, option)
                 except _WrongError as error:
                     wrong = error.node or node
                     self.add(f"read {what(wrong)}, expected {error}", wrong)

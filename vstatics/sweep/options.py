@@ -98,6 +98,8 @@ class Option(NamedTuple):
     choices: tuple[str, ...] = ()
     heading: str = "Variants"
     """Heading of the option in the help text."""
+    key: str = ""
+    """Name on the command line and in sweep files; empty for the name of the field."""
 
 
 _ROWS = "Rows and columns"
@@ -125,6 +127,12 @@ class SweepOptions:
     )
     variants: str | None = _option(
         "path", "Table of variants: a column for each varied number.", metavar="FILE"
+    )
+    linked: tuple[Text, ...] = _option(
+        "vary",
+        "Link a number by a formula of numbers that vary or that the case has. Repeatable.",
+        metavar="NAME=FORMULA",
+        key="with",
     )
     out: Text | None = _option(  # noqa: RUF009 (a field)
         "list", "Columns to write.  [default: ratio,efficiency]", metavar="LIST", heading=_ROWS
@@ -191,6 +199,10 @@ OPTIONS: Mapping[str, Option] = {
     option_field.name: option_field.metadata["option"] for option_field in fields(SweepOptions)
 }
 """All options by name, in order."""
+
+
+KEYS: Mapping[str, str] = {option.key or name: name for name, option in OPTIONS.items()}
+"""Names of the options by their names on the command line and in sweep files."""
 
 
 class Rule(NamedTuple):

@@ -184,7 +184,7 @@ class Sweep(Iterator[Chunk]):
         kind : {"curves", "map", "histogram"}
             Columns over one varied number, contours over two, or how often numbers occur.
         **how
-            Columns: `x`, `y`, `z` and `by` as of ``vstatics plot``; `width` [mm], `dark`, `lang`.
+            Arguments of `plot_sweep`, such as the columns `x`, `y`, `z` and `by`.
 
         Raises
         ------

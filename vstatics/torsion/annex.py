@@ -15,6 +15,7 @@ ANNEX = Annex(
     },
     keys={"dump": "vstatics.torsion.clutch.dump_key"},
     methods={
+        "drawn_torques": "vstatics.torsion.cli.response",
         "frequencies": "vstatics.torsion.vibration.varied_frequencies",
         "mode_names": "vstatics.torsion.vibration.varied_frequencies",
         "modes_grids": "vstatics.torsion.vibration.tables",
@@ -103,12 +104,13 @@ ANNEX = Annex(
         ),
         "response": PictureKind(
             "vstatics.torsion.pictures.orders.response",
-            "amplitude of the input over its speed under 1 N*m in each\n"
-            "gear, a line for each order",
+            "amplitude of the input over its speed in each gear, a line for\n"
+            "each order, under 1 N*m or the orders of --torque",
             90,
             "Response",
             "vibration",
-            options=("orders", "speed", "at"),
+            options=("orders", "speed", "at", "torque"),
+            reads="drawn_torques",
             least_width=100.0,
         ),
         "dump": PictureKind(
@@ -125,6 +127,7 @@ ANNEX = Annex(
         "orders": "only {kinds} have orders",
         "speed": "only {kinds} are over a speed",
         "at": "only a response is that of a link",
+        "torque": "only {kinds} has an exciting torque",
     },
     schemas={
         "modes": Schema(

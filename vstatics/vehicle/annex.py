@@ -2,6 +2,7 @@
 
 from vstatics.core.annexes import Annex, Command, PictureKind, Schema
 
+_OWN_GEARS = {"gear": "a duty cycle has its own gears", "coast": "a duty cycle has its own torques"}
 _FULL_LOAD = {"coast": "a vehicle is drawn at full load"}
 
 ANNEX = Annex(
@@ -45,8 +46,11 @@ ANNEX = Annex(
     methods={
         "damage_grid": "vstatics.vehicle.damage.tables",
         "damages": "vstatics.vehicle.damage.devices",
+        "drawn_duty": "vstatics.vehicle.cli.duty",
         "duty_options": "vstatics.vehicle.cli.duty",
+        "duty_points": "vstatics.vehicle.duty_file",
         "expect_damage": "vstatics.vehicle.cli.strengths",
+        "full_load_curves": "vstatics.vehicle.case.vehicle",
         "torque_life": "vstatics.vehicle.damage.rayleigh",
         "vehicle_section": "vstatics.vehicle.operation.traction",
     },
@@ -97,6 +101,20 @@ ANNEX = Annex(
             "Steps between gears",
             alike=True,
         ),
+        "spectrum": PictureKind(
+            "vstatics.vehicle.pictures.spectrum",
+            "revolutions of each member of a duty cycle, by class of torque\n"
+            "(load duration distribution)",
+            145,
+            "Load spectrum",
+            options=("duty", "classes"),
+            refused=_OWN_GEARS,
+            reads="drawn_duty",
+        ),
+    },
+    picture_options={
+        "duty": "only {kinds} show operating points",
+        "classes": "only {kinds} has classes of torque",
     },
     schemas={
         "cycle": Schema(

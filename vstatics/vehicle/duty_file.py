@@ -173,6 +173,24 @@ def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | No
     return DutyTable(table, exponent or EXPONENT, classes)
 
 
+def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
+    r"""Read the operating points of a duty cycle that turn: gear, speed [rad/s], torque [N*m].
+
+    Raises
+    ------
+    ReadError
+        If the file is in error, with every problem and its position.
+
+    Examples
+    --------
+    >>> duty_points(b"share,gear,speed [rad/s],torque [N*m]\n1,low,200,50\n1,,0,0\n", "duty.csv")
+    [('low', 200.0, 50.0)]
+    """
+    table = read_duty_table(data, file).table
+    columns = table.texts["gear"], table.numbers["speed"], table.numbers["torque"]
+    return [point for point in zip(*columns, strict=True) if point[1]]
+
+
 def read_duty(data: bytes, file: str) -> DutyFile:
     """Read a duty cycle as shares of energy or of time for each gear.
 

@@ -23,7 +23,7 @@ from vstatics.core.readers import sweep_tables
 from vstatics.core.tables.written_results import WrittenSweep
 from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
-from vstatics.sweep.pictures import curves, histogram
+from vstatics.sweep.pictures import curves, histogram, map_sheet
 from vstatics.sweep.pictures import map as map_
 from vstatics.sweep.pictures.columns import DrawnColumns
 
@@ -68,8 +68,8 @@ def test_contours_run_where_the_number_is() -> None:
     """On the contour of 4 of ``x y`` the product is 4, to the chords of a grid of .1."""
     figure = drawn(map_, saddle())
     [line] = lines(figure, "4")
-    left, low = map_.MAP_SCALE_WIDTH, map_.MAP_SCALE_HEIGHT
-    x, y = ((line - (left, low)) / map_.MAP_SIZE * 3 + 1).T
+    left, low = map_sheet.MAP_SCALE_WIDTH, map_sheet.MAP_SCALE_HEIGHT
+    x, y = ((line - (left, low)) / map_sheet.MAP_SIZE * 3 + 1).T
     np.testing.assert_allclose(x * y, 4, atol=0.01)
     assert "z: x, y" in texts(figure)
     assert "limit of operation" not in texts(figure)
@@ -103,7 +103,7 @@ def test_scattered_points_are_drawn_as_a_map() -> None:
     figure = drawn(map_, sweep_of({"x": x, "y": y, "z": x + 2 * y}, "x", "y"))
     longest = max(lines(figure, "1.5"), key=len)
     low, high = points.min(axis=0), points.max(axis=0)
-    place = (longest - (map_.MAP_SCALE_WIDTH, map_.MAP_SCALE_HEIGHT)) / map_.MAP_SIZE
+    place = (longest - (map_sheet.MAP_SCALE_WIDTH, map_sheet.MAP_SCALE_HEIGHT)) / map_sheet.MAP_SIZE
     np.testing.assert_allclose((place * (high - low) + low) @ (1, 2), 1.5, atol=1e-9)
 
 

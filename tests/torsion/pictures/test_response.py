@@ -14,6 +14,7 @@ from tests.torsion.pictures.marks import drawn, marks, plotted
 from vstatics import Gear, Load, Spring, Transmission, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Excitation, Style
+from vstatics.torsion.forced.harmonic_torques import Harmonic
 from vstatics.torsion.pictures.orders.response_lines import response_panels
 
 AT_WHEELS = Style(excited=Excitation(orders=(2.0, 4.0), at="wheels"))
@@ -105,3 +106,27 @@ gears: {one: [B]}
 """
     result = vstatics("plot", "-", *options, "c", stdin=held.encode())
     assert result.fails("error: no response in gear one: link c stands still")
+
+
+def test_a_line_is_as_high_as_its_order_of_the_torque(tmp_path: Path) -> None:
+    """The response is linear: 150 N*m of order 2 against 1 N*m; orders can be chosen."""
+    table = tmp_path / "engine.csv"
+    table.write_text("order,amplitude [N*m],phase [rad]\n2,150,0\n4,40,0.5\n")
+    results = shipped_results("moskvich412.yaml")
+    torques = [Harmonic(2.0, 150.0), Harmonic(4.0, 40.0, 0.5)]
+    excited = Excitation(orders=(2.0, 4.0))
+    _, [unit] = response_panels(results, Style(excited=excited), [4])
+    _, [given] = response_panels(results, Style(data=torques), [4])
+    for one, other, torque in zip(unit.lines, given.lines, torques, strict=True):
+        np.testing.assert_allclose(other.amplitudes, torque.amplitude * one.amplitudes, rtol=1e-12)
+    asked = ("plot", CASES / "moskvich412.yaml", "-k", "response", "--gear", "4")
+    named = "each order of the torque"
+    to = tmp_path / "r.svg"
+    assert vstatics(*asked, "--torque", table, "-o", to).status == 0
+    assert named in to.read_text()
+    assert vstatics(*asked, "--torque", table, "--orders", "3", "-o", to).fails("no order 3")
+    table.write_text("order,amplitude\n-2,150\n")
+    assert vstatics(*asked, "--torque", table, "-o", to).fails("engine.csv:2:1: error: order")
+    assert vstatics(*asked[:3], "campbell", "--torque", table, "-o", to).is_wrong_use(
+        "only response"
+    )

@@ -14,7 +14,13 @@ from vstatics.core.cli.shared.options import Option, RenamedOption, gathered, un
 from vstatics.core.cli.shared.values import numbers, shown_speeds, told, value
 from vstatics.core.texts import Language
 from vstatics.pictures.drawing.lengths import page_width
-from vstatics.pictures.drawing.style import PAGE_WIDTH, Excitation, Style
+from vstatics.pictures.drawing.style import PAGE_WIDTH, Excitation, PictureFiles, Style
+
+_PLAIN = (
+    *("merge", "wheels", "orders", "at", "speed", "torque"),
+    *("levels", "duty", "classes", "limits", "best_gear"),
+)
+"""Options of some kinds of pictures whose values are the arguments of the same names."""
 
 
 class AskedPicture(NamedTuple):
@@ -30,6 +36,12 @@ class AskedPicture(NamedTuple):
     y: tuple[str, ...] = ()
     z: str = ""
     by: str = ""
+    levels: int | list[float] | None = None
+    duty: str = ""
+    classes: str | None = None
+    torque: str = ""
+    limits: str = ""
+    best_gear: bool = False
     out: str = ""
     orders: list[float] | None = None
     speed: tuple[float, float] | None = None
@@ -41,7 +53,7 @@ class AskedPicture(NamedTuple):
     def of_kinds(self) -> dict[str, object]:
         """Values, by name, of the options that only some kinds of pictures have."""
         return {
-            **{name: getattr(self, name) for name in ("merge", "wheels", "orders", "at", "speed")},
+            **{name: getattr(self, name) for name in _PLAIN},
             "order": self.order != "free",
             "ratios": self.ratios,
             "out": self.out,
@@ -53,6 +65,11 @@ class AskedPicture(NamedTuple):
         """Columns of a written sweep that the user names; None if no column is named."""
         named = (self.x, self.y, self.z, self.by)
         return named if any(named) else None
+
+    @property
+    def files(self) -> PictureFiles:
+        """Files of the picture in addition to the case."""
+        return PictureFiles(self.duty, self.classes or PictureFiles().classes, self.torque)
 
     def style(self, lang: Language, height: float) -> Style:
         """Return the style of the picture on pages of a height [pt]."""
@@ -66,6 +83,18 @@ class AskedPicture(NamedTuple):
             ordered=self.order == "as-given",
             excited=Excitation(tuple(self.orders or ()), self.at, shown=self.speed),
         )
+
+
+def _levels(text: str) -> int | list[float]:
+    """Parse a number of levels, or a list of levels.
+
+    Raises
+    ------
+    ValueError
+    """
+    if text.strip().isdecimal():
+        return int(text[:9])
+    return numbers("a number of levels, or a list such as 0.9,0.95", -math.inf)(text)
 
 
 def _of_kinds(name: str, *options: Option) -> Iterator[Option]:
@@ -151,6 +180,57 @@ options = gathered(
                 callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
                 help="Orders of the speed for campbell and response.  [default: orders of the "
                 "engine]",
+            ),
+        ),
+        *_of_kinds(
+            "duty",
+            click.option(
+                "--duty",
+                metavar="FILE",
+                default="",
+                help="CSV file of a duty cycle, or of the time steps of a driving cycle: for a "
+                "spectrum, and for operating points on a map over load.speed and load.torque.",
+            ),
+        ),
+        *_of_kinds(
+            "classes",
+            click.option(
+                "--spectrum",
+                "classes",
+                metavar="CLASSES",
+                help="Classes of torque of a spectrum, as of `vstatics summary`.  [default: 10]",
+            ),
+        ),
+        *_of_kinds(
+            "torque",
+            click.option(
+                "--torque",
+                metavar="FILE",
+                default="",
+                help="CSV file of the orders of the torque of a response, as of `vstatics torsion "
+                "response`.  [default: 1 N*m for each order]",
+            ),
+        ),
+        *_of_kinds(
+            "levels",
+            click.option(
+                "--levels",
+                metavar="LEVELS",
+                callback=value(_levels),
+                help="Levels of a map: an approximate number, such as 10, or a list such as "
+                "0.9,0.95,0.97.",
+            ),
+            click.option(
+                "--limits",
+                metavar="CASE",
+                default="",
+                help="Case whose vehicle has the full-load curve to draw on such a map.",
+            ),
+            click.option(
+                "--best-gear",
+                is_flag=True,
+                help="Draw where each gear has the largest efficiency (or --z), for a sweep "
+                "--by gear.",
             ),
         ),
         *_of_kinds(

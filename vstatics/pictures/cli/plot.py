@@ -34,7 +34,12 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.pair import PairedCase, pair_pages
 
 _MISSING_PACKAGE = "E014"
-_FLAGS = {"columns": "x, --y, --z, --by", "wheels": "teeth"}
+_FLAGS = {
+    "columns": "x, --y, --z, --by",
+    "wheels": "teeth",
+    "classes": "spectrum",
+    "best_gear": "best-gear",
+}
 """Names of options on the command line, by the option in the record of a kind."""
 
 
@@ -117,6 +122,11 @@ def plot_command(
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
     needs("plot", "a picture")
     style = asked.style(lang, math.inf if is_stream(to.output) else PAGE_HEIGHT)
+    if record.reads:
+        try:
+            style = style._replace(data=higher(record.reads)(asked.files))
+        except ValueError as error:
+            raise click.UsageError(str(error)) from None
     if ratios is not None:
         return _plot_ratios(ratios, asked.gears, to, style, quiet=settings.telling.quiet)
     if record.plots:
@@ -235,5 +245,8 @@ def _shown(
     except CaseError as error:
         if error.problems[0].id == _MISSING_PACKAGE:  # not a fault of the case
             raise ReadError(error.problems) from None
-        raise ReadError(problem.in_file(outcome.file) for problem in error.problems) from None
+        raise ReadError(
+            problem if problem.place else problem.in_file(outcome.file)
+            for problem in error.problems
+        ) from None
     return texts.CaseOutput([], {form: lambda _: drawn})

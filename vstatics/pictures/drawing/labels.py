@@ -152,3 +152,12 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     """
     values = MaxNLocator(most, steps=[1, 2, 5, 10]).tick_values(low, high)
     return [float(value) for value in values if low <= value <= high]
+
+
+def power_of_ten(exponent: int) -> str:
+    """Return the text of a power of ten.
+
+    >>> power_of_ten(-4)
+    '10⁻⁴'
+    """
+    return "10" + "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] if c != "-" else "⁻" for c in str(exponent))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from vstatics.core.tables.numbers import typeset
@@ -75,6 +76,17 @@ class Excitation(NamedTuple):
     """Range of speeds in the picture; by default chosen from the case. [rpm]"""
 
 
+class PictureFiles(NamedTuple):
+    """Files of a picture in addition to the case."""
+
+    duty: str = ""
+    """CSV file of a duty cycle."""
+    classes: str | int | Sequence[float] = 10
+    """Number of classes of torque, or their upper bounds [N*m]; a text can have a unit."""
+    torque: str = ""
+    """CSV file of the orders of an exciting torque."""
+
+
 class Style(NamedTuple):
     """Style of a picture.
 
@@ -96,6 +108,8 @@ class Style(NamedTuple):
         Largest size of a page; an infinite height gives a single page. [pt]
     excited : Excitation
         Excitation for pictures of vibration.
+    data : object
+        Data of further files, from the function `PictureKind.reads` of the kind.
     """
 
     language: Language = "en"
@@ -107,6 +121,7 @@ class Style(NamedTuple):
     width: float = PAGE_WIDTH
     height: float = math.inf
     excited: Excitation = Excitation()
+    data: object = None
 
     def text(self, english: str, /, **places: object) -> str:
         """Return a text in the language of the picture; see `vstatics.core.texts`.

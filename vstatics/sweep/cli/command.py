@@ -54,7 +54,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
         "texts": {"multiple": True},
         "vary": {"multiple": True},
     }
-    names = filter(None, [option.short, f"--{name}"])
+    names = filter(None, [option.short, f"--{option.key or name}", name])
     more = kinds[option.kind]
     declaration = click.option(*names, metavar=option.metavar, help=option.help, **more)
     return under(option.heading, declaration)
@@ -141,6 +141,8 @@ def sweep_command(
             mesh_efficiency.friction; in a scenario also shifts.1.overlap
     VALUES  are LOW:HIGH:COUNT, LOW:HIGH:step=STEP, a list A,B,C, or LOW:HIGH
             with --sample; each value can have a unit, as in '-50 N*m:50 N*m:5'
+    FORMULA calculates a number from varied numbers, earlier links and numbers of
+            the case: --with 'P1.teeth.planet=(P1.teeth.ring - P1.teeth.sun)/2'
     EXPR    and LIST use tables by name: efficiency[1], speeds[C1,1], P1.ratio,
             max(abs(torques)); omega[2,1] is the second natural frequency in
             gear 1. For a scenario: heat[F2], locks[F2], max(abs(slips[F2])),

@@ -9,10 +9,14 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.values import wrong_value
 from vstatics.core.errors import ReadError, of_file
+from vstatics.core.extras import higher
 from vstatics.core.jobs.input_files import TABLE_BYTES
+from vstatics.core.tables.file_suffixes import suffix_of
 from vstatics.sweep.pictures import render_sweep
 from vstatics.sweep.pictures.columns import drawn_columns
+from vstatics.sweep.pictures.map_options import FullLoad, MapOptions, OperatingPoint, checked_levels
 
 if TYPE_CHECKING:
     from vstatics.pictures.cli.options import AskedPicture
@@ -35,11 +39,15 @@ def plot_written_sweep(
     from vstatics.core.readers import sweep_tables
 
     kind, columns = asked.kind, drawn_columns(asked.x, asked.y, asked.z, asked.by)
+    best = asked.best_gear
+    points = (asked.duty and suffix_of(asked.duty) != ".csv", "--duty: expected a CSV of points")
     refuse(
         (
             kind == "histogram" and (columns.x or columns.z),
             "--x, --z: histograms are of the columns of --y",
         ),
+        points,
+        (best and asked.levels is not None, "--levels: with --best-gear a map has no levels"),
         (kind == "curves" and columns.z, "--z: only a map has contours"),
         (
             len(sweeps) > 1 or to.is_folder,
@@ -51,7 +59,31 @@ def plot_written_sweep(
         message = "this is not a table of variants: expected a file written by `vstatics sweep -o`"
         raise ReadError([of_file("E039", name, message)])
     sweep = sweep_tables.read(data, name)
+    with wrong_value("--levels"):
+        levels = checked_levels(asked.levels)
+    options = MapOptions(levels, best, _points(asked.duty), _limits(asked.limits))
+    columns = columns._replace(of_map=options)
     with files.problems_of_file(name):
         drawn = render_sweep(sweep, kind, cast("Format", to.form), style, columns)
     files.write_pages(drawn, to.output)
     return DONE
+
+
+def _points(file: str) -> list[OperatingPoint]:
+    """Read the operating points of a duty cycle."""
+    if not file:
+        return []
+    points = higher("duty_points")(*files.read_input(file, TABLE_BYTES))
+    return [OperatingPoint(*point) for point in points]
+
+
+def _limits(file: str) -> list[FullLoad]:
+    """Read the full-load curves of a vehicle."""
+    if not file:
+        return []
+    from vstatics.core import readers
+
+    data, name = files.read_input(file)
+    with files.problems_of_file(name):
+        curves: list[FullLoad] = higher("full_load_curves")(readers.read(data, name).case)
+    return curves

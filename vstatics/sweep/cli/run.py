@@ -22,6 +22,7 @@ from vstatics.sweep.cli.estimate import check_room
 from vstatics.sweep.formats import Format
 from vstatics.sweep.output import Output, SweepReport, description, stream
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.results.linked import LinkedVariants
 from vstatics.sweep.results.selection import WhereCondition
 from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.variants.numbered import VariantTable
@@ -71,7 +72,7 @@ def carry_out(run: SweepRun) -> Ended:
             return to_stream(run)
         return to_file(run, run.output)
     finally:
-        if isinstance(run.plan.variants, VariantTable):
+        if isinstance(run.plan.variants, VariantTable | LinkedVariants):
             run.plan.variants.close()
 
 

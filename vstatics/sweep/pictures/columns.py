@@ -12,6 +12,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.names import plain_names
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
+from vstatics.sweep.pictures.map_options import MapOptions
 
 
 class DrawnColumns(NamedTuple):
@@ -21,6 +22,7 @@ class DrawnColumns(NamedTuple):
     y: Sequence[str] = ()
     z: str = ""
     by: str = ""
+    of_map: MapOptions = MapOptions()
 
 
 def drawn_columns(x: str, y: Sequence[str], z: str, by: str) -> DrawnColumns:

@@ -9,16 +9,20 @@ from typing import TYPE_CHECKING
 
 from vstatics.core.arguments import naming, refusing
 from vstatics.core.errors import spoken
-from vstatics.core.extras import require
+from vstatics.core.extras import higher, require
+from vstatics.core.jobs.input_files import TABLE_BYTES, read_file
 from vstatics.core.jobs.page_files import replace_pages
+from vstatics.core.model.transmission import Transmission
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
 from vstatics.core.texts import Language
+from vstatics.pictures import misplaced
 from vstatics.pictures.drawing.lengths import checked_width
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.plotting import format_of_picture
 from vstatics.sweep.pictures import COLUMNS, render_sweep, sweep_figures
 from vstatics.sweep.pictures.columns import DrawnColumns, drawn_columns, numbers
+from vstatics.sweep.pictures.map_options import MapOptions, OperatingPoint, checked_levels
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -69,6 +73,10 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
     y: str | Sequence[str] = (),
     z: str = "",
     by: str = "",
+    levels: int | Sequence[float] | None = None,
+    duty: str | os.PathLike[str] = "",
+    limits: Transmission | None = None,
+    best_gear: bool = False,
     width: float = PAGE_WIDTH / POINTS_PER_MILLIMETRE,
     dark: bool = False,
     lang: Language = "en",
@@ -88,6 +96,15 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         Column of the contours.
     by : str, optional
         Column whose values each have a curve or a panel.
+    levels : int or sequence of float, optional
+        Approximate number of levels of a map, or the levels in ascending order.
+    duty : path-like, optional
+        CSV file of a duty cycle, whose operating points are drawn on a map over ``load.speed`` and
+        ``load.torque``.
+    limits : Transmission, optional
+        Case whose vehicle has the full-load curve to draw on such a map.
+    best_gear : bool, optional
+        True for a map of the gear with the largest efficiency, of a sweep by gear.
     width : float, optional
         Width of the page, 80 to 1200. [mm]
     dark : bool, optional
@@ -123,8 +140,29 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         raise ValueError(f"there is no picture {kind!r} of a sweep{hint}")
     selected = drawn_columns(x, (y,) if isinstance(y, str) else y, z, by)
     _check(sweep, kind, selected)
+    of_map = {"levels": levels, "duty": duty, "limits": limits, "best_gear": best_gear}
+    for option, why in misplaced(kind, of_map):
+        raise ValueError(f"`{option}`: {why}")
+    selected = selected._replace(
+        of_map=MapOptions(
+            checked_levels(levels),
+            best_gear,
+            [OperatingPoint(*point) for point in _points(duty)],
+            higher("full_load_curves")(limits) if limits else (),
+        )
+    )
     style = Style(lang, dark, width=checked_width(width), height=math.inf)
     return SweepPicture(sweep, kind, style, selected)
+
+
+def _points(duty: str | os.PathLike[str]) -> list[tuple[str, float, float]]:
+    """Read the operating points of a duty cycle: gear, speed [rad/s], torque [N*m]."""
+    if not duty:
+        return []
+    points: list[tuple[str, float, float]] = higher("duty_points")(
+        read_file(duty, TABLE_BYTES), os.fspath(duty)
+    )
+    return points
 
 
 def _check(sweep: WrittenSweep, kind: str, selected: DrawnColumns) -> None:
@@ -137,7 +175,8 @@ def _check(sweep: WrittenSweep, kind: str, selected: DrawnColumns) -> None:
     ValueError
         If the kind does not use a column.
     """
-    for option, given in selected._asdict().items():
+    given_columns = zip(selected._fields[:4], selected[:4], strict=True)
+    for option, given in given_columns:
         if given and option not in COLUMNS[kind]:
             takes = spoken([f"`{name}`" for name in COLUMNS[kind]])
             raise ValueError(f"plot of kind {kind!r}: `{option}` is not for it; it takes {takes}")

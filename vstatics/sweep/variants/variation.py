@@ -92,12 +92,7 @@ def read_variation(text: str, subject: VariedSubject, place: Place | None = None
     array([0.95, 0.97])
     """
     place = place or Place(OPTION, 1, 1, text)
-    end = _assigned(text, subject)
-    if end < 0:
-        name = target_of(text, subject, place).name
-        message = f"read {shown(text)} without values, expected {name}= and then {FORMS}"
-        raise refusal(message, place, len(text.rstrip()))
-    varied = target_of(text[:end], subject, place)
+    varied, end = _read_name(text, subject, place, FORMS)
     begin, values = behind(place, end + 1), text[end + 1 :]
     if not values.strip():
         raise refusal(f"read no values, expected {FORMS}", begin)
@@ -116,6 +111,46 @@ def read_variation(text: str, subject: VariedSubject, place: Place | None = None
     if not isinstance(subject, Transmission):
         varied = subject.in_unit(varied, unit, begin)
     return Variation(varied, read, place)
+
+
+def _read_name(
+    text: str, subject: VariedSubject, place: Place, expected: str
+) -> tuple[Varied, int]:
+    """Return the number before `=`, and the position of `=`."""
+    end = _assigned(text, subject)
+    if end < 0:
+        name = target_of(text, subject, place).name
+        message = f"read {shown(text)} without values, expected {name}= and then {expected}"
+        raise refusal(message, place, len(text.rstrip()))
+    return target_of(text[:end], subject, place), end
+
+
+def read_linked(text: str, subject: VariedSubject, place: Place) -> tuple[Varied, int]:
+    """Parse the name of a linked number; return the number and the position of `=`.
+
+    Raises
+    ------
+    ReadError
+        If the number does not exist, or its unit is missing.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+    >>> target, end = read_linked("D1.ratio=2 - D1.efficiency", case, Place("--with", 1, 1))
+    >>> target.name, end
+    ('D1.ratio', 8)
+    """
+    varied, end = _read_name(text, subject, place, "a formula of other numbers")
+    try:
+        if isinstance(varied, CasePath):
+            varied = varied.in_unit("")
+    except ValueError as error:
+        hint = f"; write the unit in brackets, such as `{varied.name} [N*m]=...`"
+        raise refusal(f"{error}{hint}", place) from None
+    if not isinstance(subject, Transmission):
+        varied = subject.in_unit(varied, "", place)
+    return varied, end
 
 
 def _assigned(text: str, subject: VariedSubject) -> int:

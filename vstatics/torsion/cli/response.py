@@ -26,6 +26,7 @@ from vstatics.torsion.cli.case import (
 
 if TYPE_CHECKING:
     from vstatics.core.numerics.arrays import Floats
+    from vstatics.pictures.drawing.style import PictureFiles
     from vstatics.torsion.forced.harmonic_torques import GearResponse, Harmonic
     from vstatics.torsion.system.working_points import WorkingGear
 
@@ -91,6 +92,17 @@ class Exciting(NamedTuple):
                 message = f"{self.torque} has no order {order:g}; it has {known}"
                 raise click.BadParameter(message, param_hint="--orders")
         return [by_order[order] for order in dict.fromkeys(self.orders)]
+
+
+def drawn_torques(asked: PictureFiles) -> list[Harmonic]:
+    """Read the harmonics of the torque of a picture; empty without a file.
+
+    Raises
+    ------
+    ReadError
+        If the table is not valid.
+    """
+    return Exciting(torque=asked.torque).harmonics() if asked.torque else []
 
 
 def _input_of(gears: Sequence[WorkingGear]) -> str:

@@ -220,6 +220,41 @@ def _between(points: EnginePoints, speed: Any) -> Any:
     return np.interp(speed, speeds, torques)
 
 
+def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
+    """Return the full-load curve of the vehicle, from rest on, and the curve of braking, if any.
+
+    Each curve ends with torque 0 at the largest speed.
+
+    Raises
+    ------
+    CaseError
+        If the case has no vehicle, or the vehicle no full load.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission
+    >>> vehicle = Vehicle(1000.0, 0.3, engine=[(100.0, 80.0), (600.0, 120.0)])
+    >>> pair = Mechanism(1, 2, 0, -2.0)
+    >>> full_load_curves(Transmission(2, [], [pair], [Gear()], vehicle=vehicle))
+    [[(0.0, 80.0), (100.0, 80.0), (600.0, 120.0), (600.0, 0.0)]]
+    """
+    vehicle = Vehicle.needed(case)
+    if not vehicle.full_load:
+        message = "the vehicle has no full load: expected `engine` or `machine`"
+        raise CaseError("E427", message)
+    last = vehicle.full_load[-1][0]
+    curves: list[EnginePoints] = []
+    for points, torque in (
+        (vehicle.full_load, vehicle.full_torque),
+        (vehicle.braking, vehicle.overrun_torque),
+    ):
+        speeds = [0.0, *(speed for speed, _ in points if 0 < speed < last), last]
+        curve = [(speed, float(torque(speed))) for speed in speeds]
+        if points:
+            curves.append([*curve, (last, 0.0)])
+    return curves
+
+
 def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
     """Return the sources of power other than the engine in a gear as text, or an empty text.
 

@@ -14,6 +14,7 @@ from vstatics.core.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
 from vstatics.core.tables.file_suffixes import suffix_of
 
 if TYPE_CHECKING:
+    from vstatics.pictures.drawing.style import PictureFiles
     from vstatics.vehicle.duty_file import DutyFile, DutyTable
     from vstatics.vehicle.life.classes import Classes
 
@@ -72,6 +73,27 @@ def _classes(text: str) -> Classes:
     if torques[0] <= 0 or any(b <= a for a, b in pairwise(torques)):
         raise ValueError(f"read {text!r}, expected bounds above 0 in ascending order")
     return torques
+
+
+def drawn_duty(asked: PictureFiles) -> DutyTable:
+    """Read the duty cycle of a picture, with its classes of torque.
+
+    Raises
+    ------
+    ReadError
+        If the file is in error.
+    ValueError
+        If there is no CSV of points, or the classes are wrong.
+    """
+    from vstatics.vehicle.duty_file import read_duty_table
+
+    if suffix_of(asked.duty) != ".csv":
+        raise ValueError("a picture of a load spectrum: expected a duty cycle as a CSV of points")
+    given = asked.classes
+    text = given if isinstance(given, str) else None
+    if text is None:
+        text = str(given) if isinstance(given, int) else f"{','.join(map(repr, given))} N*m"
+    return read_duty_table(*files.read_input(asked.duty, TABLE_BYTES), None, _classes(text))
 
 
 duty_options = gathered(

@@ -1,7 +1,7 @@
 """Picture of the response of a link to a harmonic torque on the link, over speed and by order.
 
-Each gear has a panel with a line for each order of 1 N*m. Speeds and orders are chosen as in the
-Campbell diagram.
+Each gear has a panel with a line for each order of 1 N*m or of a given torque. Speeds and orders
+are chosen as in the Campbell diagram.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from vstatics.core.errors import CaseError, listed
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
-from vstatics.pictures.drawing.labels import height, ticks, width, wrapped
+from vstatics.pictures.drawing.labels import height, power_of_ten, ticks, width, wrapped
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import MARGIN, Style, number
@@ -28,6 +28,7 @@ from vstatics.torsion.pictures.orders.resonances import GearMode
 from vstatics.torsion.pictures.orders.response_lines import (
     ResponseLine,
     ResponsePanel,
+    by_order,
     response_panels,
 )
 from vstatics.torsion.pictures.orders.running import draw_running, running_sign
@@ -126,10 +127,10 @@ def _rows(results: Results, sheet: _ResponseSheet, rows: int) -> tuple[float, in
 def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
     style = sheet.style
     link = sheet.link or style.text("the input")
-    subject = style.text(
-        "amplitude of {link} by a torque of 1 N·m on it",
-        link=link,
-    )
+    words = "amplitude of {link} by a torque of 1 N·m on it"
+    if by_order(style):
+        words = "amplitude of {link} by each order of the torque on it"
+    subject = style.text(words, link=link)
     signs: list[Meaning] = [
         (True, _order_words(order, style), sheet.look(order)) for order in sheet.orders
     ]
@@ -225,7 +226,7 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
     style, (wide, _) = sheet.style, pen.size
     low, high = (int(end) for end in sheet.decades)
     decades = list(range(low, high + 1))
-    pen.scale("left", decades, [_power(exponent) for exponent in decades], grid=True)
+    pen.scale("left", decades, [power_of_ten(exponent) for exponent in decades], grid=True)
     speeds = ticks(sheet.slowest, sheet.fastest, max(2, int(wide / 34.0)))
     pen.scale("bottom", speeds, [f"{speed:g}" for speed in speeds] if is_lowest else [], grid=True)
     pen.frame()
@@ -235,15 +236,6 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
         if not sheet.link or width(name) > wide:  # links differ between gears, or a name is long
             name = style.text("speed, {rpm}", rpm=rpm)
         pen.name("bottom", name, 12.0 + 1.5 * height(""))
-
-
-def _power(exponent: int) -> str:
-    """Return the text of a power of ten.
-
-    >>> _power(-4)
-    '10⁻⁴'
-    """
-    return "10" + "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] if c != "-" else "⁻" for c in str(exponent))
 
 
 def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseSheet) -> None:

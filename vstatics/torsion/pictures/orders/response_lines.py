@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 
+from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.orders_and_speeds import ExcitedSpeeds, Order, excited_speeds
 from vstatics.torsion.pictures.orders.resonances import GearMode, gear_modes, meetings
 from vstatics.torsion.pictures.shown_modes import modes_of
+
+if TYPE_CHECKING:
+    from vstatics.torsion.forced.harmonic_torques import Harmonic
 
 EVEN_SPEEDS = 400
 """Number of evenly spaced speeds of a line; resonances and speeds near resonances are added."""
@@ -27,7 +31,7 @@ class ResponseLine(NamedTuple):
     speeds: Floats
     """Speeds of the link. [rpm]"""
     amplitudes: Floats
-    """Amplitudes of the link under 1 N*m, NaN if undefined. [rad]"""
+    """Amplitudes of the link under the torque of the order, NaN if undefined. [rad]"""
 
 
 class ResponsePanel(NamedTuple):
@@ -51,6 +55,13 @@ def response_panels(
     The torque acts on the link given in the style, or by default on the input of the gear.
     """
     case, excitation = results.case, style.excited
+    harmonics = by_order(style)
+    if harmonics and not excitation.orders:
+        excitation = excitation._replace(orders=tuple(harmonics))
+    if unknown := [order for order in excitation.orders if harmonics and order not in harmonics]:
+        known = ", ".join(f"{order:g}" for order in harmonics)
+        message = f"the torque has no order {unknown[0]:g}: expected one of {known}"
+        raise CaseError("E505", message)
     numbers = list(gears) or list(range(1, len(case.gears) + 1))
     chosen = [case.gears[number - 1] for number in numbers]
     modes_by_gear = modes_of(results, numbers)
@@ -63,18 +74,29 @@ def response_panels(
     frequencies = [mode.frequency for modes in by_gear for mode in modes]
     excited = excited_speeds(case, chosen, frequencies, excitation)
     panels = [
-        _panel(results, gear.name, name, modes, excited)
+        _panel(results, (gear.name, name), modes, excited, harmonics)
         for gear, name, modes in zip(chosen, links, by_gear, strict=True)
     ]
     return excited, panels
 
 
+def by_order(style: Style) -> dict[float, Harmonic]:
+    """Return the harmonics of a given torque, by order; empty without a torque."""
+    harmonics = cast("Sequence[Harmonic]", style.data or ())
+    return {harmonic.order: harmonic for harmonic in harmonics}
+
+
 def _panel(
-    results: Results, gear: str, link: str, modes: Sequence[GearMode], excited: ExcitedSpeeds
+    results: Results,
+    names: tuple[str, str],
+    modes: Sequence[GearMode],
+    excited: ExcitedSpeeds,
+    harmonics: Mapping[float, Harmonic],
 ) -> ResponsePanel:
     """Calculate the response of a gear order by order, as the speeds depend on the order."""
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
+    gear, link = names
     lines, (orders, _, fastest, slowest) = [], excited
     met = list(meetings(modes, orders, fastest, slowest))
     for order in orders:
@@ -87,7 +109,8 @@ def _panel(
         ]
         even = np.linspace(max(slowest, fastest / EVEN_SPEEDS), fastest, EVEN_SPEEDS)
         speeds = np.unique([*even, *(speed for speed in near_peaks if even[0] < speed < fastest)])
-        [forced] = response(results.case, link, [Harmonic(order.number)], speeds, [gear])
+        torque = harmonics.get(order.number, Harmonic(order.number))
+        [forced] = response(results.case, link, [torque], speeds, [gear])
         if forced.error:
             return ResponsePanel(gear, link, [], [], forced.error)
         amplitudes = np.abs(forced.orders[0].amplitudes[link])

@@ -1,0 +1,156 @@
+"""Linked numbers: each variant is that of a table whose numbers were calculated by hand."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.chance import count, generator
+from tests.commands import CASES, vstatics
+from tests.installed import needs
+from vstatics import ReadError, load, sweep
+from vstatics.sweep.chunk import STATUS
+
+CASE = """\
+links: [sun, ring, carrier]
+output: carrier
+elements:
+  P1: {kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {sun: 33, planet: 17, ring: 67}}
+shift_elements: {B1: [ring, housing]}
+gears: {low: [B1]}
+load: {speed: 2000 rpm, torque: 300 N*m}
+"""
+OUT = "ratio[low],efficiency[low],output_power_kW[low]"
+
+
+@pytest.fixture(autouse=True)
+def _files(folder: Path) -> None:
+    (folder / "box.yaml").write_text(CASE)
+
+
+def test_linked_numbers_are_those_of_a_table() -> None:
+    """The table has the numbers of Python's own arithmetic, to the last bit."""
+    case, chance = load("box.yaml"), generator(17)
+    for _ in range(count(15, 200)):
+        rings = chance.integers(60, 90, 6).astype(float)
+        a, b = chance.uniform(0.5, 2, 2).round(3).tolist()
+        links = {
+            "P1.teeth.planet": "(P1.teeth.ring - P1.teeth.sun)/2",
+            "load.torque [N*m]": f"{a}*P1.teeth.planet + {b}*load.speed/1000",
+            "mesh_efficiency.external": "1 - sqrt(load.torque)/1e3",
+        }
+        planets = (rings - 33) / 2
+        torques = a * planets + b * 2000.0 / 1000
+        table = {
+            "P1.teeth.ring": rings,
+            "P1.teeth.planet": planets,
+            "load.torque [N*m]": torques,
+            "mesh_efficiency.external": 1 - np.sqrt(torques) / 1e3,
+        }
+        [linked] = sweep(case, {"P1.teeth.ring": rings}, linked=links, out=OUT)
+        [given] = sweep(case, variants=table, out=OUT)
+        assert linked.names == tuple(table)
+        np.testing.assert_allclose(linked.values, given.values, rtol=1e-15)
+        np.testing.assert_array_equal(linked.status, given.status)
+        np.testing.assert_allclose(linked.columns, given.columns, rtol=1e-12)
+
+
+def test_files_tables_samples_and_workers_link_alike(folder: Path) -> None:
+    """All give one row for each variant, with the planet that fits between sun and ring."""
+    text = "case: box.yaml\nvary: {P1.teeth.ring: 65:83:10}\nout: ratio\n"
+    (folder / "sweep.yaml").write_text(text + "with: {P1.teeth.planet: (P1.teeth.ring - 33)/2}\n")
+    (folder / "table.csv").write_text("\n".join(["P1.teeth.ring", *map(str, range(65, 85, 2)), ""]))
+    link = ("--with", "P1.teeth.planet=(P1.teeth.ring - P1.teeth.sun)/2", "--out", "ratio", "-q")
+    ways = [
+        ("--file", "sweep.yaml", "-q"),
+        ("box.yaml", "--vary", "P1.teeth.ring=65:83:10", *link),
+        ("box.yaml", "--variants", "table.csv", *link),
+        ("box.yaml", "--variants", "table.csv", *link, "-o", "out.csv", "-j", "2"),
+    ]
+    written = [vstatics("sweep", *way).out for way in ways[:3]]
+    assert vstatics("sweep", *ways[3]).status == 0
+    assert written[0].startswith(
+        "variant,P1.teeth.ring,P1.teeth.planet,status,ratio[low]\n0,65,16,"
+    )
+    assert {*written, Path("out.csv").read_text()} == {written[0]}
+    [drawn] = sweep(
+        load("box.yaml"),
+        "P1.efficiency=0.9:0.99",
+        sample=8,
+        method="random",
+        linked=["load.torque [N*m]=100*P1.efficiency"],
+        out="ratio",
+    )
+    np.testing.assert_allclose(drawn.values[:, 1], 100 * drawn.values[:, 0], rtol=1e-15)
+
+
+def test_a_link_without_a_value_makes_an_invalid_variant() -> None:
+    [chunk] = sweep(
+        load("box.yaml"),
+        {"P1.teeth.ring": [66.0, 67.0]},
+        linked={"load.torque [N*m]": "100/(P1.teeth.ring - 66)"},
+        out="ratio",
+    )
+    assert [STATUS[code] for code in chunk.status] == ["invalid", "ok"]
+    assert math.isnan(chunk.values[0, 1])
+    assert chunk.values[1, 1] == 100
+
+
+@needs("simulation")
+def test_a_scenario_links_its_numbers() -> None:
+    scenario = str(CASES / "scenarios/moskvich-start.yaml")
+    said = vstatics(
+        *("sweep", scenario, "--vary", "start.speeds.engine=200,260", "-q", "--out", "duration"),
+        *("--with", "duration=start.speeds.engine/1000"),
+    )
+    rows = [line.split(",") for line in said.out.splitlines()]
+    assert rows[0][:3] == ["variant", "start.speeds.engine", "duration"]
+    assert [float(row[2]) for row in rows[1:]] == [0.2, 0.26]
+
+
+@pytest.mark.parametrize(
+    ("links", "place", "message"),
+    [
+        (["P1.teeth.sun=P1.teeth.sun + 1"], "--with:1:1", "links in a circle: P1.teeth.sun -> P1"),
+        (
+            ["P1.teeth.sun=P1.teeth.planet", "P1.teeth.planet=P1.teeth.sun"],
+            "--with:1:1",
+            "circle: P1.teeth.sun -> P1.teeth.planet -> P1.teeth.sun",
+        ),
+        (["P1.teeth.sun=P1.teeth.planet", "P1.teeth.planet=5"], "--with:1:1", "linked later"),
+        (["P1.teeth.ring=5"], "--with:1:1", "P1.teeth.ring is varied twice"),
+        (["P1.teeth.sun=3", "P1.teeth.sun=4"], "--with:1:1", "P1.teeth.sun is varied twice"),
+        (["P1.teeth.sun=P1.teeth.rng"], "--with:1:14", "did you mean `P1.teeth.ring`"),
+        (["P1.teeth.sun"], "--with:1:13", "expected P1.teeth.sun= and then a formula"),
+        (["P1.teeth.sun="], "--with:1:14", "read no formula"),
+        (["P1.teeth.sun=ratio[low]"], "--with:1:14", "linked to results, ratio"),
+        (["P1.teeth.sun=(3"], "--with:1:16", "is not closed"),
+        (["load.torque=3"], "--with:1:1", "such as `load.torque [N*m]=...`"),
+        (["P1.ratio=-2"], "--with:1:1", "teeth that determine it"),
+        (["nope.x=3"], "--with:1:1", "there is no"),
+    ],
+)
+def test_wrong_links_are_located(links: list[str], place: str, message: str) -> None:
+    options = [word for link in links for word in ("--with", link)]
+    said = vstatics(
+        "sweep", "box.yaml", "--vary", "P1.teeth.ring=65:83:10", *options, "-o", "o.csv"
+    )
+    assert said.fails(f"{place}: error", message)
+    assert not Path("o.csv").exists()
+    with pytest.raises(ReadError):
+        sweep(load("box.yaml"), "P1.teeth.ring=65:83:10", linked=links)
+
+
+def test_a_circle_in_a_file_has_its_line(folder: Path) -> None:
+    text = (
+        "case: box.yaml\nvary: {P1.teeth.ring: 65:83:10}\nwith:\n  P1.teeth.sun: P1.teeth.sun/2\n"
+    )
+    (folder / "sweep.yaml").write_text(text)
+    assert vstatics("sweep", "--file", "sweep.yaml").fails(
+        "sweep.yaml:4:3: error: links in a circle"
+    )
+    alone = vstatics("sweep", "box.yaml", "--with", "P1.teeth.sun=3")
+    assert alone.is_wrong_use("Nothing is varied")

@@ -1,0 +1,56 @@
+"""Options that only maps have: levels, best gears, operating points and full-load curves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+MOST_MAP_LEVELS = 100
+"""Largest number of contours that a user can request."""
+
+
+class OperatingPoint(NamedTuple):
+    """Operating point of a duty cycle."""
+
+    gear: str
+    speed: float
+    """Input speed. [rad/s]"""
+    torque: float
+    """Input torque. [N*m]"""
+
+
+FullLoad = Sequence[tuple[float, float]]
+"""Points of a full-load curve: speed [rad/s], torque [N*m]."""
+
+
+class MapOptions(NamedTuple):
+    """Options that only maps have."""
+
+    levels: int | Sequence[float] | None = None
+    """Approximate number of levels, or levels in ascending order; chosen by default."""
+    best_gear: bool = False
+    """True for regions of the gear with the largest value."""
+    points: Sequence[OperatingPoint] = ()
+    limits: Sequence[FullLoad] = ()
+
+
+def checked_levels(levels: int | Sequence[float] | None) -> int | Sequence[float] | None:
+    """Return a number of levels, or levels in ascending order.
+
+    Raises
+    ------
+    ValueError
+        If the number is out of range, or the levels are not finite and ascending.
+    """
+    most = MOST_MAP_LEVELS
+    if levels is None:
+        return None
+    if isinstance(levels, int):
+        is_valid = 0 < levels <= most
+    else:
+        is_finite = 0 < len(levels) <= most and all(map(math.isfinite, levels))
+        is_valid = is_finite and list(levels) == sorted({*levels})
+    if is_valid:
+        return levels
+    raise ValueError(f"read {levels}, expected 1 to {most}, or at most {most} levels in order")

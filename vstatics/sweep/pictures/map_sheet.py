@@ -1,0 +1,303 @@
+"""Sheets of maps: panels with common scales, painted in bands or regions, and a colour bar."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from contourpy import contour_generator
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
+from vstatics.pictures.drawing.labels import Point, Segment, height, ticks, widest, width
+from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
+from vstatics.pictures.drawing.style import MARGIN, SIZE, SMALL_NUMBER, Style
+from vstatics.sweep.pictures.best_gear import GearRegion, deepest
+from vstatics.sweep.pictures.overlays import Overlay, full_load_look, point_look
+
+MAP_SIZE = (300.0, 230.0)
+"""Greatest width and height of a panel. [pt]"""
+MAPS_SIDE_BY_SIDE = 2
+MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
+"""Width and height of the scales of a panel. [pt]"""
+MAP_HEAD_HEIGHT = 22.0
+"""Height of the name of the gear above a panel. [pt]"""
+BAR_WIDTH, BAR_NAME_WIDTH = 10.0, 22.0
+"""Width of the colour bar, and of its upright name. [pt]"""
+PLACES_TRIED = 48
+"""Number of places on a line that are tried for its label."""
+Box = tuple[float, float, float, float]
+"""Left, lower, right and upper end of a label. [pt]"""
+
+
+class Surface(NamedTuple):
+    """Values of a column on a grid, NaN for points without operation."""
+
+    name: str
+    x: Floats
+    y: Floats
+    z: Floats
+    """Values of shape (y, x)."""
+    instead: str
+    """Text that replaces a surface without any number."""
+
+
+class MapSheet(NamedTuple):
+    """Panels of a map with common scales."""
+
+    title: str
+    surfaces: Sequence[Surface]
+    paint: Callable[[Pen, Surface], None]
+    """Function that draws the values of a surface into a panel with scales."""
+    meanings: Sequence[Meaning]
+    levels: Sequence[float] = ()
+    """Levels of the colour bar; empty without a bar."""
+    bar: str = ""
+    """Name of the colour bar."""
+
+    @property
+    def bar_texts(self) -> Sequence[str]:
+        """Numbers at the colour bar."""
+        return tick_texts(self.levels)
+
+    @property
+    def bar_room(self) -> float:
+        """Width of the colour bar with its texts, 0 without a bar [pt]."""
+        texts = self.bar_texts
+        return (BAR_WIDTH + 5 + widest(texts) + BAR_NAME_WIDTH + MARGIN) * bool(texts)
+
+
+def map_pages(
+    sheet: MapSheet, names: tuple[str, str], overlays: Sequence[Overlay], note: str, style: Style
+) -> list[Figure]:
+    """Draw the panels on pages, with common scales.
+
+    Parameters
+    ----------
+    sheet : MapSheet
+    names : tuple of str
+        Names of the axes.
+    overlays : sequence of Overlay
+        Operating points and full-load curves of each panel.
+    note : str
+        Text below the title.
+    """
+    surfaces = sheet.surfaces
+    scales = axis_scale(surfaces, "x"), axis_scale(surfaces, "y")
+    columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
+    room = (style.width - MARGIN - sheet.bar_room) / columns
+    wide = min(MAP_SIZE[0], room - MAP_SCALE_WIDTH - MARGIN)
+    size = wide, wide * MAP_SIZE[1] / MAP_SIZE[0]
+    up = MAP_HEAD_HEIGHT * bool(surfaces[0].name) + size[1] + MAP_SCALE_HEIGHT
+    pitch = MAP_SCALE_WIDTH + wide + MARGIN
+    across = columns * pitch + MARGIN + sheet.bar_room
+    head = _head(sheet, overlays, note, across, style)
+    most = columns * int(min(max(1, (style.height - head.high - MARGIN) // up), len(surfaces)))
+    figures = []
+    for start in range(0, len(surfaces), most):
+        shown = range(start, min(start + most, len(surfaces)))
+        rows = math.ceil(len(shown) / columns)
+        pen = head.over((across, rows * up), MARGIN, style)
+        for place, number in enumerate(shown):
+            row, column = divmod(place, columns)
+            corner = column * pitch + MAP_SCALE_WIDTH, (rows - 1 - row) * up + MAP_SCALE_HEIGHT
+            panel = pen.panel(corner, size, *scales)
+            _draw_panel(panel, sheet, surfaces[number], names)
+            overlays[number].draw(panel)
+        bar = columns * pitch, (rows - 1) * up + MAP_SCALE_HEIGHT
+        _draw_bar(pen.panel(bar, (BAR_WIDTH, size[1])), sheet)
+        figures.append(pen.figure)
+    return figures
+
+
+def _head(
+    sheet: MapSheet, overlays: Sequence[Overlay], note: str, across: float, style: Style
+) -> SheetHead:
+    points, limits = ([getattr(each, name) for each in overlays] for name in ("gears", "limits"))
+    meanings = [
+        *sheet.meanings,
+        (any(limits), "full load", full_load_look(style)),
+        (any(points), "operating point", point_look(style)),
+    ]
+    return sheet_head(sheet.title, note, meanings, across - 2 * MARGIN, style)
+
+
+def axis_scale(surfaces: Sequence[Surface], name: str) -> AxisScale:
+    """Return the common scale of an axis, `x` or `y`, of all surfaces."""
+    values = np.concatenate([getattr(surface, name) for surface in surfaces])
+    return AxisScale(float(values.min()), float(values.max()))
+
+
+def shade(place: int, last: int, style: Style) -> str:
+    """Return the colour of a band or region, from light for 0 to dark for the last place."""
+    return mixed(style.power, style.paper, 0.1 + 0.9 * place / max(last, 1))
+
+
+def _draw_panel(pen: Pen, sheet: MapSheet, surface: Surface, names: tuple[str, str]) -> None:
+    (wide, high), style = pen.size, pen.style
+    sheet.paint(pen, surface)
+    exists = np.isfinite(surface.z)
+    if not exists.all():
+        pen.lines([*_ends(pen, surface)], **limit_look(style))
+    _scales(pen, names)
+    pen.text(0, high + 8, surface.name, va="bottom", bold=True)
+    if not exists.any():
+        pen.text(wide / 2, high / 2, surface.instead, over=True, ha="center", va="center")
+
+
+def _ends(pen: Pen, surface: Surface) -> Iterator[Segment]:
+    """Yield the border of the part of a panel with values, without the edges of the panel."""
+    hidden = np.ma.masked_invalid(surface.z)
+    contours: Any = contour_generator(*_places_of(pen, surface), hidden, fill_type="OuterOffset")
+    for points, offsets in zip(*contours.filled(-math.inf, math.inf), strict=True):
+        for start, end in pairwise(offsets):
+            for (x, y), (next_x, next_y) in pairwise(points[start:end].tolist()):
+                on_edge = (x == next_x and x in (0.0, pen.size[0])) or (
+                    y == next_y and y in (0.0, pen.size[1])
+                )
+                if not on_edge:
+                    yield (x, y), (next_x, next_y)
+
+
+def _places_of(pen: Pen, surface: Surface) -> tuple[Floats, Floats]:
+    """Return the places of the axes of a grid in a panel [pt]."""
+    (wide, high), x, y = pen.size, pen.x, pen.y
+    across: Floats = (surface.x - x.low) / (x.high - x.low) * wide
+    up: Floats = (surface.y - y.low) / (y.high - y.low) * high
+    return across, up
+
+
+def paint_levels(pen: Pen, surface: Surface, levels: Sequence[float]) -> None:
+    """Fill the bands between levels, and draw and label the contours."""
+    hidden = np.ma.masked_invalid(surface.z)
+    contours: Any = contour_generator(*_places_of(pen, surface), hidden, fill_type="OuterOffset")
+    edges = [-math.inf, *levels, math.inf]
+    for place, (low, up) in enumerate(pairwise(edges)):
+        _fill(pen, contours.filled(low, up), shade(place, len(levels), pen.style))
+    taken: list[Box] = []
+    for level in levels:
+        text = typeset(f"{level:g}")
+        lines = contours.lines(level)
+        title = f"{surface.name} {text}".strip()
+        for piece in lines:
+            places = [(float(x), float(y)) for x, y in piece]
+            pen.line(*places, width=0.7, color=pen.style.ink, title=title)
+        _label(pen, lines, text, taken)
+
+
+def paint_regions(
+    pen: Pen, surface: Surface, regions: Sequence[GearRegion], colours: Mapping[str, str]
+) -> None:
+    """Fill the region of each gear, draw its border, and write its name inside."""
+    places = _places_of(pen, surface)
+    for region in regions:
+        group = pen.within("gear", gear=region.gear)
+        hidden = np.ma.masked_invalid(region.lead)
+        contours: Any = contour_generator(*places, hidden, fill_type="OuterOffset")
+        _fill(group, contours.filled(0.0, math.inf), colours[region.gear])
+        for piece in contours.lines(0.0):
+            border = [(float(x), float(y)) for x, y in piece]
+            group.line(*border, width=1.0, color=pen.style.ink, zorder=0.3)
+        row, column = deepest(region.lead > 0)
+        at = float(places[0][column]), float(places[1][row])
+        half = width(region.gear, SIZE, bold=True) / 2
+        x = min(max(at[0], half + 2), pen.size[0] - half - 2)
+        y = min(max(at[1], SIZE / 2 + 2), pen.size[1] - SIZE / 2 - 2)
+        look: Look = {"ha": "center", "va": "center_baseline"}
+        group.text(x, y, region.gear, bold=True, over=True, **look)
+
+
+def limit_look(style: Style) -> Look:
+    """Return the style of the line where operation ends."""
+    return {"color": style.lost, "width": 1.8}
+
+
+def _fill(pen: Pen, filled: tuple[Sequence[Any], Sequence[Any]], colour: str) -> None:
+    """Fill the polygons of a band between two levels, without their holes."""
+    left, low = pen.corner
+    for points, offsets in zip(*filled, strict=True):
+        codes = np.full(len(points), Path.LINETO, dtype=np.uint8)
+        codes[offsets[:-1]] = Path.MOVETO
+        codes[offsets[1:] - 1] = Path.CLOSEPOLY
+        path = Path(points + np.array([left, low]), codes)
+        pen.add(PathPatch(path, facecolor=colour, edgecolor=colour, linewidth=0.2, zorder=0.2))
+
+
+def _label(
+    pen: Pen,
+    lines: Sequence[Floats],
+    text: str,
+    taken: list[Box],
+) -> None:
+    """Label a level on its longest line, near the middle, where the text covers no other label.
+
+    A label at the edge of the panel is moved inward.
+    """
+    long, tall = width(text, SMALL_NUMBER) + 3, 1.2 * SMALL_NUMBER
+    half, up = long / 2, tall / 2
+    for at in _places(lines):
+        x = min(max(at[0], half), pen.size[0] - half)
+        y = min(max(at[1], up), pen.size[1] - up)
+        box = x - half, y - up, x + half, y + up
+        if not any(
+            box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]
+            for other in taken
+        ):
+            taken.append(box)
+            centred: Look = {"ha": "center", "va": "center_baseline"}
+            pen.text(x, y, text, size=SMALL_NUMBER, over=True, **centred)
+            return
+
+
+def _places(lines: Sequence[Floats]) -> Iterator[Point]:
+    """Yield possible points of labels along lines, first the middle of the longest line."""
+    for piece in sorted(lines, key=lambda line: -_along(line)[-1]):
+        along = _along(piece)
+        places = np.linspace(0.0, along[-1], PLACES_TRIED + 1)
+        for at in sorted(places, key=lambda distance: abs(distance - along[-1] / 2)):
+            yield float(np.interp(at, along, piece[:, 0])), float(np.interp(at, along, piece[:, 1]))
+
+
+def _along(piece: Floats) -> Floats:
+    """Return the distance [pt] of each point from the start, along the line."""
+    steps: Floats = np.hypot(*np.diff(piece, axis=0).T)
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def _scales(pen: Pen, names: tuple[str, str]) -> None:
+    wide, high = pen.size
+    across = ticks(pen.x.low, pen.x.high, max(int(wide / 50), 2))
+    up = ticks(pen.y.low, pen.y.high, max(int(high / (3 * height(""))), 2))
+    pen.scale("bottom", across)
+    pen.scale("left", up)
+    pen.frame()
+    pen.name("bottom", names[0], 26)
+    pen.name("left", names[1], widest(tick_texts(up)) + 16)
+
+
+def _draw_bar(pen: Pen, sheet: MapSheet) -> None:
+    """Draw the colour bar, with bands of equal height and numbers where there is room."""
+    levels, texts = sheet.levels, sheet.bar_texts
+    if not levels:
+        return
+    (wide, high), style = pen.size, pen.style
+    group = pen.within("colorbar", levels=" ".join(f"{level:.12g}" for level in levels))
+    band = high / (len(levels) + 1)
+    for place in range(len(levels) + 1):
+        colour = shade(place, len(levels), style)
+        group.box((0.0, place * band), (wide, band), facecolor=colour, edgecolor="none")
+    group.frame()
+    every = math.ceil(height("") / band)
+    for place in range(0, len(levels), every):
+        y = (place + 1) * band
+        group.line((0.0, y), (wide + 2, y), width=0.7, color=style.ink)
+        group.text(wide + 5, y, texts[place], va="center_baseline")
+    group.name("right", sheet.bar, 5 + widest(texts) + BAR_NAME_WIDTH / 2)
