@@ -16,7 +16,7 @@ help: ## list the targets
 run: .venv/compiled.stamp ## show the gears of the ZF 8HP70 in one table (another case: make run CASE=file)
 	@$(BIN)/vstatics run "$(CASE)" --pretty
 
-FAST = $(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow"
+FAST = $(BIN)/pytest -q -n $(TEST_JOBS) --dist worksteal -m "not slow"
 test: .venv/dev.stamp ## the fast tests, one case of each (ALL=1: all cases; ROOM=torsion: of a room; ABOVE=1: and of what stands on it)
 	@tests="$(if $(ROOM),$$($(BIN)/python -m tests.rooms $(ROOM) $(ABOVE)))" && set -x && \
 	$(FAST) --cases=$(if $(ALL),all,first) $$tests

@@ -1,7 +1,5 @@
 """What axe-core has against a page in a window."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Random numbers of the tests: the same in every run, others and more of them by `make nightly`."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Sequence
 from random import Random

@@ -6,8 +6,6 @@ of a room of the core can break the rooms that import it, and all annexes. Where
 known, or where it concerns files that all tests share, everything is named.
 """
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """The command line as tests call it: within this process, or as a process of its own."""
 
-from __future__ import annotations
-
 import fcntl
 import json
 import os

@@ -6,8 +6,6 @@ pictures` draws them anew; `tests/test_documented_pictures.py` compares what is 
 drawn.
 """
 
-from __future__ import annotations
-
 import contextlib
 import re
 import shlex

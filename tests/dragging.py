@@ -4,8 +4,6 @@ Speeds are from fractions (`tests.oracle`), the drag torque at each speed from a
 text of its law, so the expected power ``sum(c(w) w)`` shares nothing with the program.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from pathlib import Path

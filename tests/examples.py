@@ -4,8 +4,6 @@ An output with lines ``...`` keeps them: each of its parts is replaced by the mo
 the new output. Read what was written; a wrong output becomes a wrong example.
 """
 
-from __future__ import annotations
-
 import contextlib
 import difflib
 import doctest

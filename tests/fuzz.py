@@ -6,8 +6,6 @@ The same seed makes the same inputs; `--from N` starts at one that failed, `--ki
 tries some kinds only.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import re

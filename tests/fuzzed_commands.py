@@ -4,8 +4,6 @@ A file is written in a folder of this process and the command is called within i
 be at a terminal. Its JSON holds no NaN, it says nothing of an error of its own, no number in it overflows unseen.
 """
 
-from __future__ import annotations
-
 import json
 import tempfile
 import warnings

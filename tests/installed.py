@@ -4,8 +4,6 @@
 annexes are gone, so commands and public names are listed here, too.
 """
 
-from __future__ import annotations
-
 import itertools
 import re
 from collections.abc import Iterable

@@ -4,8 +4,6 @@ Trees, cells, arrays and bytes of each format are changed at random. A command e
 in a message that names the file, without a warning of Python or NumPy.
 """
 
-from __future__ import annotations
-
 import argparse
 import copy
 import io

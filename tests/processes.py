@@ -1,7 +1,5 @@
 """Processes that tests start, watch and disturb, and the files that they leave."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from pathlib import Path

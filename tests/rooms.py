@@ -4,8 +4,6 @@
 ``above`` behind it also those of the rooms that stand on it, and of the program as a whole.
 """
 
-from __future__ import annotations
-
 import ast
 import gc
 import re

@@ -4,9 +4,8 @@ The first case of a test finds almost every fault that all its cases find, in a 
 time. Published numbers and comparisons with independent references are always taken in full.
 """
 
-from __future__ import annotations
-
 from collections import Counter
+from functools import cache
 from pathlib import Path
 from typing import Literal
 
@@ -19,6 +18,7 @@ IN_FULL = (TESTS / "published", TESTS / "oracle")
 """Folders whose cases all count as first ones."""
 
 
+@cache
 def is_in_full(path: Path) -> bool:
     """Return whether all cases of a file of tests count as first ones."""
     return any(path.is_relative_to(folder) for folder in IN_FULL) or path.parent.name == "published"

@@ -1,7 +1,5 @@
 """Results of the shipped cases, and the printed tables of one of them."""
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

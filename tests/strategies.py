@@ -1,7 +1,5 @@
 """Random valid transmissions, of any names and numbers; not all can be calculated."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from hypothesis import strategies as st

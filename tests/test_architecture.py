@@ -1,7 +1,5 @@
 """Imports run one way: each room takes from those before it only, and no modules go in a circle."""
 
-from __future__ import annotations
-
 import ast
 import re
 from functools import cache

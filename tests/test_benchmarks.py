@@ -4,8 +4,6 @@ The peer is benchmarks/peer.c: dense elimination and perturbed solutions, which 
 the program. No times are tested.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The jobs of docs/ci.md, run as printed but for the installation."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """The pictures that README.md and docs/ show are those that the program draws."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from xml.etree import ElementTree as ET

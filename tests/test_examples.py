@@ -1,7 +1,5 @@
 """The tool that rewrites the outputs shown in documents."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Mutated inputs end in a result or in words, soon; `tests.fuzz` tries more of them."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests import fuzz

@@ -6,8 +6,6 @@ in `published/` and in closed forms. ``pytest tests/test_golden.py --regenerate`
 difference; the next run is green.
 """
 
-from __future__ import annotations
-
 import difflib
 import json
 from pathlib import Path

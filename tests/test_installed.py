@@ -1,7 +1,5 @@
 """Tests of what is installed: they import no annex that may be missing where they run."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Each message has an id by its cause, and warnings and notes can be allowed."""
 
-from __future__ import annotations
-
 import ast
 import json
 import re

@@ -3,8 +3,6 @@
 `pytest tests/test_notebook.py --regenerate` writes what the cells show into it.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import os

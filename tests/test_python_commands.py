@@ -1,7 +1,5 @@
 """Functions that do what commands do: they say the same."""
 
-from __future__ import annotations
-
 import importlib
 import inspect
 import io

@@ -8,8 +8,6 @@ are their output, both streams together; a line ``...`` stands for any lines. Bl
 ``<!-- files of: ../README.md -->`` puts the files of another document there first.
 """
 
-from __future__ import annotations
-
 import ast
 import doctest
 import os

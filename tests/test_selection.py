@@ -1,7 +1,5 @@
 """Tests of which tests run: the cases of each test, and the tests that a change can break."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The site: built once, read as from a disk."""
 
-from __future__ import annotations
-
 import html
 import inspect
 import json

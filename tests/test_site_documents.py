@@ -1,7 +1,5 @@
 """Every document has its page."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Who checks types finds the examples of the pages right, and mistakes in them wrong."""
 
-from __future__ import annotations
-
 import doctest
 import subprocess
 import sys

@@ -3,8 +3,6 @@
 `make dist` gives the wheel that it has built; without it one is built here.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """Messages, explanations, help texts and documents avoid words that readers stumble over."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -5,8 +5,6 @@ elements. Ratios are short decimals of both signs, many of them near 1 or such
 that coincidences happen (-1, 2, 1/2).
 """
 
-from __future__ import annotations
-
 from collections.abc import Container, Sequence
 from dataclasses import replace
 from random import Random

@@ -4,8 +4,6 @@ A copy of the project loses the folders of the annex, and of the annexes that ne
 tests of the rest run in the copy; words after the name of the annex are passed to pytest.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

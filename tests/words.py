@@ -1,7 +1,5 @@
 """Words that readers stumble over, and the texts of the program in which they are forbidden."""
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Iterator

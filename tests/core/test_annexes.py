@@ -1,7 +1,5 @@
 """Records of annexes name what is there, and each thing once; what is missing is named."""
 
-from __future__ import annotations
-
 import io
 import shutil
 import subprocess

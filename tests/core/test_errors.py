@@ -1,7 +1,5 @@
 """What is said is safe to print."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

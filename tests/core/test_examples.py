@@ -1,7 +1,5 @@
 """What is shipped, by its names."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What figures say: the artists with a title, and all texts."""
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Pages of pictures as a browser shows them: how large they are, their letters, what overlaps."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 

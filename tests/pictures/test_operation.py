@@ -1,7 +1,5 @@
 """Pictures of what operation adds: variators, converters, gears that are dragged."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.pictures.drawn import texts, titled

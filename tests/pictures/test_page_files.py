@@ -1,7 +1,5 @@
 """Pictures of several pages as files, and the width that they are drawn for."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from pathlib import Path

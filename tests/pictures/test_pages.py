@@ -3,8 +3,6 @@
 Letters are 8 pt, those of numbers 7. No page is larger than the paper, no text stands over another.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from pathlib import Path

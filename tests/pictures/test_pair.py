@@ -1,7 +1,5 @@
 """Two cases on one sheet: each panel has all of its own picture, on scales that both share."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree as ET

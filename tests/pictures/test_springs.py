@@ -1,7 +1,5 @@
 """Springs in pictures of the scheme: they join what they join."""
 
-from __future__ import annotations
-
 from tests.pictures.drawn import texts
 from tests.pictures.schemes.test_schemes import overlaps
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve

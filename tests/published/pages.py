@@ -1,7 +1,5 @@
 """The tables of the pages in docs/sources, which lay what is printed beside what is calculated."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

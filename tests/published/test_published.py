@@ -4,8 +4,6 @@ The numbers are in the JSON files beside this one: ratios as their source prints
 the closed form that gives them. None was made by this program.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import operator

@@ -8,8 +8,6 @@ simple sets for an invented target 4.00, 2.01, -5.12, 1.4925 for F1T3, F1T2, F1T
 Two of two clutches F1, F2 and four brakes T1 to T4 are engaged. K = -z_ring/z_sun of a set.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 from itertools import combinations

@@ -5,8 +5,6 @@ misprints put right and of one idle sign). Each way into the program has to prin
 all to the digit: other encodings, YAML, JSON, and its own report as a deck.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,5 @@
 """The figures of the pages in docs/sources: each that no example there shows."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.published.pages import rows

@@ -6,8 +6,6 @@ Sources: fate.5ch.net/test/read.cgi/auto/1508626950/655, an example with all its
 torque, the ring 72 %; ecomodder.com/forum/101593-post71.html: MG1 = 3.6 ICE - 2.6 MG2.
 """
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics import Results, solve

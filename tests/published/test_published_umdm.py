@@ -11,8 +11,6 @@ superscript and one denominator; the sign of (24); the subscripts of (31); i_75 
 entry of table 4; `-+` is lost in (26) to (28). Each is noted where it is used.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 from math import copysign

@@ -11,8 +11,6 @@ Suns 1 on 2 and 4 on 3', rings 6 on 2, 7 on 3 and 8 on 3'.
 i_ab = n_a/n_b with the carrier stopped, i_ab^q = n_a/n_b with link q stopped.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 from itertools import combinations, permutations

@@ -4,8 +4,6 @@ Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), Vestnik BRU 20
 figures 1 to 4. The inertias of the box of seven links and its programme of shifts are chosen.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from vstatics import Gear, Mechanism, ShiftElement, Transmission

@@ -1,7 +1,5 @@
 """Good inputs of readers of scenarios and of their sweeps, for `tests.fuzz`."""
 
-from __future__ import annotations
-
 from functools import cache
 
 from tests.commands import CASES

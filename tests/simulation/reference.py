@@ -6,8 +6,6 @@ mechanisms' columns, ``(N^T J N) q' = N^T (T - A_F M_F)``, friction
 smoothing shrinks.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from functools import partial
 from itertools import pairwise

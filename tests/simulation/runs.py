@@ -1,7 +1,5 @@
 """Random runs of random trains, as functions of a `random.Random`."""
 
-from __future__ import annotations
-
 from random import Random
 
 import numpy as np

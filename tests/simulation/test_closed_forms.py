@@ -1,7 +1,5 @@
 """Motions that have a solution on paper: each test derives its numbers where it stands."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

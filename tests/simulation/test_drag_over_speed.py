@@ -1,7 +1,5 @@
 """Motions with drag that depends on speed: times and speeds by closed forms."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

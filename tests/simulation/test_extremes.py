@@ -1,7 +1,5 @@
 """Random scenarios with extreme numbers: run right, or refused with the place of the fault."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator

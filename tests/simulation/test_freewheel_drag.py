@@ -5,8 +5,6 @@ freewheel: the drag while it overruns, its capacity while it slips back, anythin
 it holds. Changes of the state are events of `solve_ivp`.
 """
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 from random import Random

@@ -4,8 +4,6 @@ Coefficients depend on slip and temperature: a clutch fades as it warms up. Moti
 are those of a solver of scipy with equations of its own.
 """
 
-from __future__ import annotations
-
 import math
 from random import Random
 from typing import Any

@@ -4,8 +4,6 @@ They follow from the equations of motion, with all inertias, in another program;
 told in closed form is so here.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -4,8 +4,6 @@ Where both sides push a motion back to a jump the torque is what keeps it there,
 values (A. F. Filippov, Differential equations with discontinuous righthand sides, 1988).
 """
 
-from __future__ import annotations
-
 import math
 from random import Random
 from typing import NamedTuple

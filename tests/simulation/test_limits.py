@@ -1,7 +1,5 @@
 """Limits of springs over time and by what is seen: how they slip, and when they grip again."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from random import Random

@@ -1,7 +1,5 @@
 """Chains of springs, clutches and links without inertia: energy closes, whatever slips."""
 
-from __future__ import annotations
-
 from random import Random
 
 import pytest

@@ -1,7 +1,5 @@
 """Torques of sets with heavy planets: what their first member gives is what its link loses."""
 
-from __future__ import annotations
-
 from random import Random
 
 import pytest

@@ -1,7 +1,5 @@
 """Random boxes in motion: what holds for all of them, and an integrator without events."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

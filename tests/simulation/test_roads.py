@@ -3,8 +3,6 @@
 Vehicles roll out in closed form and by solve_ivp; r = r_0 - lambda M is of Tarasik, table 1.1.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

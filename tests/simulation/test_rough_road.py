@@ -1,7 +1,5 @@
 """A vehicle that is pushed along by a rough road, and grip over slip: what formulas add."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

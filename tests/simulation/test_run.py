@@ -6,8 +6,6 @@ clutch is dumped (Tsitovich, Algin, Vehicle dynamics, 1981, table 3.9, variant 1
 integration of the same scheme, 1e-5 s a step, gave 165.5 N*m and 1193 J.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import get_args
 

@@ -1,7 +1,5 @@
 """Springs with points of twist and torque, and dry friction beside springs."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 from random import Random

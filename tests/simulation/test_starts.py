@@ -1,7 +1,5 @@
 """What determines the speeds at the start: given speeds, freewheels, links without inertia."""
 
-from __future__ import annotations
-
 from random import Random
 
 import numpy as np

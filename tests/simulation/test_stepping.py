@@ -1,7 +1,5 @@
 """A run that is advanced: as one run, and back again."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

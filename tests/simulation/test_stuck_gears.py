@@ -1,7 +1,5 @@
 """Mechanisms that their friction holds still for a while: events by their names."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from random import Random
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Suspensions in motion: what moves straight, struts, grip that follows the load of a wheel."""
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Expressions about variants of a set, and what they give."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Good inputs of readers of sweeps, for `tests.fuzz`."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Sweeps that leave a state, in small pieces."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Sweeps as tests make them: small plans, and the command as a process to be disturbed."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Callable

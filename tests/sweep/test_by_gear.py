@@ -1,7 +1,5 @@
 """A row for each gear of a variant, and columns with names of their own."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

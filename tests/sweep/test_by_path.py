@@ -1,7 +1,5 @@
 """Sweeps over loads, given numbers and speed ratios, by their paths and in units."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A part of a sweep: its numbers are those of `solve`, its status the worst of its gears."""
 
-from __future__ import annotations
-
 import pickle
 from itertools import pairwise
 from typing import Any

@@ -1,7 +1,5 @@
 """A Dask cluster of processes on this machine; a worker is killed in the middle."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

@@ -1,7 +1,5 @@
 """The sweep file: what it says, and where it is wrong."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

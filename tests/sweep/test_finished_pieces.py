@@ -1,7 +1,5 @@
 """Finished pieces of a sweep: taken up again, held by one process, not lost."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import resource

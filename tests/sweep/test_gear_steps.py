@@ -1,7 +1,5 @@
 """Steps and spread of arrays are those of the design table of each variant."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from tests.chance import seeded

@@ -1,7 +1,5 @@
 """The options of a sweep: which go together, and which win where several doors say something."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

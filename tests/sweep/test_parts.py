@@ -1,7 +1,5 @@
 """Sweeps over teeth, capacities and friction: numbers that make another case."""
 
-from __future__ import annotations
-
 import csv
 import json
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A sweep as a table and as a dataset: each cell is a case solved alone."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import numpy as np

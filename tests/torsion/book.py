@@ -1,7 +1,5 @@
 """Schemes with the parameters of printed tables, which stand in the JSON files beside this one."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path

@@ -5,8 +5,6 @@ breaks away, and grabs where the speeds of engine and disc meet; or it sticks fr
 everything before the spring turns with the engine. The engine gives no torque.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any, NamedTuple
 

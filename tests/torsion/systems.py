@@ -1,7 +1,5 @@
 """Torsional systems to test with: cases of random trains, and matrices made by hand."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -7,8 +7,6 @@ that print has alike (В of Б and В) are told apart by the torques. ГАЗ-53�
 legible torques, others lack single ones: None.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 

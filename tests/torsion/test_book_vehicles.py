@@ -3,8 +3,6 @@
 Tsitovich, Algin, Vehicle dynamics (1981), tables 2.1 to 2.3 and 2.5, in table_2_5.json; 2.8, 2.10.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Simplified schemes of Tsitovich and Algin, Vehicle dynamics (1981), as printed."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

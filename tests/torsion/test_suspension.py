@@ -1,7 +1,5 @@
 """Suspensions in their own units: masses that move straight beside links that turn."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Load spectra and life over a duty cycle: sums over the rows by hand, of random cycles."""
 
-from __future__ import annotations
-
 import json
 import math
 from itertools import pairwise

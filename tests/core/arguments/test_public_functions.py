@@ -1,7 +1,5 @@
 """Whoever gives a public function something else is told what it takes, by that function."""
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable
 from importlib import import_module

@@ -1,7 +1,5 @@
 """Commands that leave a state, small enough to be called hundreds of times in this process."""
 
-from __future__ import annotations
-
 import os
 import shutil
 from pathlib import Path

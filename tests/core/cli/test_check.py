@@ -1,7 +1,5 @@
 """`vstatics check`: everything that is wrong, with its place."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 

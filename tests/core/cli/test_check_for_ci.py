@@ -1,7 +1,5 @@
 """Problems in the formats of CI: annotations of GitHub, SARIF, JUnit; the hook of pre-commit."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from xml.etree import ElementTree as ET

@@ -1,7 +1,5 @@
 """The commands: their options, their exit status, what they say and where."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

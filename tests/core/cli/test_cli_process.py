@@ -1,7 +1,5 @@
 """The program as a process: pipes, full disks, terminals, encodings, closed streams."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """`vstatics compare`: which results are compared with which, and what cannot be compared."""
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET
 from itertools import product
 from pathlib import Path

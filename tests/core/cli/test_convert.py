@@ -1,7 +1,5 @@
 """Cases from one format to another: nothing is lost without a word."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -108,7 +106,7 @@ gears: {R: {}}
     assert said.fails("not kept: that gear R is in conflict")
 
 
-@settings(max_examples=count(8, 60))
+@settings(max_examples=count(4, 60))
 @given(transmissions(ANY_NUMBER, follow=False))
 def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
     assert read(named.write_yaml(case).encode(), "", "yaml").case == case

@@ -3,8 +3,6 @@
 The reference is the result of the same command without a state.
 """
 
-from __future__ import annotations
-
 import os
 import random
 import shutil

@@ -1,7 +1,5 @@
 """Inputs without an end: each command reports the file and its bound, soon."""
 
-from __future__ import annotations
-
 import os
 import time
 from collections.abc import Sequence

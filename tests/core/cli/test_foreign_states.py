@@ -1,7 +1,5 @@
 """A link, a FIFO, a device, a folder or another's file in the place of a lock or a state file."""
 
-from __future__ import annotations
-
 import os
 import socket
 from collections.abc import Callable, Iterable

@@ -4,8 +4,6 @@ The reference is the result of the same command with room. A small file system i
 page by page and file by file; where none can be mounted, each call of the system fails in turn.
 """
 
-from __future__ import annotations
-
 import errno
 import os
 import re

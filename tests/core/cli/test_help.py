@@ -1,7 +1,5 @@
 """Help texts: examples run as printed, options are under headings, former names of options work."""
 
-from __future__ import annotations
-
 import inspect
 import re
 import shutil

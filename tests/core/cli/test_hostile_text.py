@@ -1,7 +1,5 @@
 """Text of anybody never reaches a terminal as it is: escape sequences, marks of direction."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Ctrl-C and SIGTERM at any moment of any command: a status, no trace, nothing half written."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

@@ -3,8 +3,6 @@
 ``pytest tests/core/cli/test_killed.py --kills 200 -s`` tries it more often, and tells how often.
 """
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """Damaged and foreign results: an answer or a message that names the file, never a fault."""
 
-from __future__ import annotations
-
 import json
 import time
 from pathlib import Path

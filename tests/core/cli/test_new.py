@@ -1,7 +1,5 @@
 """`vstatics new`: templates of cases."""
 
-from __future__ import annotations
-
 import re
 import shlex
 from pathlib import Path

@@ -1,7 +1,5 @@
 """`vstatics run --pretty`: whole words in the width that there is, also in a file."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

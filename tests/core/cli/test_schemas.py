@@ -1,7 +1,5 @@
 """The JSON Schemas: up to date, each by itself, and of one mind with what commands write."""
 
-from __future__ import annotations
-
 import copy
 import json
 import re

@@ -1,7 +1,5 @@
 """Cases with springs and inertias, from one command to the next."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

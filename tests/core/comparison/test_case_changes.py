@@ -1,7 +1,5 @@
 """What is other in a case, by the paths that a sweep varies."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Comparing results: listings and JSON in any mix, number by number."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,7 +1,5 @@
 """What `vstatics compare` tells first: the changes of the case, and the largest that follow."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from pathlib import Path

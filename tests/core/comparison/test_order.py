@@ -1,7 +1,5 @@
 """A gearbox is the same in whatever order its parts are written."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

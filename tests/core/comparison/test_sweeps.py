@@ -1,7 +1,5 @@
 """Differences of sweeps, in words."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -4,8 +4,6 @@ The files in `version_1` were written by the last program that wrote version 1. 
 of that time and a case with every table stand for the files that users keep.
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

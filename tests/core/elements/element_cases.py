@@ -5,8 +5,6 @@ one of them and to drive another one by a third. Then there is a gear for the se
 as one piece.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import permutations
 from typing import Any, NamedTuple

@@ -1,7 +1,5 @@
 """Cases made of elements as texts, and what is made and said of them."""
 
-from __future__ import annotations
-
 import pytest
 
 import vstatics as library

@@ -1,7 +1,5 @@
 """Elements that are elastic, and the masses of their planets."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

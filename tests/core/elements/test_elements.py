@@ -1,7 +1,5 @@
 """Cases made of elements: what they become, what is shown of them, what is refused."""
 
-from __future__ import annotations
-
 import pickle
 from dataclasses import replace
 from fractions import Fraction

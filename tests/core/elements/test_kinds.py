@@ -5,8 +5,6 @@ of every wheel and planet (`single_meshes`), and the textbook formulas by hand i
 In the formulas a pair of wheels has the internal ratio k = (w_a - w_c)/(w_b - w_c).
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import permutations

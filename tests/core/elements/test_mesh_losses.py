@@ -1,7 +1,5 @@
 """Efficiency from teeth: the closed form, and friction added up along the path of contact."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

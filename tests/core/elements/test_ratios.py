@@ -1,7 +1,5 @@
 """A Ravigneaux set of which the ratios are known, and no teeth."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Doubts about teeth as a whole."""
 
-from __future__ import annotations
-
 import time
 
 import pytest

@@ -3,8 +3,6 @@
 Whether they can is found by putting them in, one after the other (`phases`).
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

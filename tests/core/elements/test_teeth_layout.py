@@ -1,7 +1,5 @@
 """Wheels of one element fit between their axes, and planets beside one another do not touch."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

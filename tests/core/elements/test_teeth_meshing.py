@@ -1,7 +1,5 @@
 """Teeth of two wheels: undercut, interference, common divisors."""
 
-from __future__ import annotations
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st

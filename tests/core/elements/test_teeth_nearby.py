@@ -1,7 +1,5 @@
 """Nearby teeth that can be made are suggested."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import replace

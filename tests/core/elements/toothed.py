@@ -1,7 +1,5 @@
 """Elements with teeth, and what is said of them."""
 
-from __future__ import annotations
-
 import cmath
 import math
 import re

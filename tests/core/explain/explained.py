@@ -1,7 +1,5 @@
 """Explanations of gears, and whether they hold."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The equations of a gear, as in the figures of the source."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

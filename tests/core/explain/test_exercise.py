@@ -1,7 +1,5 @@
 """Exercises: what is blank is what `run` calculates, and drawn teeth can be put together."""
 
-from __future__ import annotations
-
 import json
 import re
 from dataclasses import replace

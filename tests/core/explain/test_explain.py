@@ -1,7 +1,5 @@
 """Explanations: links that turn together, gears without a solution, the text and JSON."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.commands import CASES, LOCKED, NEUTRAL, TIED_UP, vstatics

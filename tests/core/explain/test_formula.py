@@ -1,7 +1,5 @@
 """The closed forms of ratios."""
 
-from __future__ import annotations
-
 import importlib.util
 
 import pytest

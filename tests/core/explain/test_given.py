@@ -1,7 +1,5 @@
 """An exercise can be solved from its sheet: whatever changes a blank changes what is given."""
 
-from __future__ import annotations
-
 import copy
 import re
 from collections.abc import Iterator
@@ -11,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.commands import CASES, SHIPPED
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
@@ -111,7 +109,7 @@ def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
     }
     assert unsaid(case, seeded(1), 99) == []
     random = seeded(2)
-    for path in random.sample(SHIPPED, 12):
+    for path in random.sample(SHIPPED, count(5, 12)):
         assert unsaid(load(path), random, 4) == []
 
 

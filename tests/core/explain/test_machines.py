@@ -1,7 +1,5 @@
 """Machines with a battery: the balance that is written out is that of the powers at their links."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

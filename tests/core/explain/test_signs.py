@@ -1,7 +1,5 @@
 """The reasons of signs."""
 
-from __future__ import annotations
-
 import math
 import re
 

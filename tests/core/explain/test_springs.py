@@ -1,7 +1,5 @@
 """Springs in the equations and the formula of a gear."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """LaTeX of equations is math that can be set, and says what the numbers beside it say."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """Circulating power: test rigs and differentials worked by hand."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.core.flow.worked import around, lost, only, sides, through

@@ -1,7 +1,5 @@
 """Edges on cycles: an edge is on one where its ends stay joined without it."""
 
-from __future__ import annotations
-
 from itertools import combinations
 
 from hypothesis import given
@@ -31,6 +29,6 @@ def test_an_edge_is_on_a_cycle_if_its_ends_stay_joined_without_it(
 
 def test_a_long_chain_needs_no_recursion() -> None:
     """It may be closed or open."""
-    chain = [(number, number + 1) for number in range(100_000)]
+    chain = [(number, number + 1) for number in range(20_000)]
     assert edges_on_cycles(chain) == set()
-    assert len(edges_on_cycles([*chain, (100_000, 0)])) == 100_001
+    assert len(edges_on_cycles([*chain, (20_000, 0)])) == 20_001

@@ -1,7 +1,5 @@
 """Power that a convention divides, in what turns as one piece."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Where the power goes: ports, devices, links."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -8,8 +8,6 @@ r = 1/1.54. The first half gives the ring 2.8/1.54, of which 1.26/1.54 come back
 second half and the carrier.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

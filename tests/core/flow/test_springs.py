@@ -1,7 +1,5 @@
 """Springs in the flow of power."""
 
-from __future__ import annotations
-
 import pytest
 from hypothesis import given
 

@@ -1,7 +1,5 @@
 """Tooth power: against the carrier, by mechanism and by mesh."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

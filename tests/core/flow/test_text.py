@@ -1,7 +1,5 @@
 """The power flow as text and as JSON."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """The flow of one gear, and the powers in it."""
 
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Parts of one output, after a run that was killed."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from vstatics.core.jobs.finished_cases import case_mark

@@ -1,7 +1,5 @@
 """Inputs have bounds: what is read is what a file holds, and no more than it may."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import os

@@ -1,7 +1,5 @@
 """Pages of a picture in files beside one another: all or none, and never over files of others."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A finished piece as a file: whole or absent, and copied to its place."""
 
-from __future__ import annotations
-
 import errno
 import os
 from pathlib import Path

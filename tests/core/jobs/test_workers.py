@@ -1,7 +1,5 @@
 """Who does the work: order, errors, processes that die."""
 
-from __future__ import annotations
-
 import itertools
 import os
 import signal

@@ -1,7 +1,5 @@
 """What can be no transmission, part, gear or load: told with its path."""
 
-from __future__ import annotations
-
 import math
 import re
 from typing import Any

@@ -1,7 +1,5 @@
 """Gears are named: nobody gets another gear than the one whose name was given."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.commands import CASES, MZKT, vstatics

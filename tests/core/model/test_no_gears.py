@@ -1,7 +1,5 @@
 """A case without gears: one gear without shift elements, else a message of what to write."""
 
-from __future__ import annotations
-
 import json
 import re
 from fractions import Fraction

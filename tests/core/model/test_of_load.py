@@ -1,7 +1,5 @@
 """Speeds and torques that were given with a unit stay what they are under another load."""
 
-from __future__ import annotations
-
 import copy
 import pickle
 

@@ -1,7 +1,5 @@
 """Springs, dampings and inertias given to the library."""
 
-from __future__ import annotations
-
 import math
 import pickle
 import re

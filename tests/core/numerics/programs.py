@@ -1,7 +1,5 @@
 """Small random calculations that decide by comparisons, for floats and for traced numbers."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple

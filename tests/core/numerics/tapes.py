@@ -1,7 +1,5 @@
 """Traced numbers on a tape, and what is noted there."""
 
-from __future__ import annotations
-
 from vstatics.core.numerics.tape import GUARDS, Residual, Tape
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 

@@ -1,7 +1,5 @@
 """Machine code that is kept is by all files from which it is made."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

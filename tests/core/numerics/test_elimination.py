@@ -1,7 +1,5 @@
 """The elimination as such: what is determined, what contradicts, what depends."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -11,7 +9,14 @@ from hypothesis import strategies as st
 
 from tests.core.numerics.tapes import on_tape, traced
 from vstatics.core.numerics import elimination
-from vstatics.core.numerics.elimination import RIGHT, Equation, dependencies, solve
+from vstatics.core.numerics.elimination import (
+    RIGHT,
+    Equation,
+    dependencies,
+    less_of_floats,
+    quotient_of_floats,
+    solve,
+)
 from vstatics.core.numerics.tape import Untraceable
 from vstatics.core.numerics.traced import plain
 
@@ -54,6 +59,12 @@ def test_zero_is_told_from_small_by_what_it_was_made_of() -> None:
     # .1 + .2 is not .3 in binary; 1e-12 is a number
     assert solve(rows([[0.1 + 0.2, 1], [0.3, 1]], [1, 1]), 2).missing == 1
     assert solve(rows([[0.3 + 1e-12, 1], [0.3, 1]], [1, 1]), 2).missing == 0
+
+
+def test_sizes_grow_as_in_running_error_analysis() -> None:
+    """Wilkinson 1963: |d(a/b)| <= (|da| + |a/b||db|)/|b|, |d(a - bc)| <= |da| + |db||c| + |b||dc|."""
+    assert quotient_of_floats((6.0, 3.0), (-2.0, 1.0)) == (-3, (3 + 3 * 1) / 2)
+    assert less_of_floats((10.0, 4.0), (-2.0, 1.0), (3.0, 2.0)) == (16, 4 + 1 * 3 + 2 * 2)
 
 
 def test_scales_that_differ_widely_are_no_trouble() -> None:

@@ -1,7 +1,5 @@
 """Fronts: points of which no other is better in all numbers."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """Memory of results: used again only when nobody looks at it any more."""
 
-from __future__ import annotations
-
 import copy
 import gc
 import pickle

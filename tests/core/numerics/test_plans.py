@@ -3,8 +3,6 @@
 Expected numbers come from the small functions themselves, called with floats.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 

@@ -1,7 +1,5 @@
 """A tape run again on arrays is the calculation."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Where functions change their side, against closed forms."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

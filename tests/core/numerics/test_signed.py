@@ -1,7 +1,5 @@
 """Numbers of any sign: what a plan gives for each variant is what its numbers alone give."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -38,6 +36,10 @@ def check(function: Calculation, passing: float = 1.0) -> None:
 
 def test_arithmetic_of_any_sign_decides_nothing() -> None:
     check(lambda abc: [-(abc[0] - abc[1]) * 2, 1 / (abc[0] * -abc[2]), abc[0] - (3 - abc[1])])
+
+
+def test_a_number_divided_by_itself_or_its_negative_is_1_or_minus_1() -> None:
+    check(lambda abc: [abc[0] / abc[0], abc[0] / -abc[0], -abc[1] / abc[1], -abc[2] / -abc[2]])
 
 
 def test_magnitudes_and_signs() -> None:

@@ -1,7 +1,5 @@
 """Evenly spaced values, made only when they are asked for."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

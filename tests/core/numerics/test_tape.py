@@ -1,7 +1,5 @@
 """The tape: operations noted once, in slots, up to an end."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.core.numerics.tapes import noted, on_tape, traced

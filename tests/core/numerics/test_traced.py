@@ -1,7 +1,5 @@
 """Traced numbers: their signs, their bounds, the guards that comparisons leave."""
 
-from __future__ import annotations
-
 import math
 import operator
 from collections.abc import Callable

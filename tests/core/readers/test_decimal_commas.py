@@ -1,7 +1,5 @@
 """CSV of German and Russian spreadsheets says the same as that with commas and decimal points."""
 
-from __future__ import annotations
-
 import codecs
 import csv
 import io

@@ -1,7 +1,5 @@
 """Recorded columns in CSV and results that are read back: where a fault is."""
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics.core.errors import Problem, ReadError

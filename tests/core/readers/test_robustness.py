@@ -3,8 +3,6 @@
 Broken input is the business of `tests/fuzz.py`.
 """
 
-from __future__ import annotations
-
 import re
 import resource
 import subprocess

@@ -1,7 +1,5 @@
 """Arrays of variants for any train, and their results beside those of each variant alone."""
 
-from __future__ import annotations
-
 from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager

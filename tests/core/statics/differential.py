@@ -1,7 +1,5 @@
 """A differential of ratio -2 with links 1 (sun), 2 (ring) and 3 (carrier), and its messages."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from tests.commands import vstatics

@@ -5,8 +5,6 @@ independently. The trains hold everything at once: neutral and overdetermined ge
 given speeds and torques, several ports, both idle conventions, coasting.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace

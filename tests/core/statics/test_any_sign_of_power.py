@@ -1,7 +1,5 @@
 """Loads of all four quadrants: power enters where the signs of speed and torque say it."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from itertools import product
@@ -49,7 +47,7 @@ def test_a_gear_may_coast_by_itself() -> None:
 
 def test_a_train_that_turns_the_other_way_has_the_same_numbers() -> None:
     """Statics has no preferred way: relative numbers stay, those in units change signs."""
-    for seed in range(2700, 2740):
+    for seed in range(2700, 2700 + count(15, 400)):
         case = random_train(seeded(seed))
         for torque in (80.0, -80.0):
             one = solve(case.replace(load=Load(1500.0, torque), coast=None))

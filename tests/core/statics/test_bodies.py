@@ -1,7 +1,5 @@
 """Links that turn as one piece."""
 
-from __future__ import annotations
-
 from tests.core.statics.differential import texts, train
 from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.model.bodies import join

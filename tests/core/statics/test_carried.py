@@ -1,7 +1,5 @@
 """What a shift element carries by the load of its gear, against its capacity."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.chance import seeded

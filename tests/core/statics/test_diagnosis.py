@@ -5,8 +5,6 @@ Expected numbers are closed forms, given beside each case, or those of exact ari
 links 1 (sun), 2 (ring) and 3 (carrier).
 """
 
-from __future__ import annotations
-
 import math
 from random import Random
 

@@ -1,7 +1,5 @@
 """Digits that are lost near a singular train are told; closed forms, and exact fractions."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

@@ -3,8 +3,6 @@
 A gear pair has the ratio 4 and the efficiency .95; its output turns at 1/4.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

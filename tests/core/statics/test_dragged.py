@@ -1,7 +1,5 @@
 """Drag above the load: by hand, and against all sets of signs in exact fractions."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import replace
 from fractions import Fraction

@@ -4,8 +4,6 @@ With the third link held power goes from the first link to the second with `effi
 from the second to the first with `back_efficiency`.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from random import Random
 

@@ -4,8 +4,6 @@ The Simpson train: P1 joins sun, ring 1 and output, P2 sun, output and carrier 2
 ratio u = -73/35. With carrier 2 held the ratio is 2 - 1/u; with the sun held 1 - 1/u.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A gear with ideal mechanisms: with drag and without, what carries nothing."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.core.statics.differential import train

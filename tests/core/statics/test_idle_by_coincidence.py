@@ -1,7 +1,5 @@
 """Mechanisms that are idle by coincidence, whose direction of power matters."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from tests.core.statics.differential import texts, train

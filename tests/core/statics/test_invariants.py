@@ -1,7 +1,5 @@
 """What holds for any train, by equilibrium and power alone, on random ones."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from random import Random

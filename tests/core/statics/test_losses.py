@@ -1,7 +1,5 @@
 """What losses take and leave: efficiencies of trains in closed form, the balance of power."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

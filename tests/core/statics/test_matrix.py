@@ -1,7 +1,5 @@
 """The structural-distribution matrix, and the systems of a gear made from its columns."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """A load of 0 N*m: what is relative to it does not exist, what is in N*m and kW stands."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -4,8 +4,6 @@ One planetary set with the ring held: the carrier turns at w/(1 - u), and with l
 M(1 - u*eta), as the sun drives.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

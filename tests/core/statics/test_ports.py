@@ -1,7 +1,5 @@
 """Ports: speed, torque and power where power enters and leaves, and what is lost between."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Power: torque times speed, at ports and devices; every link and every gear closes."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

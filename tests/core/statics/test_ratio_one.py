@@ -3,8 +3,6 @@
 `test_against_oracle` has random trains with such mechanisms.
 """
 
-from __future__ import annotations
-
 import pytest
 
 from tests.chance import count, generator, seeded

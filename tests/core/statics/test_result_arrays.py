@@ -1,7 +1,5 @@
 """The arrays of the results: in the order of the fields, with their rows and their names."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Results: arrays that stay as they are, rows as they are named, the gears of one case."""
 
-from __future__ import annotations
-
 import pickle
 from dataclasses import replace
 

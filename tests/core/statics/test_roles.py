@@ -1,7 +1,5 @@
 """What is idle, what turns as one piece."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

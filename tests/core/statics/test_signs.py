@@ -1,7 +1,5 @@
 """Signs of the flow without losses, and the conventions for idle mechanisms."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Results of a case or of an array of variants: axes, own numbers, extreme ratios."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -1,7 +1,5 @@
 """Arguments of `solve`: which arrays are taken, and which are refused."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

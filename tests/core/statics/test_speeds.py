@@ -1,7 +1,5 @@
 """Speeds of a gear: what conditions determine, what they contradict; numbers by Willis."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

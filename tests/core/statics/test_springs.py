@@ -1,7 +1,5 @@
 """Springs at mean speeds: loss-free devices whose column is their twist."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The state of a gear: one object that holds what `Results` hold, and powers that close."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The status of a gear: one for each kind of faulty gear, the same from state and arrays."""
 
-from __future__ import annotations
-
 import math
 from typing import TypedDict, get_args
 

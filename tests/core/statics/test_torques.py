@@ -1,7 +1,5 @@
 """Torques of a gear: what equilibrium determines and what it leaves open."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

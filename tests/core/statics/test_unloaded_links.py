@@ -4,8 +4,6 @@ The random trains are judged by exact arithmetic (`oracle`): a gear whose output
 free links touch nothing that carries torque, lacks no shift element.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from random import Random
 

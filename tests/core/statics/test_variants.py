@@ -3,8 +3,6 @@
 `test_against_oracle` compares single cases with exact arithmetic.
 """
 
-from __future__ import annotations
-
 import copy
 import threading
 from collections.abc import Sequence

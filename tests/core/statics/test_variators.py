@@ -1,7 +1,5 @@
 """Variators and converters, locked up or not: closed forms by hand, the balance of power."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import product

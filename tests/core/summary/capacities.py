@@ -1,7 +1,5 @@
 """A case with capacities and a load."""
 
-from __future__ import annotations
-
 from vstatics import Transmission
 from vstatics.core.readers.named.reader import read_yaml
 

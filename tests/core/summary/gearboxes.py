@@ -1,7 +1,5 @@
 """Gearboxes with their summaries."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.shipped import shipped_results

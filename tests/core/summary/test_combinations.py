@@ -1,7 +1,5 @@
 """What else the shift elements of a transmission could give."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """The design table: ratios, steps and spread."""
 
-from __future__ import annotations
-
 import json
 import math
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Largest values, and margins of shift elements with a capacity."""
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Summaries in every format, and of two cases side by side."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

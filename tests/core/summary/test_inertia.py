@@ -1,7 +1,5 @@
 """The inertia of a gear at its input, and the acceleration that a torque gives it."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

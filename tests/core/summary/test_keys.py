@@ -1,7 +1,5 @@
 """Keys and headings of the tables: they are names of sheets, and columns of CSV."""
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve

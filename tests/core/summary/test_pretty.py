@@ -1,7 +1,5 @@
 """`vstatics run --pretty`: one table for a person; its numbers are those of the JSON result."""
 
-from __future__ import annotations
-
 import re
 from decimal import Decimal
 from pathlib import Path

@@ -1,7 +1,5 @@
 """How ratios answer to those of the mechanisms."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

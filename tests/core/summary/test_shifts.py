@@ -1,7 +1,5 @@
 """Shifts between neighbouring gears."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """An answer as a record: its JSON and its schema are of one mind."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import NamedTuple

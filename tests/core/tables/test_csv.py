@@ -1,7 +1,5 @@
 """What stands in a cell of CSV: no text that a spreadsheet would calculate."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """Results as a dataset of xarray: the numbers of `run -f json`, by their names."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

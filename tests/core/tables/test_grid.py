@@ -1,7 +1,5 @@
 """What cells stand for, and tables of them as plain text and HTML."""
 
-from __future__ import annotations
-
 import math
 
 from vstatics import Gear, Mechanism, Transmission, solve

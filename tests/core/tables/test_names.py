@@ -1,7 +1,5 @@
 """Names that a person types: a number has a name and a deck name, a row has one name."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Names of rows: a table has the same ones in every place, of cases that are drawn above all."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

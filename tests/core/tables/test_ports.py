@@ -1,7 +1,5 @@
 """The table of ports: names, units, losses."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The declaration of the quantities: names that tell them apart, rows and kinds, units."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

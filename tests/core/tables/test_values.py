@@ -1,7 +1,5 @@
 """Tables in rpm, N*m and kW, and numbers with units in a case."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Pages and texts in another language have no English words but those of the case."""
 
-from __future__ import annotations
-
 import html
 import re
 from collections.abc import Iterator

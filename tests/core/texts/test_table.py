@@ -1,7 +1,5 @@
 """The table of texts is whole: what is said has a row, and every row is said somewhere."""
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Iterator

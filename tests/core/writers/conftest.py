@@ -1,7 +1,5 @@
 """Results that several tests write."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.commands import MZKT

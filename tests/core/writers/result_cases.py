@@ -1,7 +1,5 @@
 """Results to be written, and what was written read again."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

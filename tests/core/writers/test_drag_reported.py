@@ -3,8 +3,6 @@
 The expected power ``sum(c(w) w)`` is from `tests.dragging`, which shares nothing with the program.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """Results as listing: the order, widths and headings of the source."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The two matrices of a structure, as Evseenko prints them for the BelAZ-7516."""
 
-from __future__ import annotations
-
 import csv
 import io
 

@@ -1,7 +1,5 @@
 """A case written as YAML or JSON and read again is the same case, to the last bit."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

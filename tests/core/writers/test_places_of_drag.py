@@ -3,8 +3,6 @@
 So a gear that is added to the file afterwards has the drag that it has in the file that was read.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Results as JSON and as CSV: their keys, their numbers, what they say of themselves."""
 
-from __future__ import annotations
-
 import csv
 import io
 

@@ -1,7 +1,5 @@
 """The listing in the words of its source; the text of that is `tests/published/mzkt7922.lst`."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterable

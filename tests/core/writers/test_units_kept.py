@@ -1,7 +1,5 @@
 """What a case gives in N*m or rpm stays that, whatever the file becomes that it is written to."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """`vstatics serve` where it serves nothing; what it serves is looked at in tests/page/serve."""
 
-from __future__ import annotations
-
 import socket
 
 from tests.commands import CASES, vstatics

@@ -1,7 +1,5 @@
 """Pages as tests read them: their elements, tables, and the data that they carry."""
 
-from __future__ import annotations
-
 import json
 import math
 from html.parser import HTMLParser

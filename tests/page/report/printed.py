@@ -1,7 +1,5 @@
 """What a page is like on paper: its sheets as a browser prints them."""
 
-from __future__ import annotations
-
 import io
 import math
 import unicodedata

@@ -3,8 +3,6 @@
 The gears of the small case: a sun, a held ring and 1 + 2.5 between sun and carrier, then 1.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """The input of a case as tables: how shift elements and springs slip."""
 
-from __future__ import annotations
-
 from vstatics import loads
 from vstatics.page.report.given import _shift_elements, torsion_grids
 

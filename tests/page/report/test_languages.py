@@ -1,7 +1,5 @@
 """Pages in another language have no English words but those of the case."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

@@ -1,7 +1,5 @@
 """The overview line and what `explain` tells, as parts of the page."""
 
-from __future__ import annotations
-
 import re
 from html import unescape
 from pathlib import Path

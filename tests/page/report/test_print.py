@@ -1,7 +1,5 @@
 """The page on paper: at most ten sheets that can be read, and what cuts or adds to them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

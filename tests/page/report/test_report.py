@@ -1,7 +1,5 @@
 """The report: one page that shows the numbers of the results and nothing else."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import math

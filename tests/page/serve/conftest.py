@@ -1,7 +1,5 @@
 """Programs that serve, none of which outlives its test, and their windows."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """A page that is served within the tests, and what they say to it over plain sockets."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import socket

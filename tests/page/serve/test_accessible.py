@@ -1,7 +1,5 @@
 """The pages that calculate, for whoever has no mouse, another sight, or a narrow window."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What others than our page may try with the server: it answers none of them, and goes on."""
 
-from __future__ import annotations
-
 import json
 import resource
 import socket

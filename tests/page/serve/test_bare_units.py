@@ -1,7 +1,5 @@
 """A field tells the unit of a bare number: with this unit written behind it nothing is other."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -3,8 +3,6 @@
 The box: a set of ratio u = -78/30 whose ring is held has the ratio 1 - u between sun and carrier.
 """
 
-from __future__ import annotations
-
 import re
 import shutil
 import time

@@ -1,7 +1,5 @@
 """A served file that becomes something else: the page says so, and shows the case again later."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import time

@@ -1,7 +1,5 @@
 """Fields of a page: the numbers that a case gives, by the paths of a sweep."""
 
-from __future__ import annotations
-
 import vstatics
 from tests.commands import CASES
 from vstatics.page.serve.number_fields import case_fields, shown_fields

@@ -1,7 +1,5 @@
 """A page that follows its file is, number by number, the one that is made anew of that file."""
 
-from __future__ import annotations
-
 import random
 import shutil
 from pathlib import Path

@@ -1,7 +1,5 @@
 """One grammar of paths: each number of random documents has one path, which everybody understands."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np
@@ -9,6 +7,7 @@ import pytest
 from hypothesis import Phase, event, given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.strategies import transmissions
 from vstatics.core import readers
 from vstatics.core.comparison.case_changes import case_changes
@@ -44,7 +43,7 @@ def own(found: Target | CasePath, case: Transmission) -> float | None:
     return own_part_number(case, found.part) if found.part else own_number_at(found, case)
 
 
-@settings(phases=[Phase.generate], max_examples=40)
+@settings(phases=[Phase.generate], max_examples=count(14, 120))
 @given(st.data(), transmissions(torsional=True))
 def test_sweeps_of_cases_and_scenarios_read_each_number_where_the_document_has_it(
     data: st.DataObject, case: Transmission

@@ -1,7 +1,5 @@
 """Numbers of random cases are saved: the file then says the case with these numbers, no more."""
 
-from __future__ import annotations
-
 import dataclasses
 import re
 from collections.abc import Callable, Iterator
@@ -11,6 +9,7 @@ import pytest
 from hypothesis import Phase, assume, event, given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.page.serve.served import BOX, ServedCase, serving
 from tests.strategies import transmissions
 from vstatics.core import readers
@@ -80,7 +79,7 @@ def differing(one: str, other: str) -> tuple[str, str]:
     return one[begin : len(one) - end], other[begin : len(other) - end]
 
 
-@settings(phases=[Phase.generate])
+@settings(phases=[Phase.generate], max_examples=count(8, 120))
 @given(st.data(), transmissions(torsional=True), FORMS)
 def test_a_saved_number_is_that_of_a_sweep_and_all_else_of_the_file_stays(
     served: ServedCase,

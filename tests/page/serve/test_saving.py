@@ -1,7 +1,5 @@
 """What is tried, and what is saved: the numbers, in their places, and nothing else of a file."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

@@ -1,7 +1,5 @@
 """Labels along an edge: near to what they belong to, none over another."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import matplotlib as mpl

@@ -1,7 +1,5 @@
 """Colours of pictures: contrast by WCAG 2.2, and whether the colour-blind tell them apart."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import combinations, product
 

@@ -1,7 +1,5 @@
 """SVG of pictures: texts that can be found and copied, titles, nothing that could run."""
 
-from __future__ import annotations
-
 import re
 from xml.etree import ElementTree as ET
 

@@ -1,7 +1,5 @@
 """The picture of efficiency: its shares make up what the efficiency lacks."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from tests.pictures.drawn import texts, titled

@@ -1,7 +1,5 @@
 """The picture of the power flow: bands as wide as their power, texts that can be read."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Iterator

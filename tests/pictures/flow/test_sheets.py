@@ -1,7 +1,5 @@
 """Flows on paper: rows, lines of plain chains, pages; sums that are told."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Levers: positions follow from the teeth, speeds are linear along them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import combinations, pairwise
 from typing import Any

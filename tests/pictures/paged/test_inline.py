@@ -1,7 +1,5 @@
 """Looks of pictures that a page says once."""
 
-from __future__ import annotations
-
 import re
 
 from vstatics.core.tables.html import Markup, tag

@@ -4,8 +4,6 @@ Torques and ratios are those that ``vstatics run -f json`` writes; links that el
 those of the case.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from itertools import combinations

@@ -6,8 +6,6 @@ and force analysis of the universal multi-flow differential mechanism, figure 5)
 ratios are those of the teeth in `cases/umdm.yaml` by its equations (5) to (8).
 """
 
-from __future__ import annotations
-
 from itertools import product
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The plan of wanted ratios alone: rays by the rule of the paper on the UMDM, figure 5."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

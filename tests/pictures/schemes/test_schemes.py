@@ -1,7 +1,5 @@
 """Pictures of the scheme: everything that the case joins is joined, and can be read."""
 
-from __future__ import annotations
-
 from itertools import combinations
 from pathlib import Path
 from typing import Any

@@ -3,8 +3,6 @@
 A mass of 1 kg*m^2 on 100 N*m/rad swings 1.6 times a second, for 1e9 s.
 """
 
-from __future__ import annotations
-
 import json
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """Damage of a run, of samples, of sweeps: two masses that swing on a shaft, in closed form."""
 
-from __future__ import annotations
-
 import csv
 import math
 from pathlib import Path

@@ -1,7 +1,5 @@
 """`vstatics simulate --samples` and `vstatics sweep SCENARIO` as commands: files, errors."""
 
-from __future__ import annotations
-
 import csv
 import json
 from pathlib import Path

@@ -3,8 +3,6 @@
 The numbers are those of the facts about a single planetary set: its brake locks at 0.410054006 s.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 from pathlib import Path

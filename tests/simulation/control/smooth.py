@@ -6,8 +6,6 @@ as well. Friction is ``capacity tanh(slip/e)`` there, so speeds differ from thos
 a few e.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence

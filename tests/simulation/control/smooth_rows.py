@@ -3,8 +3,6 @@
 They are written and integrated as those of two links, see `smooth`.
 """
 
-from __future__ import annotations
-
 from itertools import combinations, pairwise
 from random import Random
 

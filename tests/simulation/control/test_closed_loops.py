@@ -1,7 +1,5 @@
 """Controls that see the box, states and temperatures: closed forms and solvers of others."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Links whose speeds are given, and variators whose ratios are."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -4,8 +4,6 @@ A lag leads to the corner of a formula, the formula to a state, and the state to
 torque. Expected numbers are closed forms, or come from scipy with equations of their own.
 """
 
-from __future__ import annotations
-
 import math
 from random import Random
 from typing import NamedTuple

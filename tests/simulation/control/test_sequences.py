@@ -1,7 +1,5 @@
 """Sequences: steps that wait for what happens, one after the other."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Scenarios of the tests as people write them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -6,8 +6,6 @@ that lose anything, each fitting its flow ``M_k (w_f - w_h)``. All sets of signs
 it stands if some ``M_k`` within the cones of all mechanisms balance the torques.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import product
 

@@ -7,8 +7,6 @@ acceleration ``a = sum T / sum J``, the torques of shift elements and of meshes 
 ``(1/eta - 1) M``, M on either side of 0.
 """
 
-from __future__ import annotations
-
 from itertools import product
 from random import Random
 from typing import NamedTuple

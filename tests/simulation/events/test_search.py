@@ -4,8 +4,6 @@ Whatever the sets: a motion exists, since a brake that slips is a given torque. 
 its energy, and no brake carries more than it can.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from random import Random
 from time import process_time

@@ -4,8 +4,6 @@ Expected are `plain`, which tries all signs in closed form, the static torques o
 losses (`statics`), and ``dw/dt = (T i eta - T_out)/(J_in i^2 eta + J_out)`` of one set.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from pathlib import Path

@@ -4,8 +4,6 @@ Expected are an integrator of the plain equations ``J dw/dt = T - A' (k e + d de
 and closed forms. Times are compared with others on the same machine.
 """
 
-from __future__ import annotations
-
 import math
 import os
 import subprocess

@@ -6,8 +6,6 @@ torque from the instant at which the shift begins, up to the event at which the 
 or overruns; then the speeds change up to the event at which the oncoming one locks.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple

@@ -4,8 +4,6 @@ The run: A and B hold gear 1; C takes over from B in gear 2. By hand: C slips fr
 3 s, B slips from 2 s; D is of a third gear.
 """
 
-from __future__ import annotations
-
 from itertools import combinations
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Letters of pictures of runs: none over another, and words near their events."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

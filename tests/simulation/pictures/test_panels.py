@@ -1,7 +1,5 @@
 """Pictures of shipped runs, by the groups of their SVG, against the JSON of `vstatics simulate`."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from typing import Any, NamedTuple

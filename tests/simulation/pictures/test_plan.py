@@ -1,7 +1,5 @@
 """Panels of a plan for the states of a run."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -4,8 +4,6 @@ The run is that of a planetary set whose brake locks, in closed form (V. P. Tara
 planetary gearboxes, 2018, figure 2): constant accelerations up to the lock at .410054 s, and after.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

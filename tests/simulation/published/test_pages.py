@@ -1,7 +1,5 @@
 """Figures of the pages in docs/sources that a simulation calculates."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

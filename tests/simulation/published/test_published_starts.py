@@ -4,8 +4,6 @@ Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (in Russian), Minsk 1981:
 3.9 and 3.11; tsitovich-table-3-9.json says what was repaired.
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any, NamedTuple

@@ -4,8 +4,6 @@ The numbers beside those of `test_golden` are of the same scenarios; they differ
 terms, and its energy does not close.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Columns that are asked for: closed forms, sums of energy, differences of speeds."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -4,8 +4,6 @@ Chains of springs have a closed form, a sum of harmonic motions by the eigenvect
 stiffness. Runs with friction are compared with themselves at many more instants.
 """
 
-from __future__ import annotations
-
 from random import Random
 
 import numpy as np

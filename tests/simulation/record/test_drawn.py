@@ -5,8 +5,6 @@ spring has 10 sin 10 t N*m. Beside it a brake of 5 N*m stops a mass of 1 kg*m^2,
 and 3 N*m, after 5 s; from 7 s on that has 4 N*m.
 """
 
-from __future__ import annotations
-
 import tracemalloc
 
 import numpy as np

@@ -3,8 +3,6 @@
 Against the energies of its account, the torques of its columns, statics and the scenarios' numbers.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

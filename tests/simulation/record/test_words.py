@@ -1,7 +1,5 @@
 """What events are called, notes on targets, and runs as data frames."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

@@ -3,8 +3,6 @@
 The run is that of `tests.simulation.pictures.test_shift`, in closed form.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The runs of two scenarios on one page: numbers are those that `vstatics simulate` answers."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Numbers that are drawn: their means and deviations, and that they keep within bounds."""
 
-from __future__ import annotations
-
 import math
 from statistics import NormalDist
 

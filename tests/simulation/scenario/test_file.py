@@ -1,7 +1,5 @@
 """Scenarios are read with all their forms and units; what is wrong is told at its place."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

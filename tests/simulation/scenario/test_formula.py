@@ -1,7 +1,5 @@
 """Formulas of a scenario: values by Python's own arithmetic, mistakes at their places."""
 
-from __future__ import annotations
-
 import math
 import pickle
 

@@ -1,7 +1,5 @@
 """Names that strict readers of YAML 1.1 take for true or false, and formulas without a number."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """What shift elements can carry, what they do that no control moves, the order of shifts."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Numbers that nothing has are refused where they stand."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

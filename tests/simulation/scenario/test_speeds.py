@@ -1,7 +1,5 @@
 """Speeds in formulas: names of the variable, and speeds of vehicles in conditions."""
 
-from __future__ import annotations
-
 import math
 import re
 from pathlib import Path

@@ -3,8 +3,6 @@
 The brake of the ring locks at .410054006 s; see `cases/scenarios/tarasik-set-lock.yaml`.
 """
 
-from __future__ import annotations
-
 from vstatics import VariedScenario
 from vstatics.sweep.variants.subject import Document
 

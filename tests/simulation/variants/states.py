@@ -1,7 +1,5 @@
 """Sweeps of a scenario that leave a state, in small pieces."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

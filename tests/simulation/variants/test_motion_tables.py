@@ -1,7 +1,5 @@
 """Tables of a run in expressions: what is asked of a motion that is written out by hand."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

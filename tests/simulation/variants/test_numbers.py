@@ -1,7 +1,5 @@
 """Numbers of a scenario and of its case by their paths: found, replaced, refused."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.simulation.variants.scenarios import CASE, subject

@@ -1,7 +1,5 @@
 """Sweeps of a scenario: a variant is the run of its documents, whoever calculates it."""
 
-from __future__ import annotations
-
 import math
 import pickle
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """A sweep whose output has no room on its disk is refused before anything is written."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import time
@@ -13,6 +11,7 @@ import pytest
 from tests.commands import vstatics
 from tests.processes import names
 from tests.sweep.sweeps import CASE_TEXT
+from vstatics.sweep.cli import estimate
 
 HUGE = ("--vary", "D.ratio=-4:-2:1000000", "--vary", "D.efficiency=.9:1:1000000")
 SMALL = ("--vary", "D.ratio=-4:-2:100", "--vary", "D.efficiency=.9:1:100")
@@ -94,8 +93,9 @@ def test_a_dry_run_tells_the_size_of_what_is_packed(varied: tuple[str, ...]) -> 
     assert 0.9 * size < float(told[1]) * {"kB": 1e3, "MB": 1e6}[told[2]] < 1.6 * size
 
 
-def test_a_dry_run_of_runs_without_end_is_done_soon() -> None:
+def test_a_dry_run_of_runs_without_end_is_done_soon(monkeypatch: pytest.MonkeyPatch) -> None:
     """A mass on a spring swings 1.6 times a second: ten years are 3e8 periods, a run of hours."""
+    monkeypatch.setattr(estimate, "TRIED", 0.1)
     case = "links: [m]\ninput: m\noutput: m\ninertias: {m: 1}\n"
     spring = "springs: {k: {links: [m, housing], stiffness: 100}}\n"
     Path("mass.yaml").write_text(case + spring, encoding="utf-8")

@@ -1,7 +1,5 @@
 """`vstatics sweep` of natural frequencies: every format, jobs, --resume, a table, a sweep file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

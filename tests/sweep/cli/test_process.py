@@ -1,7 +1,5 @@
 """A sweep as a process that is interrupted; tests/core/cli kill it and take its disk."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal

@@ -1,7 +1,5 @@
 """`vstatics sweep`: its options, its exit status, what it says and where."""
 
-from __future__ import annotations
-
 import csv
 import json
 import re

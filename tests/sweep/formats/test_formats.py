@@ -1,7 +1,5 @@
 """The output of a sweep in each format, against the readers of other programs."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

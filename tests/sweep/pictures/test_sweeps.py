@@ -1,7 +1,5 @@
 """Pictures of sweeps: which columns they show, where contours run, where operation ends."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from itertools import product
 from pathlib import Path

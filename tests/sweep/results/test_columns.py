@@ -1,7 +1,5 @@
 """The columns of --out: their headings, and what they hold."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -4,8 +4,6 @@ Numbers come from the closed form of one planetary set or from arithmetic
 that is written out beside them.
 """
 
-from __future__ import annotations
-
 import math
 import pickle
 from typing import Any

@@ -1,7 +1,5 @@
 """Mistakes in expressions: told in words, at their place."""
 
-from __future__ import annotations
-
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st

@@ -1,7 +1,5 @@
 """Names that a person types in a sweep."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

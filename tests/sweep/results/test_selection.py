@@ -3,8 +3,6 @@
 What is right comes from the definitions, written out below in plain Python.
 """
 
-from __future__ import annotations
-
 import math
 import pickle
 from collections.abc import Sequence

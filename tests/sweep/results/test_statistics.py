@@ -1,7 +1,5 @@
 """Statistics of numbers near the ends of the range of floats."""
 
-from __future__ import annotations
-
 import warnings
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """What is varied and over which values: texts of --vary, grids, pairs, tables in memory."""
 
-from __future__ import annotations
-
 import pickle
 from itertools import product
 from typing import Any

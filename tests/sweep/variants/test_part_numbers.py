@@ -1,7 +1,5 @@
 """A changed number of a part is reported under the path that a sweep varies."""
 
-from __future__ import annotations
-
 import random
 from pathlib import Path
 

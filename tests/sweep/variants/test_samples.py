@@ -1,7 +1,5 @@
 """Samples: scipy's numbers, in any blocks, within their ranges."""
 
-from __future__ import annotations
-
 import pickle
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A table of variants from a CSV: what is taken, what is refused and where, what is left."""
 
-from __future__ import annotations
-
 import contextlib
 import errno
 import io

@@ -1,7 +1,5 @@
 """What is varied of what is elastic or heavy: its names, and what is said of wrong ones."""
 
-from __future__ import annotations
-
 from itertools import permutations
 
 import pytest

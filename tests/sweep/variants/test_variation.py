@@ -1,7 +1,5 @@
 """What is varied and over which values: the texts of --vary."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

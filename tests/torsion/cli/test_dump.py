@@ -1,7 +1,5 @@
 """`vstatics torsion dump` of a case, or of a file of numbers."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

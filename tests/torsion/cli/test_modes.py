@@ -1,7 +1,5 @@
 """`vstatics torsion modes` and `reduce`: what they show, what they are asked for."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.torsion.cli.torsional import BOX, CHAIN, GOOD, document, said, tables

@@ -1,7 +1,5 @@
 """`vstatics torsion response`: orders, speeds, tables of torque, what is shown of them."""
 
-from __future__ import annotations
-
 import csv
 import io
 import math

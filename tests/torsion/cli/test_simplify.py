@@ -1,7 +1,5 @@
 """`vstatics torsion simplify`: its steps, and the case that it writes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

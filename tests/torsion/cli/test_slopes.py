@@ -1,7 +1,5 @@
 """Springs with points in the commands of `vstatics torsion`: which slope each takes, and says."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """What all commands of `vstatics torsion` have in common: formats, files, gears, exit statuses."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

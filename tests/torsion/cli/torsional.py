@@ -1,7 +1,5 @@
 """A case that the commands of `vstatics torsion` are tried on, and ways to call them."""
 
-from __future__ import annotations
-
 import csv
 from typing import Any
 

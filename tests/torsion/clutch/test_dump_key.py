@@ -1,7 +1,5 @@
 """Clutches that are dumped in cases: read, written, in the schema; what is wrong with them."""
 
-from __future__ import annotations
-
 import json
 import math
 from typing import Any

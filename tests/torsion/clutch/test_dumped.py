@@ -1,7 +1,5 @@
 """Clutches that are dumped: the tables of the book, an integration in time, limits."""
 
-from __future__ import annotations
-
 import itertools
 import math
 

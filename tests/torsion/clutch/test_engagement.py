@@ -1,7 +1,5 @@
 """The dynamic factor of a clutch that is engaged in time: (3.70), its equation integrated."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Files of clutches that are dumped."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Clutches that are dumped in a case: table 3.8 of the book from own values of two cars."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

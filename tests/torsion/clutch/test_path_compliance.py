@@ -1,7 +1,5 @@
 """Compliances between links: closed forms, and the reduced compliances of a chain."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

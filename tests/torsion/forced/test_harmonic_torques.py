@@ -1,7 +1,5 @@
 """Forced vibration: closed forms of one and two masses, and laws of every system."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What stands in the groups of a picture, by their class, as written to SVG."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Campbell diagrams: every resonance of every gear, at its speed, and how much it matters."""
 
-from __future__ import annotations
-
 import json
 import math
 from pathlib import Path

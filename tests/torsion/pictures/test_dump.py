@@ -1,7 +1,5 @@
 """Pictures of a dumped clutch: bars and limits are the torques that `torsion dump` tells."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import Any, get_args

@@ -4,8 +4,6 @@ Expected: frequencies, participations and damping ratios by numpy's eigenvalues 
 written out here, printed with the digits of the table.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 from random import Random
 

@@ -1,7 +1,5 @@
 """Responses: their lines are the amplitudes that `torsion response` calculates."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Pictures of vibration: what they show is what the modes are, and no label covers another."""
 
-from __future__ import annotations
-
 import importlib.util
 from pathlib import Path
 

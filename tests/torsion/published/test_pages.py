@@ -1,7 +1,5 @@
 """Figures of the pages in docs/sources that torsion calculates."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.commands import ROOT

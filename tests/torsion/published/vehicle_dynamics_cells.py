@@ -1,7 +1,5 @@
 """Cells of tables of Tsitovich and Algin that are wrong in print, calculated."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 

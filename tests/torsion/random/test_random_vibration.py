@@ -1,7 +1,5 @@
 """Random vibration: closed forms, and quadrature over a transfer function made here."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 from random import Random

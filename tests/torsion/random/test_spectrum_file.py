@@ -1,7 +1,5 @@
 """Files of spectra, and the command that takes them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

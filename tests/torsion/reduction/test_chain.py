@@ -1,7 +1,5 @@
 """What is a chain, and its partial systems."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

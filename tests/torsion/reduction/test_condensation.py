@@ -1,7 +1,5 @@
 """Springs in place of masses without inertia: closed forms, and the Schur complement."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Masses that turn as one: inertias and stiffnesses by C^T J C and C^T K C, equal branches."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 

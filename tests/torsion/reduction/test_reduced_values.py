@@ -1,7 +1,5 @@
 """Inertias and compliances on one link."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

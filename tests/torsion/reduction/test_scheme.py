@@ -1,7 +1,5 @@
 """Stiffness matrices and natural frequencies against closed forms."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Chains and branched schemes with masses taken out; printed tables are in a test of their own."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

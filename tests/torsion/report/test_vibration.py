@@ -1,7 +1,5 @@
 """The section of the report on vibration: the numbers of the modes, and when there is none."""
 
-from __future__ import annotations
-
 import importlib.util
 from pathlib import Path
 

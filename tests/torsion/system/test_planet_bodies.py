@@ -1,7 +1,5 @@
 """Planets as bodies: with their exact share the same vibration as with planets as links."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy import linalg

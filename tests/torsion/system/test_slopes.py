@@ -1,7 +1,5 @@
 """Springs with points in a vibrating gear: the slope at what each carries at mean speeds."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

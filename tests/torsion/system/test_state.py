@@ -1,7 +1,5 @@
 """Which freewheels hold where a gear vibrates: as at its mean load."""
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics.core.readers import loads

@@ -5,8 +5,6 @@ pump by (1.38) of Tsitovich, Algin, Vehicle dynamics (1981), pairs by their powe
 eigenvalues.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from random import Random

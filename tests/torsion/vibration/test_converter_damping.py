@@ -4,8 +4,6 @@ Numbers: closed forms, differences of (1.38) of Tsitovich, Algin, Vehicle dynami
 order form that is made by hand here, tables 2.9 and 2.10 of the book.
 """
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 from random import Random

@@ -1,7 +1,5 @@
 """Where frequencies cross in a sweep each mode keeps the number of the first variant."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

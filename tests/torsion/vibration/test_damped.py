@@ -1,7 +1,5 @@
 """Damped vibration: eigenvalues, and which belongs to which natural mode."""
 
-from __future__ import annotations
-
 import cmath
 import math
 

@@ -1,7 +1,5 @@
 """Decrements and frequencies of records against vibrations in closed form."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Dampings from decrements: table 2.4 of the book, round trips; П2.1 is for `test_measured`."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Natural modes: what holds of every system, and what is known in closed form."""
 
-from __future__ import annotations
-
 import math
 from random import Random
 

@@ -1,7 +1,5 @@
 """Compliances and dampings from a measured mode: table П2.1 of the book, round trips."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any

@@ -3,8 +3,6 @@
 Gantmacher, Krein, Oscillation matrices and kernels (1950), of masses in a row.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

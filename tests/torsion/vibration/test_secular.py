@@ -1,7 +1,5 @@
 """Frequencies by the stiffness of one device: closed forms, and inserted in the equation."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from fractions import Fraction

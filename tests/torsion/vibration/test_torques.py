@@ -1,7 +1,5 @@
 """Torques of the members of sets: what they give to the planets, which are heavy."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

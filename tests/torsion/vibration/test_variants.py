@@ -1,7 +1,5 @@
 """Frequencies of many variants at once: each as if it were calculated alone."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

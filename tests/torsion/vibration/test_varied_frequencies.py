@@ -1,7 +1,5 @@
 """Natural frequencies of sweeps: those of `torsion modes`, counted as there, and their gears."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

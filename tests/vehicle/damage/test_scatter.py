@@ -1,7 +1,5 @@
 """Lives of a scattered strength and stress: closed forms, and scipy's integral of each sample."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

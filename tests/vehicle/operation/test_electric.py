@@ -1,7 +1,5 @@
 """Electric vehicles in a cycle: each step by hand with scipy's maps, and balances of energy."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 from random import Random

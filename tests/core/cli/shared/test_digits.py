@@ -1,7 +1,5 @@
 """`--digits N`, and the digits that numbers have without it."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Files that commands write: whole or not at all, where and as the caller wants them."""
 
-from __future__ import annotations
-
 import os
 import stat
 from pathlib import Path

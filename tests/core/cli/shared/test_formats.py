@@ -1,7 +1,5 @@
 """The suffix of -o tells the format, in every command; what it does not tell is refused."""
 
-from __future__ import annotations
-
 import csv
 import json
 from pathlib import Path

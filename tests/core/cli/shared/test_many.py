@@ -1,7 +1,5 @@
 """Several cases at once: to a directory, to a stream, from a list, and what is refused."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

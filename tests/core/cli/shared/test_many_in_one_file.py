@@ -1,7 +1,5 @@
 """Many cases in one file, JSON lines or Parquet: patterns, going on after a stop."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

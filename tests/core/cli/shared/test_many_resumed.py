@@ -1,7 +1,5 @@
 """Going on with a run into a directory: what is left out, what is calculated again."""
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Callable

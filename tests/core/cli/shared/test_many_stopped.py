@@ -3,8 +3,6 @@
 A case that is a pipe waits for this test, so that everything happens at a known moment.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

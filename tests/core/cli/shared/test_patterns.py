@@ -1,7 +1,5 @@
 """Patterns of files: what `glob` finds, but not through links to folders above themselves."""
 
-from __future__ import annotations
-
 import glob
 import time
 from pathlib import Path

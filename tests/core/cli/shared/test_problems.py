@@ -1,7 +1,5 @@
 """What is printed of warnings and notes, and what they do to the exit status."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A deck is read in the encoding that it was written in, whatever letters its title has."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.chance import count, seeded

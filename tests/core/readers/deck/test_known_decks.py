@@ -1,7 +1,5 @@
 """Decks that follow one of the same structure: read as if each stood alone."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator
 

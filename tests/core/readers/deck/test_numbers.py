@@ -1,7 +1,5 @@
 """Numbers of decks as Fortran reads them; ratios and percentages mean the same as in YAML."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from random import Random
 

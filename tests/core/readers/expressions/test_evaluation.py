@@ -1,7 +1,5 @@
 """Values of formulas: what they hold on to."""
 
-from __future__ import annotations
-
 import gc
 import weakref
 

@@ -1,7 +1,5 @@
 """Arithmetic in numbers of a case: as by hand, and in bounded time whatever is written."""
 
-from __future__ import annotations
-
 import contextlib
 import math
 import re

@@ -1,7 +1,5 @@
 """Torque converters of a case in YAML and JSON."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

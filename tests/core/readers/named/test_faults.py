@@ -3,8 +3,6 @@
 The places were counted in the files, not taken from the program.
 """
 
-from __future__ import annotations
-
 import pytest
 
 from tests.commands import BAD_FILES

@@ -1,7 +1,5 @@
 """Typical mistakes in a case get advice, and cause no further messages."""
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics.core.errors import ReadError

@@ -1,7 +1,5 @@
 """Laws in a case: formulas, points, files; what is said of those that can't be read."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Dotted paths into documents: what they find, what they say where they find nothing."""
 
-from __future__ import annotations
-
 import pytest
 
 from vstatics.core.model.paths import NoValueError, split, written

@@ -1,7 +1,5 @@
 """Trees of nodes from YAML and JSON: what is in them, where, and what is refused."""
 
-from __future__ import annotations
-
 import json
 import time
 

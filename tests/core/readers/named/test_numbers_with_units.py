@@ -1,7 +1,5 @@
 """Numbers with a unit, or relative to the input: how they are read and refused."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Cases in YAML and JSON: what is read, and what is said about what cannot be."""
 
-from __future__ import annotations
-
 import codecs
 from collections.abc import Callable
 

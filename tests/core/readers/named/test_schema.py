@@ -1,7 +1,5 @@
 """The JSON Schema of a case: up to date, valid, and of one mind with the reader."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Blanks, percentages, ratios and letters as word processors and keyboards have them."""
 
-from __future__ import annotations
-
 import json
 import re
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Springs, inertias and elastic devices in YAML and JSON."""
 
-from __future__ import annotations
-
 import json
 import math
 from typing import Any

@@ -1,7 +1,5 @@
 """Units of the trade: their size from the definitions that fix them, and how they are spelled."""
 
-from __future__ import annotations
-
 import math
 import re
 from fractions import Fraction

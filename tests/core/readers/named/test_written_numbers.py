@@ -1,7 +1,5 @@
 """Other numbers in the text of a document: the reader finds them, and nothing else changed."""
 
-from __future__ import annotations
-
 import codecs
 import math
 from collections.abc import Iterable

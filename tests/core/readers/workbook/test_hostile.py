@@ -1,7 +1,5 @@
 """Workbooks of any size and kind: the same cells as openpyxl reads, or an error soon."""
 
-from __future__ import annotations
-
 import datetime as dt
 import io
 import time

@@ -1,7 +1,5 @@
 """Cases in workbooks: what a person types in a spreadsheet program is read; faults name cells."""
 
-from __future__ import annotations
-
 import datetime as dt
 import io
 import re

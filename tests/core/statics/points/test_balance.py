@@ -1,7 +1,5 @@
 """The torque that balances a battery: an input split in closed form, none, two, all points."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from itertools import product

@@ -5,8 +5,6 @@ efficiency that this torque has. Where both are one is a solution; a fine net of
 that are not closer together than its meshes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from itertools import pairwise
 

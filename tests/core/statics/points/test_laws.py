@@ -1,7 +1,5 @@
 """Losses that depend on speed and torque: closed forms, each point alone, exact fractions."""
 
-from __future__ import annotations
-
 import math
 import pickle
 from fractions import Fraction

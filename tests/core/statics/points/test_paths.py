@@ -1,7 +1,5 @@
 """Paths of numbers that vary: what they name, and what is said of those that name nothing."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Points of operation: what varies in rad/s and N*m, beside each point as a case of its own."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -3,8 +3,6 @@
 Expected numbers are those of `run -f json` of each case, and the ratio 1 - u of a planetary set.
 """
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 from typing import Any

@@ -3,8 +3,6 @@
 Sizes of units are those of NIST SP 811: 1 lbf*ft is 1.355 817 948 N*m, 1 hp is 745.699 87 W.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """Countershaft boxes made by chance, and the parts of their pictures as SVG."""
 
-from __future__ import annotations
-
 import random
 import re
 from typing import NamedTuple

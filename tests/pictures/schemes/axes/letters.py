@@ -1,7 +1,5 @@
 """What a browser has under the letters of a picture: other letters, and lines."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

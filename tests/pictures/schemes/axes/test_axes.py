@@ -1,7 +1,5 @@
 """Stick diagrams of boxes with several axes, read from their SVG as a reader would."""
 
-from __future__ import annotations
-
 import json
 import random
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Letters of stick diagrams with several axes, as a browser shows them."""
 
-from __future__ import annotations
-
 from itertools import product
 from typing import Any
 from xml.etree import ElementTree as ET

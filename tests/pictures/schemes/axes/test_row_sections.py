@@ -1,7 +1,5 @@
 """Gearboxes of several planetary sets on one of the axes are half-sections without crossings."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from itertools import islice

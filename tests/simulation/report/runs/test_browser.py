@@ -3,8 +3,6 @@
 The run has two shifts of an eight-speed; its sets are simple, of numbers of teeth.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import re

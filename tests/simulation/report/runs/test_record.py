@@ -3,8 +3,6 @@
 The run is that of `tests.simulation.pictures.test_shift`, in closed form, or a shipped one.
 """
 
-from __future__ import annotations
-
 import base64
 import json
 from typing import Any
