@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import vstatics as library
+from tests.chance import some
 from tests.commands import CASES, MZKT
 from tests.core.elements.element_texts import AOD, SET, changed, loaded, shown
 from tests.core.statics.differential import train
@@ -73,7 +74,7 @@ gears: {1: {}}
 
 
 def test_every_array_has_as_many_rows_as_there_are_names() -> None:
-    for path in sorted(CASES.glob("*.yaml")):
+    for path in some(sorted(CASES.glob("*.yaml"))):
         results = library.solve(library.load(path))
         gears = len(results.case.gears)
         for name, one in ARRAYS.items():

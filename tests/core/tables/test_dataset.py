@@ -4,19 +4,20 @@ import numpy as np
 import pytest
 
 from tests import commands
+from tests.chance import some
 from tests.commands import CASES
 from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.core.tables.quantities import BY_NAME
 
 pytest.importorskip("xarray")
 
-SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in {".yaml", ".dat"})
+SHIPPED = some(sorted(path for path in CASES.iterdir() if path.suffix in {".yaml", ".dat"}))
 
 
-def test_every_cell_of_every_shipped_case_is_that_of_its_json() -> None:
+def test_every_cell_of_a_shipped_case_is_that_of_its_json() -> None:
     """By the names that JSON gives to rows and gears; numbers from 1 are names, too."""
     written = commands.json_answer("run", *SHIPPED)
-    assert len(written) == len(SHIPPED) > 30
+    assert len(written) == len(SHIPPED) > 10
     cells = 0
     for path, one in zip(SHIPPED, written, strict=True):
         data = solve(load(path)).to_xarray()
@@ -30,7 +31,7 @@ def test_every_cell_of_every_shipped_case_is_that_of_its_json() -> None:
             found = found.T
             np.testing.assert_array_equal(found.values, told, err_msg=f"{path.name}: {key}")
             cells += told.size
-    assert cells > 10_000
+    assert cells > 3_000
 
 
 def test_axes_of_variants_come_first_and_a_loaded_case_has_units() -> None:

@@ -49,7 +49,7 @@ def test_the_case_that_is_written_has_the_ratios(tmp_path: Path) -> None:
 
 def test_many_gears_of_a_set_continue_in_the_next_row() -> None:
     """The triple gears of the Model T have six toothed gears."""
-    printed = said(case=CASES / "ford-model-t.yaml").out
+    printed = said("--range", "all=20:34", case=CASES / "ford-model-t.yaml").out
     assert max(map(len, printed.splitlines())) <= 80
     table = printed.partition("\nTeeth\n")[2].partition("\n\n")[0].splitlines()
     assert [line[:12] for line in table[1:]] == ["triple gears", *[" " * 12] * (len(table) - 2)]
@@ -59,8 +59,8 @@ def test_many_gears_of_a_set_continue_in_the_next_row() -> None:
 
 def test_one_module_of_all_gears_is_given_once() -> None:
     options = "--modules", "2.5", "--largest-diameter", "400"
-    assert "2.5" in said(*GOLDEN, *RANGES, *options).out
-    assert "sun 2.5" not in said(*GOLDEN, *RANGES, *options).out
+    printed = said(*GOLDEN, *RANGES, *options).out
+    assert ("2.5" in printed, "sun 2.5" in printed) == (True, False)
 
 
 @pytest.mark.parametrize(
