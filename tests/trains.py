@@ -7,6 +7,7 @@ that coincidences happen (-1, 2, 1/2).
 
 from collections.abc import Container, Sequence
 from dataclasses import replace
+from itertools import product
 from random import Random
 
 from hypothesis import strategies as st
@@ -187,6 +188,23 @@ def _renumbered(rng: Random, links: int, members: Sequence[Links]) -> list[Links
     """The same train with its links in random order; 0 stays the housing."""
     order = [0, *rng.sample(range(1, links + 1), links)]
     return [(order[a], order[b], order[c]) for a, b, c in members]
+
+
+def random_slipping(chance: Random) -> list[Transmission]:
+    """A train whose gear is determined by one or two slipping elements, of all signs of slip."""
+    while True:
+        case = random_train(chance, regular=True, gears=1)
+        [gear] = case.gears
+        if gear.engaged and is_regular(case, gear):
+            break
+    slipping = chance.sample(gear.engaged, min(len(gear.engaged), chance.randint(1, 2)))
+    engaged = tuple(number for number in gear.engaged if number not in slipping)
+    sizes = [round(chance.uniform(0.01, 0.5), 2) for _ in slipping]
+    return [
+        replace(case, gears=[gear._replace(engaged=engaged, slip=slip)], idle="exact")
+        for signs in product((1, -1), repeat=len(slipping))
+        for slip in [{n: x * size for n, x, size in zip(slipping, signs, sizes, strict=True)}]
+    ]
 
 
 @st.composite

@@ -1,15 +1,18 @@
 """The equations of a gear, as in the figures of the source."""
 
+import json
 from pathlib import Path
 
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.commands import CASES
-from tests.core.explain.explained import check, equations, explained
-from tests.trains import random_train
-from vstatics import load, solve
+from tests.core.explain.explained import check, equations, explained, holds
+from tests.trains import random_slipping, random_train
+from vstatics import explain_gear, load, solve
+from vstatics.core.explain.formula import SLIPS
 from vstatics.core.explain.sums import in_symbols
+from vstatics.core.tables.answer import plain_data
 
 SHIPPED = [
     CASES / f"{name}.yaml"
@@ -64,3 +67,19 @@ def test_equations_hold_and_formulas_give_the_ratios_of_random_trains() -> None:
     for _ in range(12):
         results = solve(random_train(rng, regular=False))
         check(results, range(len(results.case.gears)))
+
+
+def test_a_given_slip_is_on_the_right_of_its_equation() -> None:
+    """The equations are true at the speeds and torques; the gear has no formula."""
+    chance = seeded(57)
+    for case in (case for _ in range(count(6, 100)) for case in random_slipping(chance)):
+        made = explain_gear(solve(case), 1)
+        given = {case.shift_elements[n - 1].name: slip for n, slip in case.gears[0].slip.items()}
+        right = {one.of: one.right for one in made.speeds.equations if one.of in given}
+        assert right == given
+        assert made.slipping == [*given]
+        assert (made.formula, made.reason) == (None, SLIPS)
+        answer = json.loads(json.dumps(plain_data(made), allow_nan=False))
+        for name in ("speeds", "torques", "lossy"):
+            if answer[name] is not None:
+                holds(answer[name])

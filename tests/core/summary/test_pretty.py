@@ -210,3 +210,11 @@ def test_the_legend_says_which_numbers_are_relative(load: str, words: str) -> No
     """With a speed alone, planet speeds are in rpm, and only torques are relative."""
     text = shown(HUB.format(ratio=-2) + load)
     assert [*re.findall("1.00 is .*", text)] == [words] * bool(words)
+
+
+def test_a_slipping_clutch_has_a_sign_of_its_own() -> None:
+    """1000 rpm less 300 rpm are those of the carrier: i = 1/0.7, the sprag overruns."""
+    text = shown(FREEWHEEL.replace("low: {}", "low: {slip: {lock-up clutch: 300 rpm}}"))
+    [low] = (line for line in gear_lines(text) if line.startswith(" low"))
+    assert low.split()[1:3] == ["~·", "1.429"]
+    assert "~ slips" in text

@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.core.summary.gearboxes import differential
 from tests.oracle.gears import solve_gear
 from tests.shipped import shipped_results
-from tests.trains import random_train
+from tests.trains import random_slipping, random_train
 from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import loads
@@ -55,6 +55,15 @@ def test_sensitivities_of_random_gears_agree_with_differences(seed: int) -> None
     known = np.isfinite(results.ratio)
     assert np.isnan(found[~known]).all()
     assert found[known] == pytest.approx(expected[known], abs=1e-5, rel=1e-4, nan_ok=True)
+
+
+def test_sensitivities_with_slipping_elements_agree_with_differences() -> None:
+    chance = seeded(59)
+    for case in (case for _ in range(count(6, 200)) for case in random_slipping(chance)):
+        results = solve(case)
+        if np.isfinite(results.ratio).all():
+            found, expected = sensitivities(results), by_differences(results)
+            assert found == pytest.approx(expected, abs=1e-5, rel=1e-4, nan_ok=True)
 
 
 def of_text(text: str) -> list[list[float]]:

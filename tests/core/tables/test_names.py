@@ -38,8 +38,9 @@ gears:
   low: {}
   second: {engaged: [B1], loss: {over: [speed, torque], columns: [0, 9], rows: [[0, 9, 9], [9, 9, 9]]}}
   held: {speeds: {large: -200 rpm}}
+  creep: {slip: {B1: -100 rpm}}
 """
-"""A shared planet, a plain set, a clutch, a brake, a freewheel, drag, a given speed, a load."""
+"""A shared planet, a plain set, clutch, brake, freewheel, drag, a given speed, a slip, a load."""
 DECLARED = [one for one in QUANTITIES + ASKED if one.columns == "gears"]
 
 
@@ -99,9 +100,11 @@ def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> Non
     assert table["lossy_torques_Nm", "P1.sun"].tolist() == pytest.approx(
         (table["lossy_torques", "P1.sun"] * 300).tolist(), nan_ok=True
     )
-    assert table["speeds_rpm", "in"].tolist() == [2000] * 6
+    assert table["speeds_rpm", "in"].tolist() == [2000] * 8
     losses: Any = table["losses_kW"]
-    lost = losses.sum(axis=1) + table["drag_losses_kW"] + table["gear_losses_kW"]
+    slips: Any = table["slip_losses_kW"]
+    lost = losses.sum(axis=1) + slips.sum(axis=1)
+    lost += table["drag_losses_kW"] + table["gear_losses_kW"]
     found = table["input_power_kW"] - table["output_power_kW"]
     assert found.tolist() == pytest.approx(lost.tolist())
     without = to_dataframe(shipped_results("simpson.yaml"))

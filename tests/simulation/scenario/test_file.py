@@ -287,3 +287,14 @@ def test_a_scenario_without_converters_has_those_of_the_case() -> None:
     )
     assert without == reading.case.converters
     assert other == (Converter("C2", 1, 3, ((0.0, 1.0, 1.0),)),)
+
+
+def test_a_run_does_not_start_in_a_gear_with_a_given_slip(tmp_path: Path) -> None:
+    slipping = CASE.replace(b"{low:", b"{troll: {slip: {B: 0.2}}, low:")
+    (tmp_path / "box.yaml").write_bytes(slipping)
+    file = tmp_path / "shift.yaml"
+    for key, place in (("start: {gear: troll}", "3:15"), ("shifts: [{at: 1, to: troll}]", "3:22")):
+        start = "" if key.startswith("start") else "\nstart: {gear: low}"
+        file.write_text(f"case: box.yaml\nduration: 6\n{key}{start}", encoding="utf-8")
+        with pytest.raises(ReadError, match=rf"shift.yaml:{place}: error: .*B has a given slip in"):
+            load_scenario(file)

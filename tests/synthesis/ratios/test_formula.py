@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.chance import count, seeded
 from tests.commands import CASES, SHIPPED
+from tests.trains import random_slipping
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.core.explain.bodies import on_own_links
 from vstatics.core.model.transmission import SpeedOf
@@ -162,3 +164,14 @@ def test_reach_of_many_sets_in_series() -> None:
     formula = GearFormula("ratio", above, {0: Fraction(1)})
     found = reach(formula, np.full(13, -14.0), np.full(13, -1.0))
     assert found == pytest.approx((2**13, 15**13), rel=1e-12)
+
+
+def test_given_slips_are_constants_of_the_formula() -> None:
+    """Of random trains; the solver eliminates in floats, and knows no polynomials."""
+    chance = seeded(58)
+    for case in (case for _ in range(count(6, 200)) for case in random_slipping(chance)):
+        [formula] = formulas(case).values()
+        ratios = np.array([[one.ratio for one in case.mechanisms]])
+        if formula.kind == "ratio":
+            found = ratio_arrays([formula], ratios.shape[1]).ratios(ratios)[0, 0]
+            assert found == pytest.approx(solve(case).ratio[0], rel=1e-8)

@@ -28,3 +28,19 @@ inertias: {{sun: 1, ring: 1, out: 1}}
     assert (
         ("F" in [device.name for device in system.rigid]) == holds == (2.5 * (torque - 0.8) > 0.8)
     )
+
+
+def test_a_slipping_clutch_transmits_no_vibration() -> None:
+    """Its torque does not depend on the twist, so it is as disengaged; without slip it is rigid."""
+    text = """\
+links: [engine, shaft, wheels]
+shift_elements: {{C: [engine, shaft]}}
+mechanisms: {{pair: {{first: shaft, second: wheels, ratio: 4}}}}
+gears: {{one: {{slip: {{C: {slip}}}}}, open: []}}
+inertias: {{engine: 1, shaft: 1, wheels: 1}}
+"""
+    for slip, is_joined in ((0.3, False), (0, True)):
+        case = loads(text.format(slip=slip))
+        system = vibrating(case, case.gears[0])
+        assert isinstance(system, TorsionalSystem)
+        assert ("C" in [device.name for device in system.rigid]) == is_joined

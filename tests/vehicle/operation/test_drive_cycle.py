@@ -10,7 +10,17 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import vstatics
-from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ReadError,
+    ShiftElement,
+    Transmission,
+    loads,
+    solve,
+)
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.parts import BatteryBalance
 from vstatics.core.model.transmission import SpeedOf
@@ -409,3 +419,21 @@ def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(files: Path) -> No
         assert vstatics(*command, output, *more).is_wrong_use("--time-steps and the report both go")
     piped = vstatics(*command, "-", "-o", "report.txt")
     assert (piped.status, piped.out) == (0, (files / "steps.csv").read_text())
+
+
+SLIPPING = CAR_FILE.replace(", fuel: {file: fuel.csv}", "").replace("[A]", "{slip: {A: 0.4}}")
+
+
+def test_a_slipping_clutch_takes_its_part_of_the_engine() -> None:
+    """1000 kg from 5 to 7 m/s take 12000 J: 15000 J before the pair of 0.8, 25000 J of the engine."""
+    energy = drive(loads(SLIPPING), trace((0, 5, "low"), (4, 7, "low")), GearChoice()).energy
+    assert [energy.wheels, energy.engine] == pytest.approx([12000, 25000])
+    assert energy.lost == pytest.approx({"first": 3000, "second": 0, "slip.A": 10000})
+
+
+def test_a_slip_with_a_unit_or_the_wrong_sign_gives_no_cycle() -> None:
+    in_rpm = loads(SLIPPING.replace("0.4", "200 rpm") + "load: {speed: 1000 rpm}")
+    with pytest.raises(CaseError, match="gear low has a slip with a unit, expected a gear in w"):
+        drive(in_rpm, trace((0, 5, "low"), (4, 7, "low")), GearChoice())
+    with pytest.raises(CaseError, match=r"gear low has no torques .* only a slip below 0 is poss"):
+        drive(loads(SLIPPING), trace((0, 7, "low"), (4, 5, "low")), GearChoice())

@@ -328,3 +328,14 @@ def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int)
         except ReadError as error:
             problems = error.problems
         assert all(problem.place and problem.place.line > 1 for problem in problems)
+
+
+def test_a_slipping_clutch_is_among_the_losses() -> None:
+    """2000 W for 10 s, of which 0.4 slip and 0.1 of the rest is lost in the pair; then engaged."""
+    clutch, pair = ShiftElement(1, 2, "C"), Mechanism(2, 3, 0, 2.0, 0.9, name="pair")
+    gears = [Gear(slip={1: 0.4}), Gear([1])]
+    case = Transmission(3, [clutch], [pair], gears)
+    rows = points((100.0, 20.0, 10.0), (100.0, 20.0, 10.0))._replace(gears=np.array([0, 1]))
+    energy = spectrum(case, rows).energy
+    assert energy.lost == pytest.approx({"pair": 2000 * (0.6 + 1), "slip.C": 8000})
+    assert energy.out == pytest.approx(20000 * 0.9 * (0.6 + 1))

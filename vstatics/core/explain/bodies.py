@@ -151,7 +151,7 @@ def structure(on_links: OwnLinks, gear: Gear) -> Structure:
 
 def _rows(case: Transmission, gear: Gear, ratios: Sequence[float]) -> list[Equation]:
     """Return the equations of mechanisms, then springs, then engaged shift elements."""
-    plain = gear._replace(speeds={})
+    plain = gear._replace(engaged=gear.joining, speeds={}, slip={})
     rows = matrix.speed_rows(case, plain, matrix.columns(case, ratios))[:-1]
     return [{column: value for column, value in row.items() if column != RIGHT} for row in rows]
 

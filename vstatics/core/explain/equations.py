@@ -38,14 +38,16 @@ def speed_system(
     speeds : sequence of float
         Speed of each link. [-]
     """
-    devices = [*always_loaded(case, gear), *(number - 1 for number in gear.engaged)]
+    always = always_loaded(case, gear)
+    slips = {number - 1: float(slip) for number, slip in gear.slip.items()}
+    devices = [*always, *(number - 1 for number in gear.carrying)]
     rows: list[tuple[list[Term], float]] = [
         (
             [
                 Term(names.speeds[link], symbol, float(matrix[link - 1, device]))
                 for link, symbol in _column(case, device, names)
             ],
-            0.0,
+            slips.get(device, 0.0),
         )
         for device in devices
     ]

@@ -92,6 +92,8 @@ class Explanation(NamedTuple):
     """Balance of electric machines and battery, if given for the gear."""
     tried: Sometimes[Sequence[TriedSigns]] = None
     """Sets of signs with the contradiction of each, for a self-locking gear."""
+    slipping: Sometimes[Sequence[str]] = None
+    """Shift elements with a given slip, if any."""
 
     def __repr__(self) -> str:
         """Return a short description: gear, ratio and formula."""
@@ -157,9 +159,9 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     ratio, reason = _formula(state, names, symbols, on_links, bodies) if bodies else (None, fault)
     return Explanation(
         gear=actual.name,
-        engaged=[elements[n - 1] for n in actual.engaged if n not in state.holding],
+        engaged=[elements[n - 1] for n in state.engaged if n not in state.holding],
         holding=[elements[n - 1] for n in state.holding],
-        not_engaged=[name for n, name in enumerate(elements, 1) if n not in actual.engaged],
+        not_engaged=[name for n, name in enumerate(elements, 1) if n not in state.carrying],
         rows=case.link_names,
         columns=[case.devices[device] for device in loaded],
         matrix=matrix[:, loaded],
@@ -181,6 +183,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         messages=[*_messages_about(results, actual.name), *_assumed_teeth(results, case)],
         balance=machine_balance(results, number),
         tried=tried_signs(state) or None,
+        slipping=[elements[n - 1] for n in state.carrying if n not in state.engaged] or None,
     )
 
 
@@ -270,7 +273,7 @@ def _formula(
 def _together(on_links: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Together]:
     """Yield bodies of more than one link, links at rest first."""
     case = on_links.case
-    elements = [case.shift_elements[number - 1] for number in gear.engaged]
+    elements = [case.shift_elements[number - 1] for number in gear.joining]
     for body in dict.fromkeys(bodies.body):
         links = [link for link, other in enumerate(bodies.body) if other == body]
         if len(links) > 1:

@@ -22,6 +22,8 @@ FOLLOWS = (
     "of the speed of {other}"
 )
 """Reason for the missing formula of a gear with dependent speeds."""
+SLIPS = "there is no formula, because a shift element slips"
+"""Reason for the missing formula of a gear with a given slip."""
 SHARED = ("u", "v")
 """Symbols of ratios that several mechanisms have."""
 
@@ -144,6 +146,8 @@ def formula(
     if reason:
         raise NoFormula(reason)
     case = on_links.case
+    if gear.slips:
+        raise NoFormula(SLIPS)
     given: dict[int, str] = {}
     numbers: dict[str, float] = {}
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():

@@ -40,7 +40,7 @@ _SHOWN = frozenset(
         *("shift_elements", "elements", "mechanisms", "springs", "input", "output", "outputs"),
         *("load", "coast", "idle", "losses", "mesh_efficiency"),
         *("engaged", "speeds", "torques", "drag", "open_drag", "speed_ratios", "input_turns"),
-        "balance",
+        *("balance", "slip"),
     )
 )
 """Keys of a case or a gear with separate tables."""
@@ -65,14 +65,15 @@ def given(results: Results, place: int) -> Iterator[Grid]:
     gear = case.gears[place]
     names = [item.name for item in case.shift_elements]
     holding = [names[number - 1] for number in state.holding]
-    engaged_text = engaged([names[number - 1] for number in gear.engaged], holding)
+    slipping = [names[number - 1] for number in state.carrying if number not in state.engaged]
+    engaged_text = engaged([names[number - 1] for number in gear.joining], holding, slipping)
     yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=engaged_text), (), ())
     data = mapping(case)
     tables = (
         elements(case, data.get("elements", {})),
         mechanisms(case, gear),
         losses(case),
-        shift_elements(case, gear, state.engaged),
+        shift_elements(case, gear, state),
         springs(case),
         _ports(case, gear),
         _acting(case, gear),

@@ -14,6 +14,8 @@ from vstatics.core.elements.kinds import Planetary
 from vstatics.core.model.parts import HOUSING, Law, Mechanism, ShiftElement
 from vstatics.core.model.springs import Spring, ends
 from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.state import GearState
 from vstatics.core.tables.grid import NOTHING, Cell, Grid, Value, grid_of, word
 from vstatics.core.texts import heading, tr
 
@@ -174,22 +176,27 @@ def kind_of(element: ShiftElement) -> Cell:
     return word(kind.replace("_", " "))
 
 
-def shift_elements(case: Transmission, gear: Gear, engaged: Sequence[int]) -> Grid:
-    """Return the table of shift elements, with the drag of disengaged ones."""
+def shift_elements(case: Transmission, gear: Gear, state: GearState) -> Grid:
+    """Return the table of shift elements, with given slips, and the drag of disengaged ones."""
     rows, drags = [], case.gear_open_drag(gear)
     for number, element in enumerate(case.shift_elements, 1):
         on, off = ("holds", "overruns") if element.is_freewheel else ("engaged", "disengaged")
+        is_open = number not in state.carrying
         rows.append(
             (
                 element.name,
                 kind_of(element),
                 *(link_text(case, link) for link in element.links),
-                word(on if number in engaged else off),
-                cell_of(drag) if (drag := drags[number]) and number not in engaged else "",
+                word(off if is_open else on if number in state.engaged else "slips"),
+                ""
+                if is_open or number in state.engaged
+                else cell_of(plain(state.gear.slip[number])),
+                cell_of(drag) if (drag := drags[number]) and is_open else "",
             )
         )
-    headings = ["shift element", "kind", "first", "second", "state", "drag"]
-    return grid_of("Shift elements", headings, rows, key="shift_elements", optional=("drag",))
+    headings = ["shift element", "kind", "first", "second", "state", "slip", "drag"]
+    optional = ("slip", "drag")
+    return grid_of("Shift elements", headings, rows, key="shift_elements", optional=optional)
 
 
 def springs(case: Transmission) -> Grid:

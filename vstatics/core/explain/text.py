@@ -46,7 +46,7 @@ def _gear(explanation: Explanation, digits: int | None) -> Iterator[str]:
     title = tr(
         "Gear {gear}: {engaged}",
         gear=explanation.gear,
-        engaged=engaged(explanation.engaged, explanation.holding),
+        engaged=engaged(explanation.engaged, explanation.holding, explanation.slipping or ()),
     )
     yield from (title, "=" * min(len(title), EQUATION_WIDTH))
     for message in explanation.messages:
@@ -127,13 +127,18 @@ def rule(*, coasts: bool, drags: bool) -> str:
     return tr(COASTING if coasts else LOSSES) + tr(", M with drag") * drags
 
 
-def engaged(elements: Sequence[str], holding: Sequence[str] = ()) -> str:
-    """Return a phrase with the engaged shift elements and the freewheels that hold."""
+def engaged(
+    elements: Sequence[str], holding: Sequence[str] = (), slipping: Sequence[str] = ()
+) -> str:
+    """Return a phrase with the shift elements that are engaged, hold or slip under torque."""
     count, names = len(elements), ", ".join(elements)
     parts = [tr("engaged {names}|engaged {names}", names=names, count=count)] * bool(elements)
     if holding:
         names = ", ".join(holding)
         parts.append(tr("{names} holds|{names} hold", names=names, count=len(holding)))
+    if slipping:
+        names = ", ".join(slipping)
+        parts.append(tr("{names} slips|{names} slip", names=names, count=len(slipping)))
     return "; ".join(parts) or tr("nothing engaged")
 
 

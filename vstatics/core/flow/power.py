@@ -1,7 +1,7 @@
 """Power flow of every gear through links, shift elements, mechanisms and springs.
 
-The power of a gear is a directed graph. The nodes are links, shift elements that are engaged or
-drag, mechanisms or drawn gear sets, springs, ports where power enters or leaves, and the drag of
+The power of a gear is a directed graph. The nodes are links, shift elements that carry torque
+or drag, mechanisms or drawn gear sets, springs, ports where power enters or leaves, and the drag of
 links. The edges are the exchanged powers. The housing has no power.
 """
 
@@ -201,7 +201,10 @@ def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float
         loss = lost * state.ideal.direction + 0.0
         losses[Node("mechanism", number, device.name)] = loss
     for exchange in exchanged:
-        drags = exchange.node.kind == "element" and exchange.node.number - 1 in state.drag.elements
-        if drags or exchange.node.kind in ("drag", "gear"):
+        number = exchange.node.number
+        slips = exchange.node.kind == "element" and (
+            number - 1 in state.drag.elements or number not in state.engaged
+        )
+        if slips or exchange.node.kind in ("drag", "gear"):
             losses[exchange.node] = losses.get(exchange.node, 0.0) + exchange.power
     return losses

@@ -74,11 +74,11 @@ class PowerFlow(NamedTuple):
     forward: tuple[Edge, ...]
     """Transmitted power: the edges minus all loops, a graph without cycles."""
     members: tuple[MemberPower, ...]
-    """Powers of shift elements that are engaged or drag, of mechanisms and of springs."""
+    """Powers of shift elements that carry torque or drag, of mechanisms and of springs."""
     throughput: Mapping[Node, float]
     """Power that enters a node, or passes a port; NaN if indeterminate. [-]"""
     losses: Mapping[Node, float]
-    """Loss of each mechanism, dragging link and dragging shift element. [-]
+    """Loss of each mechanism, dragging link, and dragging or slipping shift element. [-]
 
     The mapping is empty in a flow without losses.
     """

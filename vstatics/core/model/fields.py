@@ -282,6 +282,10 @@ class TransmissionFields:
         """True if a converter makes the torque ratio of a gear differ from its speed ratio."""
         return any(mechanism.kind == "converter" for mechanism in self.mechanisms)
 
+    def conserves_power(self, gear: Gear) -> bool:
+        """Return whether the output of a gear takes the whole input power if meshes lose none."""
+        return not (gear.speeds or gear.torques or self.has_converter or gear.slips)
+
     def bodies(self, gear: Gear) -> Bodies:
         """Return the bodies into which engaged shift elements and shafts join the links.
 
@@ -294,7 +298,7 @@ class TransmissionFields:
         [[0, 1, 0, 3], [0, 1, 2, 1]]
         """
         bodies = list(range(self.links + 1))
-        for number in gear.engaged:
+        for number in gear.joining:
             element = self.shift_elements[number - 1]
             join(bodies, element.first, element.second)
         for spring in self.springs:  # at mean speeds the twist of a shaft is constant

@@ -505,6 +505,13 @@ GEAR = ByKey(
             examples=({"hydro": -0.2},),
         ),
         KeyShape(
+            "slip",
+            Numbers("shift element", Leaf("slip")),
+            "Slip, speed of the first link minus speed of the second, of clutches and brakes that "
+            "slip under torque, relative to the input speed, or with a unit.",
+            examples=({"C1": "300 rpm"},),
+        ),
+        KeyShape(
             "loss",
             GEAR_LOSS,
             "Loss of the gear, measured as a whole, which brakes the input link beside all other "

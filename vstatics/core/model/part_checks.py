@@ -295,9 +295,9 @@ def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
     With faulty links or engaged elements, which other checks report, nothing is bypassed.
     """
     elements = case.shift_elements
-    if not all(is_number(element, len(elements), 1) for element in gear.engaged):
+    if not all(is_number(element, len(elements), 1) for element in gear.carrying):
         return False
-    parts: list[ShiftElement | Mechanism] = [elements[element - 1] for element in gear.engaged]
+    parts: list[ShiftElement | Mechanism] = [elements[element - 1] for element in gear.joining]
     parts += case.mechanisms
     links = [link for part in parts for link in (part.first, part.second)]
     links += [link for spring in case.springs for link in spring.form]
@@ -393,8 +393,8 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 
 def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
     """Check the engaged elements and all given values of a gear."""
-    if gear.engaged:
-        yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
+    yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
+    yield from _slipping(case.shift_elements, gear, (*path, "slip"))
     ends = gear.input or case.input, gear.output or case.main_output
     for end, link in (("input", gear.input), ("output", gear.output)):
         if link is not None:
@@ -541,6 +541,27 @@ def _engaged(
             )
             yield Problem("E246", message, (*path, position))
         seen.add(element)
+
+
+def _slipping(elements: Sequence[ShiftElement], gear: Gear, path: Path) -> Iterator[Problem]:
+    """Check the shift elements that slip under torque, and their slips."""
+    for number, slip in gear.slip.items():
+        inner = (*path, number)
+        if not is_number(number, len(elements), 1):
+            expected = f"the number of a shift element, from 1 to {len(elements)}"
+            yield Problem("E243", f"read {number!r}, expected {expected}", inner)
+            continue
+        element = elements[number - 1]
+        name = element.name or number
+        if element.kind in ("dog_clutch", "freewheel"):
+            kind = element.kind.replace("_", " ")
+            message = f"{name} is a {kind}, which cannot slip under torque; remove its slip"
+            yield Problem("E249", f"{message}, or make it a clutch or a brake", inner)
+        elif number in gear.engaged:
+            message = f"{name} is engaged and has a slip in this gear"
+            yield Problem("E250", f"{message}: remove one of the two", inner)
+        if not math.isfinite(slip):
+            yield Problem("E229", f"read {slip}, expected a finite number", inner)
 
 
 def _speeds(

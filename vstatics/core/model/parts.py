@@ -670,6 +670,9 @@ class Gear(NamedTuple):
     speed_ratios : mapping of int to float
         Speed ratio of variators and converters in this gear, by number: first the mechanisms that
         the case gives, then its `converters`. [-]
+    slip : mapping of int to float
+        Slip, first link minus second, of clutches and brakes that slip under torque, by their
+        numbers, relative to the input speed. They carry the torque that the train needs. [-]
     loss : Law, optional
         Loss of the gear over the speed [rad/s] and torque [N*m] of its input link, which it brakes.
     holding : tuple of int, optional
@@ -703,9 +706,25 @@ class Gear(NamedTuple):
     coast: bool | None = None
     balance: BatteryBalance | None = None
     speed_ratios: Mapping[int, float] = MappingProxyType({})
+    slip: Mapping[int, float] = MappingProxyType({})
     loss: Law | None = None
     holding: tuple[int, ...] | None = None
     loss_torques: Mapping[int, float] = MappingProxyType({})
+
+    @property
+    def carrying(self) -> tuple[int, ...]:
+        """Numbers of the shift elements that carry torque: engaged, then with a given slip."""
+        return (*self.engaged, *self.slip)
+
+    @property
+    def joining(self) -> tuple[int, ...]:
+        """Numbers of the shift elements whose links turn as one: engaged, or with a slip of 0."""
+        return (*self.engaged, *(number for number, slip in self.slip.items() if slip == 0))
+
+    @property
+    def slips(self) -> bool:
+        """True if a shift element slips under torque."""
+        return any(slip != 0 for slip in self.slip.values())
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
         """Return the links of the balance without speed or torque, except input and output."""

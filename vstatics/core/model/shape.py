@@ -84,6 +84,7 @@ LeafKind = (
         "power",
         "relative_speed",
         "relative_torque",
+        "slip",
         "drag",
         "efficiency",
         "link",

@@ -337,6 +337,7 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
     return gear._replace(
         engaged=tuple(gear.engaged),
         speeds={link: _speed(speed, load.speed) for link, speed in gear.speeds.items()},
+        slip=_by_load(gear.slip, load.speed),
         torques=_by_load(gear.torques, torque),
         name=gear.name or str(number),
         drag=_by_load(gear.drag, abs(torque)),

@@ -14,6 +14,7 @@ import numpy as np
 
 from vstatics.core.errors import Problem, not_allowed, path_text, spoken
 from vstatics.core.model.checks import doubts
+from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
@@ -49,8 +50,8 @@ def freedom(case: Transmission) -> int:
 
 
 def given_constraints(gear: Gear) -> int:
-    """Return the number of engaged shift elements and given speeds, the input's included."""
-    return len(gear.engaged) + 1 + len(gear.speeds)
+    """Return the number of engaged or slipping elements and given speeds, the input's included."""
+    return len(gear.carrying) + 1 + len(gear.speeds)
 
 
 def messages(results: Results) -> list[Message]:
@@ -390,8 +391,9 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     ratios = zip(case.mechanisms, case.gear_ratios(gear), strict=True)
     at_ratios = {mechanism.name: ratio for mechanism, ratio in ratios if mechanism.kind}
     for involved, agrees in elimination.dependencies(rows):
-        engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
-        others = [names[i] for i in involved if i >= always + len(gear.engaged)]
+        given_speeds = always + len(gear.carrying)
+        engaged = [names[i] for i in involved if always <= i < given_speeds]
+        others = [names[i] for i in involved if i >= given_speeds]
         loaded = always - sum(not spring.is_damper for spring in case.springs)
         springs = [names[i] for i in involved if loaded <= i < always]
         free = [names[i] for i in involved if i < always and names[i] in at_ratios]
@@ -461,6 +463,9 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
     if not results.balanced[number]:
         if _is_adrift(results, number) and output not in gear.speeds:
             return  # reported with the speeds
+        if driving := list(_driving_messages(results, number)):
+            yield from driving
+            return
         advice = _gaining_converters(results, number) or _unheld_torques(results, number)
         if output in gear.speeds:
             advice = (
@@ -486,6 +491,28 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
                 "W420",
                 f"the torque of {spoken(unknown)} is indeterminate in statics",
             )
+
+
+def _driving_messages(results: Results, number: int) -> Iterator[Said]:
+    """Report slipping elements that would give power, in a gear without torques for this reason."""
+    case, state = results.case, results.gear_at(number)
+    if not state.gear.slips:
+        return
+    columns = matrix.columns(case, state.ideal.variant.ratios)
+    if results.locked[number]:
+        columns = matrix.columns(case, state.lossy_ratios)
+    solved = torques.solve_torques(case, state.gear, columns, state.drag)
+    if not results.locked[number]:
+        solved = torques.solve_torques(case, state.gear, columns)
+    for element in ideal.driving(state.ideal, columns, solved):
+        slip = state.gear.slip[element]
+        size = f"{slip.given:g} rpm" if isinstance(slip, OfLoad) else f"{slip:g}"
+        side = "below" if slip > 0 else "above"
+        yield Said(
+            "W438",
+            f"with a slip of {size}, {case.shift_elements[element - 1].name} would give power "
+            f"instead of taking it, so there are no torques; only a slip {side} 0 is possible",
+        )
 
 
 def _gaining_converters(results: Results, number: int) -> str:
@@ -540,6 +567,9 @@ def _unknown_torques(results: Results, number: int) -> list[str]:
 def _loss_messages(results: Results, number: int) -> Iterator[Said]:
     case = results.case
     if results.locked[number]:
+        if driving := list(_driving_messages(results, number)):
+            yield from driving
+            return
         way = " when coasting" if case.coasts(case.gears[number]) else ""
         yield Said(
             "W421",
@@ -643,6 +673,6 @@ def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
     By equation (1) of docs/method.md, ``Mx * w_output = 1`` holds for gears without further speeds
     and torques; a larger difference is due to rounding.
     """
-    if gear.speeds or gear.torques:
+    if gear.speeds or gear.torques or gear.slips:
         return False
     return abs(output_torque * output_speed - 1) > UNCERTAIN

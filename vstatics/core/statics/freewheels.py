@@ -74,7 +74,7 @@ def _traceable_numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losse
     yield from ratios
     for efficiency in efficiencies:
         yield from efficiency if isinstance(efficiency, Efficiency) else (efficiency,)
-    for by_part in (gear.speeds, gear.torques, gear.drag, gear.open_drag):
+    for by_part in (gear.speeds, gear.slip, gear.torques, gear.drag, gear.open_drag):
         yield from by_part.values()
 
 

@@ -53,13 +53,14 @@ def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
     case, columns = variant.case, variant.columns
     direction, external = direction_of(case, gear), matrix.external_torques(case, gear)
     torques = solve_torques(case, gear, columns, external=external)
-    if gaining(variant, direction, speeds, torques):
+    ideal = IdealGear(variant, gear, direction, external, speeds, torques, NO_DRAG, torques)
+    if gaining(variant, direction, speeds, torques) or driving(ideal, columns, torques):
         torques = no_torques(torques)
     drag = drag_torques(case, gear, speeds.links, speeds.slips)
     with_drag = torques
     if drag is not NO_DRAG:
         with_drag = solve_torques(case, gear, columns, drag, external)
-    return IdealGear(variant, gear, direction, external, speeds, torques, drag, with_drag)
+    return ideal._replace(torques=torques, drag=drag, torques_with_drag=with_drag)
 
 
 def direction_of(case: Transmission, gear: Gear) -> int:
@@ -88,6 +89,27 @@ def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direc
         speeds.relative_speeds[place],
     )
     return bool(times(entering, converter_slip(variant, place)) * direction < 0)
+
+
+def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[Number]:
+    """Return the power that each shift element loses by a given slip [-]; else 0."""
+    slips, gear = ideal.speeds.slips, ideal.gear
+    if not gear.slip:
+        return [0.0] * len(slips)
+    by_link = _torques_by_link(ideal, columns, torques)
+    return [
+        0.0
+        if number not in gear.slip
+        or _is_nothing(by_link, number - 1, ideal.case.shift_elements[number - 1].links)
+        else times(torques.on_first_link[number - 1], slip)
+        for number, slip in enumerate(slips, 1)
+    ]
+
+
+def driving(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[int]:
+    """Return the numbers of slipping elements that would give power, which is impossible."""
+    losses = slip_losses(ideal, columns, torques)
+    return [n for n, loss in enumerate(losses, 1) if bool(loss * ideal.direction < 0)]
 
 
 def converter_slip(variant: Variant, place: int) -> Number:
@@ -129,7 +151,7 @@ def is_nothing(ideal: IdealGear, columns: Sequence[Column], torques: Torques, nu
     """Return whether the torque of a shift element is negligible, as in `mechanism_torques`."""
     element = ideal.case.shift_elements[number - 1]
     by_link = _torques_by_link(ideal, columns, torques)
-    return _is_nothing(by_link, number - 1, (element.first, element.second))
+    return _is_nothing(by_link, number - 1, element.links)
 
 
 _OnLink = tuple[int, Number]

@@ -15,7 +15,13 @@ from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.traced import Number, absolute, chosen, is_nan, residual, sign
 from vstatics.core.statics.efficiency import Signs, is_possible, lossy_ratios, passed
-from vstatics.core.statics.ideal import IdealGear, converter_slip, mechanism_torques, no_torques
+from vstatics.core.statics.ideal import (
+    IdealGear,
+    converter_slip,
+    mechanism_torques,
+    no_torques,
+    slip_losses,
+)
 from vstatics.core.statics.matrix import Column, columns
 from vstatics.core.statics.power import power
 from vstatics.core.statics.torques import Torques, acting_torques, solve_torques
@@ -30,6 +36,8 @@ class LossyTorques(NamedTuple):
     """Sign of the power that enters each mechanism by its first link: +1, 0, -1 or NaN."""
     losses: Sequence[Number]
     """Power lost in each mechanism. [-]"""
+    slip_losses: Sequence[Number]
+    """Power lost in each slipping shift element. [-]"""
     efficiency: Number
     """Efficiency by which sets of signs are compared. [-]"""
     drag_losses: Number
@@ -67,6 +75,7 @@ def check_signs(
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
     losses = list(_losses(by_first_link, ideal, signs))
+    of_slips = slip_losses(ideal, lossy_columns, torques)
     entering = _entering(ideal, torques)
     efficiency = _efficiency(ideal, torques, entering)
     way = ideal.direction
@@ -80,19 +89,25 @@ def check_signs(
     for mechanism, loss in zip(ideal.case.mechanisms, losses, strict=True):
         if mechanism.kind == "converter":
             agrees = agrees & (loss * way >= 0)
+    for number in ideal.gear.slip:
+        if not is_nan(of_slips[number - 1]):
+            agrees = agrees & (of_slips[number - 1] * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
-    # This is one variant; the variants of a plan agree on whether power passes.
-    if passes is False:
-        passes = not _passes_power(ideal)
+    # This is one variant, or variants that agree on whether power passes; with slips they need not.
+    if (passes is False or ideal.gear.slip) and not _passes_power(ideal):
+        passes = True
     return LossyTorques(
         signs=signs,
         torques=torques,
         directions=directions,
         losses=losses,
+        slip_losses=of_slips,
         efficiency=efficiency,
         drag_losses=sum(ideal.drag.losses, 0.0),
         gear_losses=ideal.drag.gear_loss,
-        balance=residual([*entering, *(-loss for loss in (*losses, *ideal.drag.all_losses))]),
+        balance=residual(
+            [*entering, *(-loss for loss in (*losses, *of_slips, *ideal.drag.all_losses))]
+        ),
         admissible=agrees & passes,
     )
 
@@ -105,6 +120,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
         torques=no_torques(ideal.torques),
         directions=(nan,) * len(signs),
         losses=[nan] * len(signs),
+        slip_losses=[nan] * len(ideal.case.shift_elements),
         efficiency=nan,
         drag_losses=nan,
         gear_losses=nan,
@@ -141,7 +157,7 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
     Otherwise it is the output power divided by the input power. Each port counts on the side of its
     flow without losses; a port without such flow counts on neither side.
     """
-    if not ideal.gear.speeds and not ideal.gear.torques and not ideal.case.has_converter:
+    if ideal.case.conserves_power(ideal.gear):
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
         numerator, denominator = (lossy, lossless) if ideal.direction > 0 else (lossless, lossy)
         return math.nan if denominator == 0 else numerator / denominator
@@ -184,7 +200,8 @@ def _output_by_input(
 def _passes_power(ideal: IdealGear) -> bool:
     """Return whether power passes a gear without losses.
 
-    The lossless efficiency is 1, or less with converters; it is 0 if a converter stalls.
+    The lossless efficiency is 1, or less with converters and slipping shift elements; it is 0 if
+    the output is at rest.
     """
     entering = _entering(ideal, ideal.torques)
     return bool(0 < absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)

@@ -213,19 +213,23 @@ def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[E
     """Return the equations for the link speeds of a gear; unknown ``link - 1`` is a link's speed.
 
     Mechanisms, springs and engaged shift elements have one equation each, ``w_f - u w_s + (u - 1)
-    w_h = 0`` or ``w_a - w_b = 0``; a spring keeps its twist at mean speeds. Then follow ``w_input =
-    1`` and one equation for each further given speed, which is a number or a multiple of another
-    link's speed (figure 3). A bypassed converter has no equation.
+    w_h = 0`` or ``w_a - w_b = 0``, with a given slip on the right; a spring keeps its twist at mean
+    speeds. Then follow ``w_input = 1`` and one equation for each further given speed, which is a
+    number or a multiple of another link's speed (figure 3). A bypassed converter has no equation.
 
     Parameters
     ----------
     rows : sequence of Column
         Speed equations of all devices, from `rows`.
     """
-    devices = [*always_loaded(case, gear), *(number - 1 for number in gear.engaged)]
+    always = always_loaded(case, gear)
     equations: list[Equation] = [
-        {link - 1: part for link, part in rows[device].items()} for device in devices
+        {link - 1: part for link, part in rows[device].items()}
+        for device in [*always, *(number - 1 for number in gear.engaged)]
     ]
+    for number, slip in gear.slip.items():
+        of_links = {link - 1: part for link, part in rows[number - 1].items()}
+        equations.append({**of_links, RIGHT: slip})
     equations.append({case.gear_input(gear) - 1: 1.0, RIGHT: 1.0})
     for link, speed in gear.speeds.items():
         if isinstance(speed, SpeedOf):
@@ -245,7 +249,7 @@ def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
     """Return the name of each equation of `speed_rows`, for messages."""
     return [
         *(case.devices[device] for device in always_loaded(case, gear)),
-        *(case.shift_elements[number - 1].name for number in gear.engaged),
+        *(case.shift_elements[number - 1].name for number in gear.carrying),
         INPUT_SPEED,
         *(f"{GIVEN_SPEED}{case.link_name(link)}" for link in gear.speeds),
     ]
@@ -264,8 +268,8 @@ def torque_rows(
     torque Mx, the holding torques Mh, and the known external torques T including drag.
 
     Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
-    the holding torque of each of `held_links`. A shift element that is not engaged carries no
-    torque, so it adds no unknown.
+    the holding torque of each of `held_links`. An open shift element carries no torque, so it adds
+    no unknown.
 
     Parameters
     ----------
@@ -293,9 +297,10 @@ def torque_rows(
 def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
     """Return the indices of the devices that can carry torque.
 
-    These are the engaged shift elements, then the mechanisms and springs of `always_loaded`.
+    These are the shift elements that are engaged or have a given slip, then the mechanisms and
+    springs of `always_loaded`.
     """
-    return sorted(number - 1 for number in gear.engaged) + always_loaded(case, gear)
+    return sorted(number - 1 for number in gear.carrying) + always_loaded(case, gear)
 
 
 def always_loaded(case: Transmission, gear: Gear) -> list[int]:

@@ -138,6 +138,8 @@ class PhysicalResults(ResultFields):
     """`drag_losses` [kW]."""
     gear_losses_kW = _PhysicalArray()  # noqa: N815
     """`gear_losses` [kW]."""
+    slip_losses_kW = _PhysicalArray()  # noqa: N815
+    """`slip_losses` [kW]; above 0 when coasting, too."""
 
     @property
     def input_power_kW(self) -> Floats:  # noqa: N802
@@ -202,7 +204,7 @@ class PhysicalResults(ResultFields):
 
 RELATIVE_TO_INPUT = (
     *("torques", "holding_torques", "lossy_torques", "lossy_holding_torques", "efficiency"),
-    *("losses", "power_balance", "drag_losses", "gear_losses"),
+    *("losses", "power_balance", "drag_losses", "gear_losses", "slip_losses"),
     *("mesh_torques", "lossy_mesh_torques", "mesh_losses"),
 )
 """Arrays of torques and powers that do not exist in gears without an input torque."""

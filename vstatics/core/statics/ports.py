@@ -46,6 +46,8 @@ class GearPorts(NamedTuple):
     """Power that the gear loses as a whole. [-]"""
     by_kind: Mapping[str, float]
     """Power lost in variators and in converters, if the case has any. [-]"""
+    slips: Mapping[int, float]
+    """Power lost in each shift element with a given slip, by number. [-]"""
 
 
 def ports(state: GearState) -> GearPorts:
@@ -85,7 +87,8 @@ def ports(state: GearState) -> GearPorts:
     lost = {kind: direction * math.fsum(each) + 0.0 for kind, each in losses.items()}
     drag = direction * plain(state.search.lossy.drag_losses) + 0.0
     whole = direction * plain(state.search.lossy.gear_losses) + 0.0
-    return GearPorts(ports_of_gear, lost.pop(""), drag, whole, lost)
+    slips = {n: direction * plain(state.search.lossy.slip_losses[n - 1]) + 0.0 for n in gear.slip}
+    return GearPorts(ports_of_gear, lost.pop(""), drag, whole, lost, slips)
 
 
 def _way(entering: float) -> Way:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.model.transmission import HOUSING, Gear, ShiftElement, Transmission
 from vstatics.core.numerics.traced import Number
 from vstatics.core.statics.matrix import external_torques, held_links
 from vstatics.core.statics.torques import Drag, Torques, times
@@ -59,7 +59,7 @@ def device_powers(  # noqa: PLR0913
 ) -> Iterator[LinkPower]:
     """Yield the power of members of shift elements, mechanisms and springs.
 
-    Shift elements are included if they are engaged or drag.
+    Shift elements are included if they carry torque or drag.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def device_powers(  # noqa: PLR0913
     with_housing = [0.0, *speeds]
     for number, element in enumerate(case.shift_elements, 1):
         dragging = drag.elements.get(number - 1)
-        if number not in gear.engaged and dragging is None:
+        if number not in gear.carrying and dragging is None:
             continue
         torque = torques.on_first_link[number - 1] if dragging is None else dragging
         for member, link, torque_on_member in (
@@ -106,6 +106,11 @@ def drag_powers(
     for link, torque in drag.gear.items():
         name = loss_name(gear)
         yield LinkPower("gear", link, name, "", link, -power(torque, speeds[link - 1]))
+
+
+def slip_name(element: ShiftElement) -> str:
+    """Return the name of the loss of a slipping shift element, among other losses."""
+    return f"slip.{element.name}"
 
 
 def loss_name(gear: Gear) -> str:

@@ -135,6 +135,8 @@ class ResultFields(_NamedFields):
     """Total power lost to drag, negative when coasting, ``(..., gears)``. [-]"""
     gear_losses: Floats
     """Power that gears lose as a whole, negative when coasting, ``(..., gears)``. [-]"""
+    slip_losses: Floats
+    """Power that shift elements lose by their given slip, ``(..., gears, shift elements)``. [-]"""
 
     consistent: Booleans
     """Gears with lossy torques whose signs agree with their flow, ``(..., gears)``."""
@@ -159,7 +161,10 @@ class ResultFields(_NamedFields):
     """Gears for which torques without losses exist, ``(..., gears)``."""
 
     holds: Booleans
-    """Engaged shift elements and freewheels that hold, ``(..., gears, shift elements)``."""
+    """Shift elements that carry torque: engaged, slipping, or freewheels that hold.
+
+    Shape ``(..., gears, shift elements)``.
+    """
     conflict: Booleans
     """Gears with a freewheel that can neither hold nor overrun, ``(..., gears)``."""
     exact: Booleans
@@ -255,6 +260,7 @@ ARRAYS: Mapping[str, GearArray] = {
     "power_balance": GearArray("one"),
     "drag_losses": GearArray("one"),
     "gear_losses": GearArray("one"),
+    "slip_losses": GearArray("elements"),
     "consistent": GearArray("one", np.bool_),
     "locked": GearArray("one", np.bool_),
     "dragged": GearArray("one", np.bool_),

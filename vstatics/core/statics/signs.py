@@ -397,6 +397,7 @@ def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
         ),
         directions=tuple(_common(_common_sign, (lossy.directions for lossy in tried))),
         losses=_common(_common_number, (lossy.losses for lossy in tried)),
+        slip_losses=_common(_common_number, (lossy.slip_losses for lossy in tried)),
         efficiency=_common_number([power_ratio(ideal, lossy) for lossy in tried]),
         drag_losses=tried[0].drag_losses,
         gear_losses=tried[0].gear_losses,

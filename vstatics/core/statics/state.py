@@ -76,8 +76,13 @@ class GearState(NamedTuple):
 
     @property
     def engaged(self) -> Sequence[int]:
-        """Numbers of the engaged shift elements, including freewheels that hold."""
-        return self.gear.engaged
+        """Numbers of the shift elements whose links turn as one, with freewheels that hold."""
+        return self.gear.joining
+
+    @property
+    def carrying(self) -> Sequence[int]:
+        """Numbers of the shift elements that carry torque: engaged, slipping or holding."""
+        return self.gear.carrying
 
     @property
     def holding(self) -> list[int]:
@@ -304,6 +309,7 @@ def values_of(state: GearState) -> Values:
         "power_balance": lossy.balance,
         "drag_losses": lossy.drag_losses,
         "gear_losses": lossy.gear_losses,
+        "slip_losses": lossy.slip_losses,
         "consistent": state.consistent,
         "locked": search.locked,
         "dragged": search.dragged,
@@ -314,7 +320,7 @@ def values_of(state: GearState) -> Values:
         "missing": speeds.missing,
         "excess": speeds.excess,
         "balanced": state.balanced,
-        "holds": [n in state.engaged for n in range(1, len(case.shift_elements) + 1)],
+        "holds": [n in state.carrying for n in range(1, len(case.shift_elements) + 1)],
         "conflict": state.conflict,
         "exact": state.exact,
         "mesh_torques": list(_mesh_torques(state, state.torques.on_first_link)),
@@ -396,7 +402,7 @@ def guard_power(state: GearState) -> None:
     """
     gear, balance = state.gear, state.search.lossy.balance
     power = state.torques.on_first_link[-1] * state.output_speed
-    if not gear.speeds and not gear.torques and not state.case.has_converter and is_traced(power):
+    if is_traced(power) and state.case.conserves_power(gear):
         guard_within(power, 1 - CLOSED, 1 + CLOSED)
     if isinstance(balance, Residual):
         guard_within(balance, -CLOSED, CLOSED)

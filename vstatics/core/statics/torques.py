@@ -59,7 +59,7 @@ class Torques(NamedTuple):
     on_first_link: list[Number]
     """Torque that the first link gives to each device, then the output torque. [-]
 
-    A shift element that is not engaged has the torque of its drag.
+    An open shift element has the torque of its drag.
     """
     holding: dict[int, Number]
     """External torque that holds a given speed, by link number. [-]"""
@@ -212,7 +212,7 @@ def drag_torques(
     torques = {
         number: matrix.given_torque(case, gear, torque)
         for number, torque in case.gear_open_drag(gear).items()
-        if torque and number not in gear.engaged
+        if torque and number not in gear.carrying
     }
     if not of_links and not torques and not gear.loss_torques:
         return NO_DRAG
@@ -270,7 +270,7 @@ def unknown_drag(
     elements = unknown(case.gear_open_drag(gear), slips)
     return [
         *map(case.link_name, links),
-        *(case.shift_elements[n - 1].name for n in elements if n not in gear.engaged),
+        *(case.shift_elements[n - 1].name for n in elements if n not in gear.carrying),
     ]
 
 

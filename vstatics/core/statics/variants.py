@@ -33,6 +33,8 @@ REMEMBERED = 256
 """Number of gears whose plans are kept for later calls."""
 HOLDING = frozenset({"holding_torques", "lossy_holding_torques"})
 """Arrays that are NaN unless a speed is given."""
+SLIPPING = frozenset({"slip_losses"})
+"""Arrays that are 0 unless a shift element has a slip."""
 
 _plans: dict[Hashable, Plans] = {}
 _lock = threading.Lock()
@@ -40,7 +42,7 @@ _lock = threading.Lock()
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
 """Name of a number of a mechanism that varies in a gear."""
-OfGear = Literal["speeds", "torques", "drag", "open_drag", "loss_torques", "speed_ratios"]
+OfGear = Literal["speeds", "slip", "torques", "drag", "open_drag", "loss_torques", "speed_ratios"]
 """Name of a field of `Gear` with a mapping whose numbers vary."""
 
 
@@ -79,8 +81,9 @@ def solve_variants(
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
     counts = case.derived(row_counts)
-    held = any(gear.speeds for gear in case.gears)
-    block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, held=held))
+    empty = HOLDING if not any(gear.speeds for gear in case.gears) else frozenset()
+    empty |= SLIPPING if not any(gear.slip for gear in case.gears) else frozenset()
+    block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, empty))
     names = tuple(block.forms)
     structure = (*_case_key(case), tuple(fixed), names)
     gear_keys = case.derived(_gear_keys)
@@ -99,7 +102,10 @@ def solve_variants(
     for name, width in counts.items():
         table = tables.get(name)
         if table is None:
-            arrays[name] = _placeholder(ARRAYS[name].dtype, (variants, len(case.gears), width or 0))
+            shape = variants, len(case.gears), width or 0
+            arrays[name] = _placeholder(
+                ARRAYS[name].dtype, shape, 0.0 if name in SLIPPING else math.nan
+            )
         else:
             arrays[name] = table[:, 0].T if width is None else table.transpose(2, 0, 1)
     return arrays
@@ -198,24 +204,24 @@ def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
 
 @lru_cache(maxsize=REMEMBERED)
 def _forms(
-    counts: tuple[tuple[str, int | None], ...], gears: int, variants: int, *, held: bool
+    counts: tuple[tuple[str, int | None], ...], gears: int, variants: int, empty: frozenset[str]
 ) -> dict[str, Form]:
     """Return the tables for the arrays of `Results`, largest type first.
 
-    Arrays without rows need no memory, nor do holding torques unless a speed is given (`held`).
+    Arrays without rows need no memory, nor do the arrays in `empty`.
     """
     forms = {
         name: Form((gears, 1 if width is None else width, variants), ARRAYS[name].dtype)
         for name, width in counts
-        if width != 0 and (held or name not in HOLDING)
+        if width != 0 and name not in empty
     }
     return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _placeholder(kind: type, shape: tuple[int, ...]) -> Any:
-    """Return a read-only array of NaN, True in an array of booleans, that takes no memory."""
-    return np.broadcast_to(kind(np.nan), shape)
+def _placeholder(kind: type, shape: tuple[int, ...], value: float) -> Any:
+    """Return a read-only array of a value, True in an array of booleans, that takes no memory."""
+    return np.broadcast_to(kind(value), shape)
 
 
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {

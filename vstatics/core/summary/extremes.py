@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.statics.carried import carried_torques
 from vstatics.core.statics.results import Results
@@ -41,9 +41,9 @@ class Largest(NamedTuple):
 def largest(results: Results) -> dict[str, list[Largest]]:
     """Return the largest values over all gears of a case, by the name of the table.
 
-    The tables are speeds of planets, slip speeds of disengaged shift elements, and torques on
-    engaged elements without and with losses, if the gear can run. With an operating point
-    there are also tables in rpm and N*m. Rows are the rows of the result tables.
+    The tables are speeds of planets, slip speeds of shift elements that are not engaged, and
+    torques on elements that carry torque without and with losses, if the gear can run. With an
+    operating point there are also tables in rpm and N*m. Rows are the rows of the result tables.
 
     Examples
     --------
@@ -63,12 +63,20 @@ def largest(results: Results) -> dict[str, list[Largest]]:
         if kind == PLANETS:
             by_name[name] = _of(table, table.values)
         elif kind == SLIPS:
-            by_name[name] = _of(table, np.where(results.holds.T, np.nan, table.values))
+            by_name[name] = _of(table, np.where(_joined(results), np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             elements = table.values[: len(results.case.shift_elements)]
             loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
             by_name[name] = _of(table, np.where(loaded, elements, np.nan))
     return by_name
+
+
+def _joined(results: Results) -> Booleans:
+    """Return marks of shift elements that do not slip, shape (shift elements, gears)."""
+    joined = results.holds.T.copy()
+    for place, gear in enumerate(results.case.gears):
+        joined[[number - 1 for number in gear.slip if number not in gear.joining], place] = False
+    return joined
 
 
 def overall(lines: Sequence[Largest]) -> Largest | None:

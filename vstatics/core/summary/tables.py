@@ -30,6 +30,7 @@ class Marks(NamedTuple):
     engaged: str = YES
     holds: str = YES
     open: str = NO
+    slips: str = "~"
 
 
 def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
@@ -78,11 +79,13 @@ def state(name: str) -> Cell:
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
-    """Yield a cell for each shift element: engaged, holding freewheel or neither."""
-    engaged = results.case.gears[index].engaged
+    """Yield a cell for each shift element: engaged, slipping, holding freewheel or none of them."""
+    gear = results.case.gears[index]
     for element, holds in enumerate(results.holds[index].tolist(), 1):
-        if element in engaged:
+        if element in gear.joining:
             yield Cell(marks.engaged, 1.0, "engaged", "green", bool)
+        elif element in gear.slip:
+            yield Cell(marks.slips, 1.0, "slips", "yellow", bool)
         elif holds:
             yield Cell(marks.holds, 1.0, "freewheel that holds", "cyan", bool)
         else:

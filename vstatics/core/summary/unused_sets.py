@@ -115,7 +115,7 @@ def _check(case: Transmission, at_most: int) -> None:
 def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:
     """Yield the sets of element numbers that no gear engages."""
     numbers = [n for n, element in enumerate(case.shift_elements, 1) if not element.is_freewheel]
-    used = {frozenset(gear.engaged) for gear in case.gears if is_plain(case, gear)}
+    used = {frozenset(gear.joining) for gear in case.gears if is_plain(case, gear)}
     most = needed(case)
     for size in _sizes(case):
         for chosen in subsets(numbers, size):
@@ -124,7 +124,7 @@ def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:
 
 
 def is_plain(case: Transmission, gear: Gear) -> bool:
-    """Return whether a gear has input and output of the case and no given speeds.
+    """Return whether a gear has input and output of the case and no given speeds or slips.
 
     >>> from vstatics.core.model.transmission import Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(), Gear(input=2, output=1)])
@@ -132,7 +132,7 @@ def is_plain(case: Transmission, gear: Gear) -> bool:
     [True, False]
     """
     ports = case.gear_input(gear), case.gear_output(gear)
-    return ports == (case.input, case.output) and not gear.speeds
+    return ports == (case.input, case.output) and not gear.speeds and not gear.slips
 
 
 def shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.core.statics.physical import gear_scales
 from vstatics.core.statics.ports import Port, ports
-from vstatics.core.statics.power import loss_name
+from vstatics.core.statics.power import loss_name, slip_name
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.state import GearState
 from vstatics.core.tables.answer import Sometimes, json_keys
@@ -104,6 +104,7 @@ def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
         losses = {"meshes": of_gear.meshes, **losses}
     if case.has_drag:
         losses["drag"] = of_gear.drag
+    losses |= {slip_name(case.shift_elements[n - 1]): lost for n, lost in of_gear.slips.items()}
     if state.gear.loss_torques:
         losses[loss_name(state.gear)] = of_gear.gear
     if len(losses) > 1:

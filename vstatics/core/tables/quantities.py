@@ -287,6 +287,14 @@ RELATIVE = (
         brief="Power lost by the gears as a whole",
     ),
     Quantity(
+        "slip_losses",
+        "SLIPLOSS",
+        "Power that slipping clutches and brakes lose",
+        exists=lambda results: any(gear.slip for gear in results.case.gears),
+        decimals=4,
+        with_load="kW",
+    ),
+    Quantity(
         "holds",
         "HOLDS",
         "Elements that are engaged, and freewheels that hold",

@@ -59,6 +59,7 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     laws = [part.name for part in case.mechanisms if isinstance(part.efficiency, Law)]
     laws += [part.name for part in case.mechanisms if isinstance(part.back_efficiency, Law)]
     yield "efficiency over speed or torque", [*dict.fromkeys(laws)]
+    yield "slip", [gear.name for gear in case.gears if gear.slip]
     yield "loss of gear", [gear.name for gear in case.gears if gear.loss is not None]
     yield "fatigue strength", [*case.fatigue]
     yield "bearing", [*case.bearings]
@@ -123,6 +124,7 @@ def _unprinted_parts(case: Transmission) -> Iterator[tuple[str, dict[str, Path]]
 def _unprinted_gears(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
     """Yield each key of gears without a field, with its paths by name of the gear."""
     case = results.case
+    yield "slip in gears", _gears(case, "slip", lambda gear: bool(gear.slip))
     yield "losses of gears as a whole", _gears(case, "loss", lambda gear: gear.loss is not None)
     yield "drag in gears", _gears(case, "drag", lambda gear: any(map(_acts, gear.drag.values())))
     yield (

@@ -198,7 +198,7 @@ class _Writer(NamedTuple):
         if isinstance(value, SpeedOf):
             return self.speed_of(value)
         if isinstance(value, OfLoad) and abs(value.whole) in self.wholes:
-            measure = "speed" if shape.kind == "relative_speed" else "torque"
+            measure = "speed" if shape.kind in ("relative_speed", "slip") else "torque"
             return f"{value.given!r} {UNITS[measure]}"
         plain = _PLAIN.get(shape.kind)
         if plain is not None:
@@ -293,9 +293,10 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
 
 _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(
-        ("number", "relative_speed", "relative_torque", "drag", "efficiency", *get_args(Measure)),
+        ("number", "relative_speed", "relative_torque", "slip", "drag", "efficiency"),
         float,
     ),
+    **dict.fromkeys(get_args(Measure), float),
     **dict.fromkeys(("text", "choice"), str),
     "flag": bool,
 }

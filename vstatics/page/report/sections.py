@@ -104,12 +104,12 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     grid_of_gears = gears_grid(material, grid)
     rows = [[Cell(gear_link(first.text)), *others] for first, *others in grid_of_gears.cells]
     yield table(grid_of_gears._replace(rows=rows), headed=False)
-    if results.case.freewheels:
-        yield tag(
-            "p",
-            f"{MARKS.engaged} {tr('engaged')}, {MARKS.holds} {tr('freewheel that holds')}",
-            class_="note",
-        )
+    meanings = {MARKS.engaged: "engaged"}
+    meanings |= {MARKS.holds: "freewheel that holds"} if results.case.freewheels else {}
+    meanings |= {MARKS.slips: "slips"} if any(gear.slips for gear in results.case.gears) else {}
+    if len(meanings) > 1:
+        signs = ", ".join(f"{mark} {tr(meaning)}" for mark, meaning in meanings.items())
+        yield tag("p", signs, class_="note")
     small = material.pictures.small_sticks
     if any(picture.sheets for picture in small):
         yield side_by_side([flow.gear for flow in material.shown_flows], small)

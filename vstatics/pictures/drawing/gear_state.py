@@ -93,7 +93,7 @@ def shown_of(state: GearState) -> PictureState:
         mechanism_roles(state),
         [torque != 0 for torque in torques[case.among_devices.stop : -1]],
         [
-            number in gear.engaged and not (state.calculable and torque == 0)
+            number in gear.carrying and not (state.calculable and torque == 0)
             for number, torque in enumerate(torques[: case.among_devices.start], 1)
         ],
         _loaded_links(state),

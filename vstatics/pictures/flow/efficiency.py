@@ -200,6 +200,9 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
     if "drag_losses" in by_name:
         names.append(style.text("drag"))
         losses = np.vstack([losses, by_name["drag_losses"].values])
+    if "slip_losses" in by_name:
+        names += map("slip.{}".format, by_name["slip_losses"].rows)
+        losses = np.vstack([losses, by_name["slip_losses"].values])
     total = losses.sum(axis=0)
     # Shares are negative when coasting. By the power balance, their sum is 1 - efficiency.
     entered = np.where(total == 0, 1.0, total)

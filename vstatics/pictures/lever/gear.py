@@ -100,7 +100,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     ]
     case, spots, device_roles = results.case, spots_of(drawn), roles(results, number - 1)
     grounds = _grounds(case, state, drawn, spots)
-    engaged = {number: case.shift_elements[number - 1] for number in state.gear.engaged}
+    engaged = {number: case.shift_elements[number - 1] for number in state.gear.carrying}
     ties = [*joins(drawn), *ties_of(case, engaged.values(), spots)]
     first = whole.torques.on_first_link
     carried = {element.name: plain(first[number - 1]) for number, element in engaged.items()}
@@ -154,7 +154,7 @@ def brakes_of(
     """Return the names of the engaged brakes at the first point of each link."""
     return grouped(
         (spot, element.name)
-        for element in (case.shift_elements[number - 1] for number in gear.engaged)
+        for element in (case.shift_elements[number - 1] for number in gear.carrying)
         if HOUSING in element.links
         for spot in spots.get(max(element.links), ())[:1]
     )

@@ -94,7 +94,7 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
         for tie in some
     ]
     spots, always = spots_of(drawn), list(joins(drawn))
-    engaged = dict.fromkeys(gear.engaged for gear in case.gears)
+    engaged = dict.fromkeys(gear.carrying for gear in case.gears)
     elements = [[case.shift_elements[number - 1] for number in some] for some in engaged]
     in_gears = [[*always, *ties_of(case, some, spots)] for some in elements]
 

@@ -31,7 +31,7 @@ Conditions = frozenset[Condition]
 
 def conditions(case: Transmission, gear: Gear) -> Conditions:
     """Return the constraints of a gear, with one constraint for several equivalent elements."""
-    engaged = (case.shift_elements[number - 1] for number in gear.engaged)
+    engaged = (case.shift_elements[number - 1] for number in gear.joining)
     given = (Condition(link, HOUSING, speed) for link, speed in gear.speeds.items())
     return frozenset([*map(_condition, engaged), *given])
 
@@ -55,14 +55,14 @@ def carrying(case: Transmission, gear: PictureState) -> Conditions:
     >>> sorted(carrying(case, state_of(solve(case), 1)))
     [Condition(link=2, other=0, speed=0.0)]
     """
-    loaded = [number for number in gear.gear.engaged if gear.loaded_elements[number - 1]]
-    return conditions(case, gear.gear._replace(engaged=tuple(loaded)))
+    loaded = [number for number in gear.gear.joining if gear.loaded_elements[number - 1]]
+    return conditions(case, gear.gear._replace(engaged=tuple(loaded), slip={}))
 
 
 def elements_of(case: Transmission, gear: Gear, some: Conditions) -> tuple[int, ...]:
     """Return the numbers of the engaged elements that impose some of the constraints."""
     return tuple(
-        number for number in gear.engaged if _condition(case.shift_elements[number - 1]) in some
+        number for number in gear.joining if _condition(case.shift_elements[number - 1]) in some
     )
 
 

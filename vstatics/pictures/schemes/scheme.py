@@ -247,7 +247,7 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
     ends = [port.link for port in ports]
     for place, device in enumerate(scheme.devices):
         if device.is_shift_element:
-            (engaged if device.numbers[0] + 1 in state.gear.engaged else idle).add(place)
+            (engaged if device.numbers[0] + 1 in state.gear.carrying else idle).add(place)
             links = device.links if state.loaded_elements[device.numbers[0]] else set()
         elif device.kind == "spring":
             links = device.links if state.loaded_springs[device.numbers[0]] else set()

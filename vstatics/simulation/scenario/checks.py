@@ -13,7 +13,15 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Path, Problem, ReadError, listed, quoted
+from vstatics.core.errors import (
+    CaseError,
+    Path,
+    Problem,
+    ReadError,
+    listed,
+    quoted,
+    spoken,
+)
 from vstatics.core.model.checks import left_out
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import HOUSING
@@ -320,11 +328,18 @@ def _of_element(number: int, case: Transmission, path: Path) -> Iterator[Problem
 
 def _of_gear(name: str, case: Transmission, path: Path) -> Iterator[Problem]:
     try:
-        case.gear_number(name)
+        gear = case.gears[case.gear_number(name) - 1]
     except ValueError:
         names = [gear.name for gear in case.gears]
         hint = nearest(name, names) or f"; gears are {listed(names, 12)}"
         yield Problem("E644", f"read {quoted(name)}, expected the name of a gear{hint}", path)
+        return
+    slipping = [case.shift_elements[number - 1].name for number in gear.slip]
+    if slipping:
+        verb = "has" if len(slipping) == 1 else "have"
+        message = f"{spoken(slipping)} {verb} a given slip in gear {gear.name}"
+        expected = "expected a gear without `slip`; `controls` let its clutches slip in a scenario"
+        yield Problem("E646", f"{message}: {expected}", path)
 
 
 def _name(case: Transmission, link: int) -> Any:

@@ -26,6 +26,8 @@ from vstatics.sweep.variants.targets import OF_MECHANISM
 EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 
 
+_RELATIVE = ("speeds", "slip", "torques", "drag", "open_drag")
+"""Quantities of a gear that are relative to the load, unless they have a unit."""
 _FIXED = ("vehicle", "cylinders", "fatigue", "dump")
 """Keys of a case whose numbers do not affect any table of a gear."""
 
@@ -190,7 +192,7 @@ def own_number_at(path: CasePath, case: Transmission) -> float:
         return number.given
     if number is None or isinstance(number, Law | SpeedOf):
         raise ValueError(f"the case has no number at {quoted(path.path)}, and it is not varied")
-    if number and not path.part and path.quantity in ("speeds", "torques", "drag", "open_drag"):
+    if number and not path.part and path.quantity in _RELATIVE:
         raise ValueError(f"{quoted(path.path)} is relative to the load, so it has no unit here")
     return number
 
@@ -208,7 +210,7 @@ def _number_in_case(case: Transmission, number: CaseNumber) -> Any:
         case "speed_ratios":
             ratio = case.gear_ratios(gear)[case.own_mechanisms.start + owner - 1]
             return None if math.isnan(ratio) else ratio
-        case "speeds" | "torques":
+        case "speeds" | "slip" | "torques":
             return getattr(gear, quantity).get(owner)
         case "drag" | "open_drag":
             by_part = case.gear_drag if quantity == "drag" else case.gear_open_drag

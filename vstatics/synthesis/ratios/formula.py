@@ -164,6 +164,11 @@ def _rows(
     for spring in case.springs:
         terms = ((link, (as_typed(part), ZERO)) for link, part in spring.form.items())
         yield _row(-1, terms, bodies, known)
+    for element, slip in gear.slip.items():
+        first, second = case.shift_elements[element - 1].links
+        row = _row(-1, [(first, (ONE, ZERO)), (second, (-ONE, ZERO))], bodies, known)
+        if element not in gear.joining:
+            yield row._replace(right=(row.right[0] + as_typed(float(slip)), ZERO))
     for link, speed in gear.speeds.items():
         if isinstance(speed, SpeedOf):
             pair = ((link, (ONE, ZERO)), (speed.link, (-as_typed(speed.factor), ZERO)))

@@ -231,7 +231,7 @@ def _devices(
     for number, (device, column) in enumerate(zip(devices, by_device, strict=True), 1):
         stiffness = device.rate if isinstance(device, Spring) else device.stiffness
         stiffness = slopes.get(device.name, stiffness)
-        is_open = isinstance(device, ShiftElement) and number not in gear.engaged
+        is_open = isinstance(device, ShiftElement) and number not in gear.joining
         is_open |= isinstance(device, Mechanism) and device.kind == "converter"
         is_open |= stiffness == 0 and not (isinstance(device, Spring) and device.is_damper)
         if not is_open:

@@ -10,7 +10,7 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.carried import as_type
-from vstatics.core.model.parts import Gear, SpeedOf, as_float
+from vstatics.core.model.parts import Gear, OfLoad, SpeedOf, as_float
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.statics.points.machines import battery_power, efficiency_at
@@ -256,16 +256,18 @@ def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
 
 
 def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
-    """Return the sources of power other than the engine in a gear as text, or an empty text.
+    """Return why the engine does not drive a gear alone at a fixed ratio, or an empty text.
 
-    A vehicle cannot be driven in such a gear, as a case does not describe the control of the other
-    machines.
+    A vehicle cannot be driven in such a gear: a case does not describe the control of other
+    machines, and with a slip in rpm the ratio depends on the speed.
 
     >>> beside_engine(Gear(speeds={2: 0.0, 3: 0.4}), "link {}".format)
     'a given speed of link 3'
     """
     if gear.balance:
         return "a balance"
+    if any(isinstance(slip, OfLoad) and slip for slip in gear.slip.values()):
+        return "a slip with a unit"
     for quantity, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):
         links = [
             link for link, value in numbers.items() if isinstance(value, SpeedOf) or value != 0

@@ -135,7 +135,7 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
     for number, gear in enumerate(case.gears, 1):
         if why := beside_engine(gear, case.link_name):
             message = (
-                f"the gear has {why}: machines other than the engine take part, so results of "
+                f"the gear has {why}, so its ratio or its torques are not fixed, and results of "
                 "`vehicle` omit this gear; give its points to `summary --duty`"
             )
             yield Problem("W890", message, ("gears", number))

@@ -55,7 +55,7 @@ class CycleLosses(NamedTuple):
         """Add the losses in some steps of given durations [s]."""
         self.held_torques[rows] = loads.held_torques
         self.outside.update(dict.fromkeys(loads.outside))
-        for name, powers in (loads.losses() | loads.drag_losses()).items():
+        for name, powers in (loads.losses() | loads.other_losses()).items():
             self.energies[name] = self.energies.get(name, 0.0) + float(powers @ duration)
 
 
@@ -107,8 +107,10 @@ class CycleSteps(NamedTuple):
             gear = case.gears[gears[lacking[0]]]
             why = beside_engine(gear, case.link_name)
             message = (
-                f"gear {gear.name} has {why or 'no ratio'}, expected a gear in which the engine "
-                "alone drives the wheels" + "; give its points to `summary --duty`" * bool(why)
+                f"gear {gear.name} has {why or 'no ratio'}, expected a gear in which the "
+                "engine alone drives the wheels at a fixed ratio"
+                + "; give its points to `summary --duty`"
+                * bool(why)
             )
             raise CaseError("E428", message, (int(lacking[0]),))
         names = [gear.name for gear in case.gears]
@@ -284,12 +286,12 @@ class CycleSteps(NamedTuple):
 
     @property
     def _turned(self) -> Transmission:
-        gears = [
-            gear._replace(
-                input=self.case.gear_output(gear), output=self.case.gear_input(gear), loss=None
-            )
-            for gear in self.case.gears
-        ]
+        gears = []
+        for gear, ratios in zip(self.case.gears, self.ratios, strict=True):
+            ends = self.case.gear_input(gear), self.case.gear_output(gear)
+            ratio = float(ratios[ends[0] - 1] / ratios[ends[1] - 1])
+            slip = {n: slip * ratio if slip else 0.0 for n, slip in gear.slip.items()}
+            gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
         return self.case.replace(gears=gears, outputs=())
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:

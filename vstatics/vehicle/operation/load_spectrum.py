@@ -184,8 +184,8 @@ def spectrum(
     weights = points.weights / points.weights.sum() if points.are_shares else points.weights
     standing = float(np.delete(weights, moving).sum())
     weights = weights[moving]
-    losses, drags = loads.losses(), loads.drag_losses()
-    lost = {name: float(powers @ weights) for name, powers in (losses | drags).items()}
+    losses = loads.losses() | loads.other_losses()
+    lost = {name: float(powers @ weights) for name, powers in losses.items()}
     entering, leaving = (float(powers @ weights) for powers in loads.port_powers())
     by_member = dict(loads.members())
     members = {

@@ -15,7 +15,7 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.statics.carried import larger_torques
 from vstatics.core.statics.matrix import column_of, held_links
-from vstatics.core.statics.power import loss_name
+from vstatics.core.statics.power import loss_name, slip_name
 from vstatics.core.statics.result_arrays import all_row_names, first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
@@ -25,7 +25,7 @@ MOST_REASONS = 20
 """Largest number of points without torques whose reason is given; each is solved again."""
 REASONS = (
     *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
-    "W433",
+    *("W433", "W438"),
 )
 """Ids of messages about gears without speeds or torques, most important first."""
 
@@ -245,10 +245,10 @@ class PointLoads(NamedTuple):
             on_link[link] = [*known, drags[link]]
         return on_link, drags
 
-    def drag_losses(self) -> dict[str, Floats]:
-        """Return the drag power of links and disengaged elements, and of gears as a whole [W].
+    def other_losses(self) -> dict[str, Floats]:
+        """Return the power lost outside gear sets: to drag, slip, and by gears as a whole [W].
 
-        The names are ``drag.NAME`` and ``gear.NAME``.
+        The names are ``drag.NAME``, ``slip.NAME`` and ``gear.NAME``.
         """
         _, drags = self.link_torques()
         wholes = self._gear_losses()
@@ -265,7 +265,16 @@ class PointLoads(NamedTuple):
             powers = np.where(holds[:, place], 0.0, np.abs(np.nan_to_num(torque * slip)))
             if powers.any():
                 losses[f"drag.{name}"] = powers
-        return losses | wholes
+        return losses | self._slip_losses() | wholes
+
+    def _slip_losses(self) -> dict[str, Floats]:
+        """Return the power lost by each shift element that slips in some gear [W]."""
+        slipping = sorted({number for gear in self.case.gears for number in gear.slip})
+        if not slipping:
+            return {}
+        powers = 1e3 * np.nan_to_num(self.taken(self.results.slip_losses_kW))
+        elements = self.case.shift_elements
+        return {slip_name(elements[number - 1]): powers[:, number - 1] for number in slipping}
 
     def _gear_losses(self) -> dict[str, Floats]:
         """Return the power that gears lose as a whole, 0 in the points of other gears [W]."""

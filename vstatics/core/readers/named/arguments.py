@@ -155,6 +155,7 @@ def _gear(gear: Gear, number: int, common: Common, spots: Spots) -> Gear:
     speeds = related("speeds", numbers, load.speed or 0.0) | by_links
     return gear._replace(
         speeds={link: speeds[link] for link in gear.speeds if link in speeds},
+        slip=related("slip", gear.slip, load.speed or 0.0),
         torques=related("torques", gear.torques, torque),  # `Transmission` adds the sign
         drag=related("drag", gear.drag, drags),
         open_drag=related("open_drag", gear.open_drag, drags),

@@ -109,6 +109,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
         for kind in get_args(units.Quantity)
     },
     "relative_speed": LeafReading("a speed", 0.0, partial(units.relative, kind="speed")),
+    "slip": LeafReading("a slip", 0.0, partial(units.relative, kind="speed")),
     "efficiency": LeafReading("a number, or a formula of w and T", 1.0, _efficiency),
     "drag": LeafReading("a torque, or a formula of w", 0.0, _drag),
     "relative_torque": LeafReading("a torque", 0.0, partial(units.relative, kind="torque")),

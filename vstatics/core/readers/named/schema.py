@@ -259,7 +259,7 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
         case "relative_speed" | "drag" | "efficiency":
             return {"type": ["number", "string"]}  # a text is `FACTOR * LINK`, or a formula
-        case "relative_torque":
+        case "relative_torque" | "slip":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
         case "speed" | "torque" | "power":
             return {"type": "string", "pattern": QUANTITY}

@@ -42,7 +42,14 @@ NONE, SEVERAL, NO_EFFICIENCY = 1, 2, 5
 """States of a gear: no solution, several solutions, or a formula that gives no efficiency."""
 WITH_LOSSES = (
     *("lossy_torques", "lossy_holding_torques", "efficiency", "losses", "power_balance"),
-    *("drag_losses", "gear_losses", "lossy_mesh_torques", "mesh_losses", "power_sign"),
+    *(
+        "drag_losses",
+        "gear_losses",
+        "slip_losses",
+        "lossy_mesh_torques",
+        "mesh_losses",
+        "power_sign",
+    ),
 )
 """Names of arrays that are undefined if the efficiencies have no single solution."""
 

@@ -40,6 +40,8 @@ class CaseNumber(NamedTuple):
     """Link, shift element or mechanism, as in `GearNumber`; 0 for an operating point."""
 
 
+RELATIVE_TO_SPEED: tuple[OfGear, ...] = ("speeds", "slip")
+"""Numbers of a gear that are relative to the speed of the input."""
 FREE_RATIOS = ("variator", "converter")
 """Kinds of mechanisms whose speed ratio can differ from gear to gear."""
 Columns = Mapping[CaseNumber, Floats]
@@ -130,7 +132,7 @@ def measure_of(quantity: str) -> Measure | Literal["power"] | None:
     >>> measure_of("speeds"), measure_of("efficiency")
     ('si_speed', None)
     """
-    if quantity in ("load.speed", "speeds"):
+    if quantity in ("load.speed", *RELATIVE_TO_SPEED):
         return "si_speed"
     if quantity in ("load.torque", "torques", "drag", "open_drag"):
         return "si_torque"
@@ -172,6 +174,7 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
                     else _acting(case, gear_numbers)
                 ):
                     yield ("gears", gear, of_gear, name), gear_numbers
+    yield from _of_slips(case)
     for name, link in links.items():
         yield ("drag", name), [CaseNumber(n, "drag", link) for n in everywhere]
     for name, number in elements.items():
@@ -204,6 +207,16 @@ def _of_mechanisms(
         for of_mechanism in OF_MECHANISMS if len(indices) == 1 else ("efficiency",):
             numbers = [CaseNumber(n, of_mechanism, index) for n in everywhere for index in indices]
             yield (name, of_mechanism), numbers
+
+
+def _of_slips(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
+    for place, element in enumerate(case.shift_elements, 1):
+        slipping = [n for n, gear in enumerate(case.gears) if place in gear.slip]
+        for name, numbers in [("*", slipping), *((case.gears[n].name, [n]) for n in slipping)]:
+            yield (
+                ("gears", name, "slip", element.name),
+                [CaseNumber(n, "slip", place) for n in numbers],
+            )
 
 
 def _of_balances(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:

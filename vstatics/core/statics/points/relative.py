@@ -17,7 +17,7 @@ from vstatics.core.model.parts import KW_OF_RPM_NM, Load, OfLoad
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.statics import matrix
-from vstatics.core.statics.points.paths import CaseNumber, Columns, OfLoads
+from vstatics.core.statics.points.paths import RELATIVE_TO_SPEED, CaseNumber, Columns, OfLoads
 from vstatics.core.statics.result_arrays import OperatingPoints
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.variants import (
@@ -61,7 +61,7 @@ class GearLoad(NamedTuple):
 
     def unit_of(self, quantity: OfGear) -> Floats | None:
         """Return the speed or torque to which numbers of a quantity are relative [rad/s, N*m]."""
-        if quantity == "speeds":
+        if quantity in RELATIVE_TO_SPEED:
             return self.speed
         if quantity == "speed_ratios":
             return np.ones(1)
@@ -136,8 +136,8 @@ def _expect_loads(case: Transmission, columns: Columns, loads: Sequence[GearLoad
         if index is None or quantity not in OF_GEAR:
             continue
         if loads[index].unit_of(quantity) is None:
-            half = "speed" if quantity == "speeds" else "torque"
-            elements = quantity == "open_drag"
+            half = "speed" if quantity in RELATIVE_TO_SPEED else "torque"
+            elements = quantity in ("open_drag", "slip")
             name = case.shift_elements[owner - 1].name if elements else case.link_name(owner)
             where = f"gears.{case.gears[index].name}.{quantity}.{name}"
             message = f"{where} varies in SI, expected a load with a {half}"
@@ -177,7 +177,7 @@ def with_numbers(case: Transmission, columns: Columns) -> Transmission:
     gears = [gear._replace(load=load(n, gear.load)) for n, gear in enumerate(case.gears)]
     for (index, quantity, owner), column in columns.items():
         if index is not None and quantity in OF_GEAR:
-            given = float(column[0]) * (RPM if quantity == "speeds" else 1.0)
+            given = float(column[0]) * (RPM if quantity in RELATIVE_TO_SPEED else 1.0)
             number = given if quantity == "speed_ratios" else OfLoad(given, 1.0)
             numbers: Any = {**getattr(gears[index], quantity), owner: number}
             gears[index] = gears[index]._replace(**{quantity: numbers})
@@ -196,7 +196,7 @@ def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) 
         for owner, number in getattr(gear, quantity).items():
             column = columns.get(CaseNumber(index, quantity, owner))
             if column is None and isinstance(number, OfLoad) and unit is not None:
-                given = number.given / (RPM if quantity == "speeds" else 1.0)
+                given = number.given / (RPM if quantity in RELATIVE_TO_SPEED else 1.0)
                 column = np.full(unit.shape, given)
             if column is not None and unit is not None:
                 numbers[GearNumber(quantity, owner)] = column / unit

@@ -1,0 +1,298 @@
+"""Clutches and brakes that slip under torque: exact fractions, closed forms, the power balance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.oracle.linear import ONE, ZERO, Linear, Row, exact, sign
+from tests.oracle.systems import Torques, element_column, mechanism_column, ratios
+from tests.trains import random_slipping, random_train
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ReadError,
+    Results,
+    ShiftElement,
+    Transmission,
+    flows,
+    loads,
+    solve,
+)
+from vstatics.core.model.parts import OfLoad
+from vstatics.core.statics.result_arrays import ARRAYS
+from vstatics.core.writers.named import write_json, write_yaml
+
+CLUTCH = ShiftElement(1, 2, "C")
+
+
+def two_shafts(slip: float, *, coast: bool = False, element: ShiftElement = CLUTCH) -> Transmission:
+    return Transmission(2, [element], [], [Gear(slip={1: slip})], coast=coast)
+
+
+@pytest.mark.parametrize("slip", [0.0, 0.2, 1.0, 0.999])
+def test_a_clutch_between_two_shafts_has_the_efficiency_1_less_the_slip(slip: float) -> None:
+    results = solve(two_shafts(slip))
+    assert results.efficiency == pytest.approx([1 - slip])
+    assert results.slip_losses.tolist() == [[pytest.approx(slip)]]
+    assert results.torques.tolist() == results.lossy_torques.tolist() == [[1, 1]]
+    assert results.power_balance == pytest.approx([0], abs=1e-15)
+
+
+def test_a_clutch_that_coasts_slips_the_other_way() -> None:
+    """Power 1.25 enters at the output of the speed 1.25, and 1 leaves at the input."""
+    results = solve(two_shafts(-0.25, coast=True))
+    assert results.efficiency == pytest.approx([1 / 1.25])
+    assert results.slip_losses.tolist() == [[-0.25]]
+    assert np.isnan(solve(two_shafts(0.25, coast=True)).torques).all()
+
+
+def test_a_clutch_that_slips_beyond_the_input_speed_takes_power_from_both_shafts() -> None:
+    """The load turns backward at 0.3 and gives 0.3, so the clutch loses 1.3."""
+    results = solve(two_shafts(1.3))
+    assert results.slip_losses.tolist() == [[1.3]]
+    assert results.efficiency.tolist() == [0]
+
+
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("slip", [0.3, -0.3])
+@pytest.mark.parametrize("load", [Load(), Load(-2000, -50), Load(2000, 50)])
+def test_a_warning_says_which_sign_of_slip_is_possible(
+    load: Load, slip: float, *, coast: bool
+) -> None:
+    """Without the sign of the slip of which |M s| is lost, there are no torques."""
+    case = two_shafts(slip, coast=coast).replace(load=load)
+    results = solve(case)
+    loses = (slip > 0) != coast
+    assert (results.balanced.item(), math.isnan(results.torques[0, 0])) == (loses, not loses)
+    side = "below" if slip > 0 else "above"
+    said = [message.text.rpartition("only a ")[2] for message in results.messages]
+    assert said == ([] if loses else [f"slip {side} 0 is possible"])
+
+
+def test_a_brake_that_slips_turns_the_ring() -> None:
+    """w_3 = (w_1 - u w_2)/(1 - u) with w_2 = -0.1; torque -u M on the ring, 1 - u at the output."""
+    u, slip = -2.5, -0.1
+    case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, u)], [Gear(slip={1: slip})])
+    results = solve(case)
+    assert results.speeds[0].tolist() == pytest.approx([1, slip, (1 - u * slip) / (1 - u)])
+    assert results.torques[0].tolist() == pytest.approx([u, 1, 1 - u])
+    assert results.slip_losses.tolist() == [[pytest.approx(u * slip)]]
+    assert results.efficiency == pytest.approx([1 - u * slip])
+
+
+class ByHand(NamedTuple):
+    """Speeds, and torques without and with losses in the order of the tables; None: none."""
+
+    speeds: list[Fraction]
+    ideal: list[Fraction] | None
+    lossy: list[Fraction] | None
+    efficiency: Fraction | None
+
+
+def speeds_by_hand(case: Transmission, gear: Gear) -> list[Fraction]:
+    pairs = zip(case.mechanisms, ratios(case), strict=True)
+    rows: list[Row] = [mechanism_column(case.links, one, u) for one, u in pairs]
+    rows += [element_column(case, number) for number in (*gear.engaged, *gear.slip)]
+    right = [ZERO] * (len(rows) - len(gear.slip)) + [exact(slip) for slip in gear.slip.values()]
+    rows.append([ONE if link == case.input else ZERO for link in range(1, case.links + 1)])
+    system = Linear(rows, [*right, ONE], case.links)
+    return [ZERO, *(system.unknown(link) or ZERO for link in range(case.links))]
+
+
+def by_hand(case: Transmission) -> ByHand | None:
+    """The only gear, by all sets of signs; None where losses alone load a mechanism."""
+    [gear] = case.gears
+    speeds, turn = speeds_by_hand(case, gear), -1 if case.coast else 1
+    moving = [speeds[m.first] - speeds[m.third] for m in case.mechanisms]
+    as_engaged = gear._replace(engaged=(*gear.engaged, *gear.slip), slip={})
+
+    def torques(us: Sequence[Fraction]) -> list[Fraction]:
+        system = Torques(case, as_engaged, us).system
+        return [system.unknown(n) or ZERO for n in range(system.size)]
+
+    def drives(some: Sequence[Fraction]) -> bool:
+        return any(some[n - 1] * exact(slip) * turn < 0 for n, slip in gear.slip.items())
+
+    elements, us = len(case.shift_elements), ratios(case)
+    etas = [exact(mechanism.efficiency) for mechanism in case.mechanisms]
+    ideal = torques(us)
+    flows = [m * w for m, w in zip(ideal[elements:-1], moving, strict=True)]
+    idle = [not m and w and eta < 1 for m, w, eta in zip(flows, moving, etas, strict=True)]
+    if drives(ideal):
+        return ByHand(speeds, None, None, None)
+    out = ideal[-1] * speeds[case.output]
+    best: tuple[Fraction, list[Fraction]] | None = None
+    ways = [(1, -1) if m and eta < 1 else (0,) for m, eta in zip(flows, etas, strict=True)]
+    for signs in product(*ways):
+        lossy = torques([u * eta**x for u, eta, x in zip(us, etas, signs, strict=True)])
+        if any(m for m, alone in zip(lossy[elements:-1], idle, strict=True) if alone):
+            return None
+        agrees = all(
+            x * sign(m * w) * turn >= 0
+            for x, m, w in zip(signs, lossy[elements:-1], moving, strict=True)
+        )
+        power = lossy[-1] * speeds[case.output]
+        eta = max(power, ZERO) if turn > 0 else 1 / power if power else ZERO
+        if agrees and not drives(lossy) and power * out >= 0 and (best is None or eta > best[0]):
+            best = eta, lossy
+    return ByHand(speeds, ideal, best and best[1], best and best[0])
+
+
+def check_flow(results: Results, lost: Mapping[int, float]) -> None:
+    """The flow and the table of ports have the same losses, in real direction, and balances."""
+    [flow], turn = flows(results), -1 if results.case.coast else 1
+    assert flow.lossy is not None
+    of_flow = {
+        node.number: one for node, one in flow.lossy.losses.items() if node.kind == "element"
+    }
+    assert of_flow == pytest.approx({n: turn * loss for n, loss in lost.items()}, abs=1e-12)
+    assert flow.lossy.balance == pytest.approx(0, abs=1e-9)
+    names = {f"slip.{results.case.shift_elements[n - 1].name}": n for n in lost}
+    of_ports = {names[one.in_]: one.power for one in flow.ports.lost if one.in_ in names}
+    assert of_ports == pytest.approx({n: turn * loss for n, loss in lost.items()}, abs=1e-12)
+
+
+def test_random_trains_with_slipping_elements_against_exact_fractions() -> None:
+    chance, lossy, driving = seeded(54), 0, 0
+    for case in (case for _ in range(count(90, 2000)) for case in random_slipping(chance)):
+        expected, results = by_hand(case), solve(case)
+        if expected is None:
+            continue
+        assert results.speeds[0].tolist() == pytest.approx(
+            list(map(float, expected.speeds[1:])), rel=1e-9, abs=1e-11
+        )
+        if expected.ideal is None:
+            driving += 1
+            assert np.isnan(results.torques).all()
+            assert "W438" in {message.id for message in results.messages}
+            continue
+        assert results.torques[0].tolist() == pytest.approx(
+            list(map(float, expected.ideal)), rel=1e-9, abs=1e-11
+        )
+        assert results.consistent.item() == (expected.lossy is not None)
+        if expected.lossy is not None:
+            lossy += 1
+            [gear], got = case.gears, results.lossy_torques[0].tolist()
+            assert got == pytest.approx(list(map(float, expected.lossy)), rel=1e-9, abs=1e-11)
+            lost = {n: slip * got[n - 1] for n, slip in gear.slip.items()}
+            assert {n: results.slip_losses[0, n - 1] for n in gear.slip} == pytest.approx(lost)
+            check_flow(results, lost)
+            assert results.power_balance == pytest.approx([0], abs=1e-9)
+            assert results.efficiency[0] == pytest.approx(float(expected.efficiency or 0), rel=1e-9)
+    assert lossy > 40
+    assert driving > 40
+
+
+def test_a_slip_of_0_is_as_engaged() -> None:
+    """Speeds, torques, bodies, flow; to the last bit where the order of the elements is kept."""
+    chance = seeded(55)
+    for _ in range(count(20, 300)):
+        case = random_train(chance, regular=True, gears=1)
+        [gear] = case.gears
+        slip = dict.fromkeys(gear.engaged[1:], 0.0)
+        at_0 = replace(case, gears=[gear._replace(engaged=gear.engaged[:1], slip=slip)])
+        ours, engaged = solve(at_0), solve(case)
+        for name in ARRAYS:
+            np.testing.assert_array_equal(getattr(ours, name), getattr(engaged, name), err_msg=name)
+        assert ours.messages == engaged.messages
+        assert ours.gear(1).bodies == engaged.gear(1).bodies
+        assert repr(flows(ours)[0].shown) == repr(flows(engaged)[0].shown)
+
+
+def test_slips_of_arrays_are_those_of_single_cases() -> None:
+    """Through 0 and both signs, with the load that relates them; also at a drawn gear set."""
+    chance = seeded(56)
+    for _ in range(count(10, 200)):
+        speed = chance.choice((-900.0, 1500.0))
+        case = random_slipping(chance)[0].replace(load=Load(speed, 80.0))
+        [gear] = case.gears
+        number, name = next((n, case.shift_elements[n - 1].name) for n in gear.slip)
+        slips = np.array([0.0, *(chance.uniform(-60, 60) for _ in range(7)), 0.0])
+        results = solve(case, vary={f"gears.{gear.name}.slip.{name}": slips})
+        for place, slip in enumerate(slips.tolist()):
+            given = OfLoad(slip * 30 / math.pi, speed)
+            alone = solve(replace(case, gears=[gear._replace(slip={**gear.slip, number: given})]))
+            for table in ("speeds", "torques", "lossy_torques", "efficiency", "slip_losses_kW"):
+                one, of_arrays = getattr(alone, table), getattr(results, table)[place]
+                assert of_arrays == pytest.approx(one, rel=1e-9, abs=1e-9, nan_ok=True), table
+
+
+def test_digits_do_not_suffer_with_a_ratio_near_1() -> None:
+    """Calculated in fractions: i = 1 - u/(u - 1) s by hand."""
+    u, slip = 1 + 1e-13, 0.5
+    case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, u)], [Gear(slip={1: slip})])
+    results = solve(case)
+    u_, slip_ = Fraction(u), Fraction(slip)
+    assert results.exact.all()
+    assert results.speeds[0, 2] == pytest.approx(float((1 - u_ * slip_) / (1 - u_)), rel=1e-14)
+
+
+TROLL = """\
+links: [engine, sun, ring, out]
+output: out
+load: {{speed: 1500 rpm, torque: 200 N*m}}
+shift_elements:
+  C1: [engine, sun]
+  B1: [ring, housing]
+  D1: {{links: [engine, ring], kind: dog_clutch}}
+  F1: {{links: [ring, housing], kind: freewheel}}
+mechanisms:
+  P: {{first: sun, second: ring, third: out, ratio: -2.5, efficiency: 0.97}}
+gears:
+  troll: {{engaged: [B1], slip: {slip}}}
+"""
+
+
+def test_a_slip_with_a_unit_is_read_and_written_as_it_is() -> None:
+    case = loads(TROLL.format(slip="{C1: 300 rpm}"))
+    assert case.gears[0].slip == {1: pytest.approx(0.2)}
+    assert solve(case).slip_losses_kW[0, 0] == pytest.approx(200 * 10 * math.pi / 1000)
+    for text in (write_yaml(case), write_json(case)):
+        assert loads(text) == case
+        assert "300.0 rpm" in text
+
+
+@pytest.mark.parametrize(
+    ("slip", "said"),
+    [
+        ("{B1: 0.1}", r"gears.troll.slip.B1: B1 is engaged and has a slip in this gear"),
+        ("{D1: 0.1}", r"slip.D1: D1 is a dog clutch, which cannot slip under torque"),
+        ("{F1: 0.1}", r"slip.F1: F1 is a freewheel, which cannot slip under torque"),
+        ("{P: 0.1}", "read 'P', expected the name of a shift element"),
+        ("{C2: 0.1}", "read 'C2', expected the name of a shift element"),
+        ("{C1: .nan}", "expected a finite number|expected a number|read"),
+        ("{C1: 1e999}", "read"),
+        ("{C1: 5 N*m}", "read"),
+        ("{C1: 1.1*sun}", "read"),
+        ("0.2", "read"),
+    ],
+)
+def test_slips_that_cannot_be_are_refused_at_their_places(slip: str, said: str) -> None:
+    with pytest.raises(ReadError, match=said):
+        loads(TROLL.format(slip=slip))
+
+
+def test_a_slip_in_rpm_needs_the_speed_of_the_load() -> None:
+    text = TROLL.format(slip="{C1: 300 rpm}").replace("speed: 1500 rpm, ", "")
+    with pytest.raises(
+        ReadError, match="read 300 rpm, but there is no input speed to relate it to"
+    ):
+        loads(text)
+
+
+def test_wrong_slips_in_python_are_located() -> None:
+    for number, slip, said in ((3, 0.1, "expected the number of a"), (1, math.inf, "read inf")):
+        with pytest.raises(CaseError, match=said) as caught:
+            two_shafts(0.1).replace(gears=[Gear(slip={number: slip})])
+        assert caught.value.problems[0].path == ("gears", 1, "slip", number)
