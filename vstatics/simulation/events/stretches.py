@@ -289,7 +289,7 @@ class Closed:
         self.torques = len(self.bending) - len(rates)
         """Number of the first entries of `bending`, which are torques and not rates of values."""
         self.is_given = ports.is_affine and not rates
-        looks = {*rates, *equations.seeing}
+        looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
         """Orders used in each polynomial; only 0 and 1 for a law linear in all its inputs."""
