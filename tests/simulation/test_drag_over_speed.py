@@ -7,16 +7,14 @@ import numpy as np
 import pytest
 
 from tests.chance import seeded
-from tests.core.statics.points.test_laws import EAXLE
 from tests.simulation.boxes import capacity
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
-from vstatics import CaseError, Gear, Load, ShiftElement, Transmission, loads
+from vstatics import CaseError, Gear, Load, ShiftElement, Transmission
 from vstatics.core.model.laws import PointLaw
 from vstatics.core.model.parts import Law
 from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.simulation import constant
-from vstatics.simulation.system.devices import drags
 
 LOAD = Load(100, 20)
 
@@ -108,9 +106,3 @@ def test_a_freewheel_takes_a_number_only() -> None:
     with pytest.raises(CaseError, match="the drag of F depends on speed") as caught:
         run(joined(wheel, 0.5), 1.0, {1: 50.0})
     assert caught.value.problems[0].path == ("case", "shift_elements", 1, "drag")
-
-
-def test_a_scenario_takes_no_efficiency_that_depends() -> None:
-    with pytest.raises(CaseError, match="the efficiency of a depends on speed") as caught:
-        list(drags(loads(EAXLE), None))
-    assert "the efficiency of b depends on speed or torque" in str(caught.value)

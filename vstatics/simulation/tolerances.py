@@ -109,6 +109,11 @@ MISSING_MASS = 1e-3
 LEAST_PROBABILITY = 2.0**-53
 """Smallest probability for a normal distribution, which is infinite at 0."""
 
+SAME_TORQUE = 1e-13
+"""Largest distance of a torque from the torque by which its efficiency is read, relative."""
+LEAST_EFFICIENCY = 1e-6
+"""Efficiency in place of a smaller value of a formula, until a torque agrees with it."""
+
 # matrices
 INDEPENDENT_MOTION = 1e-9
 """Ratio to the largest singular value above which a direction is independent."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +19,9 @@ from vstatics.simulation.system.sight import conditions
 from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
+_MOST_JUMPS = 8
+"""Largest number of steps to balanced twists if an efficiency depends on the torque."""
+
 
 class Instant(NamedTuple):
     """State of the whole motion at an instant, in physical quantities."""
@@ -32,6 +36,8 @@ class Instant(NamedTuple):
     """Values of control states, then temperatures of shift elements."""
     accounts: Floats
     """Works and losses since the start. [J]"""
+    carried: Sequence[float] = ()
+    """Torques on first links whose efficiency depends on them; empty at the start. [N*m]"""
 
 
 class Jump(NamedTuple):
@@ -48,17 +54,21 @@ def consistent(
     """Return the state with twists that balance the torques on links without inertia."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
-    _, torques = equations.acting(equations.time, state)
-    unbalanced = equations.by_slope.T @ (equations.structure.balances @ torques)
-    if largest(unbalanced) <= STANDING * scales.torque:
+    balanced, given = state.copy(), np.zeros(equations.layout.ports)
+    for _ in range(_MOST_JUMPS if equations.losses else 1):
+        _, torques = equations.acting(equations.time, balanced)
+        unbalanced = equations.by_slope.T @ (equations.structure.balances @ torques)
+        if largest(unbalanced) <= STANDING * scales.torque:
+            break
+        motion = equations.along @ -np.linalg.solve(equations.stiff, unbalanced)
+        turned = equations.structure.light_rates @ motion
+        springs = equations.layout.spring_ports
+        balanced[equations.twists] += np.where(equations.ports.bends, turned[springs], 0.0)
+        worked = torques * turned
+        worked[springs] = 0.0
+        given += worked
+    if not given.any() and (balanced == state).all():
         return state, None
-    motion = equations.along @ -np.linalg.solve(equations.stiff, unbalanced)
-    turned = equations.structure.light_rates @ motion
-    balanced = state.copy()
-    springs = equations.layout.spring_ports
-    balanced[equations.twists] += np.where(equations.ports.bends, turned[springs], 0.0)
-    given = torques * turned
-    given[springs] = 0.0
     balanced[equations.works] += given
     before, after = (
         equations.system.elastic_energy(vector[equations.twists]) for vector in (state, balanced)
@@ -124,6 +134,7 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
         state[equations.angles].copy(),
         state[equations.values].copy(),
         state[equations.works.start :].copy(),
+        equations.carried(time, state),
     )
 
 

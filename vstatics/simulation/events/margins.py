@@ -15,7 +15,7 @@ from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
+from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, RigidMechanism
 from vstatics.simulation.system.sight import Compared
 from vstatics.simulation.system.structure import Multiplier
 from vstatics.simulation.tolerances import (
@@ -212,7 +212,7 @@ class Margins:
     def _meshes(self) -> None:
         system, states = self.equations.system, self.equations.states
         self.moving: list[tuple[int, float, float]] = []
-        self.cones: list[tuple[int, int, float, float]] = []
+        self.cones: list[tuple[int, int, RigidMechanism]] = []
         for index, state in enumerate(states.meshes):
             if state not in ("", "stick"):
                 speed, torque = (SIGNS[sign] for sign in state)
@@ -223,7 +223,7 @@ class Margins:
             if state == "stick":
                 multiplier = Multiplier("friction", index)
                 friction = self.equations.structure.multipliers.index(multiplier)
-                self.cones.append((index, friction, 1 - mesh.efficiency, 1 / mesh.back - 1))
+                self.cones.append((index, friction, mesh))
                 self._watch("cone", index, 1)
                 self._watch("cone", index, -1)
 
@@ -309,7 +309,8 @@ class Margins:
         """Return the changes of the slacks along redundant directions at positive mesh torques."""
         redundant = self.equations.structure.redundant
         rows = [-side * redundant[row] for _, row, side in self.holding]
-        for mesh, friction, less, more in self.cones:
+        for mesh, friction, of in self.cones:
+            less, more = 1 - of.efficiency, 1 / of.back - 1
             rows.append(redundant[friction] + less * redundant[mesh])
             rows.append(more * redundant[mesh] - redundant[friction])
         return np.array(rows).reshape(len(rows), redundant.shape[1])
@@ -438,8 +439,9 @@ class Margins:
                 both = cones[0][row : row + 2]
                 width = both.sum(axis=0)
                 both[:, width < 0] = width[width < 0]  # torques push away from the jump
-        for mesh, friction, less, more in self.cones:
+        for mesh, friction, of in self.cones:
             torque, taken = held[mesh], held[friction]
+            less, more = of.friction_at_rest(torque)
             sign = np.where(torque >= 0, 1.0, -1.0)
             cones.append(sign * np.array([taken + less * torque, more * torque - taken]))
         return np.vstack(cones)

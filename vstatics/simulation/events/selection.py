@@ -234,7 +234,7 @@ class ModeSelection:
     def _equations(self, states: States, at: Instant) -> Equations:
         structure = self.structure(states.held, states.meshes)
         rounding = STANDING * max(1.0, largest(at.speeds))
-        return Equations(self.system, structure, states, at.time, rounding)
+        return Equations(self.system, structure, states, at.time, rounding, at.carried)
 
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes
@@ -258,6 +258,8 @@ class ModeSelection:
                 return None, self._caught(states, at, scales)
             state, jump = consistent(equations, state, scales)
             equations.check_seen(at.time, state)
+            if lacking := equations.lacking(at.time, state):
+                raise CaseError([lacking])
             equations.changes.hold_limits(at.time, state)
             margins = Margins(equations)
             failing = self._failing(margins, at.time, state, scales)

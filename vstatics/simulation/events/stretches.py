@@ -389,7 +389,7 @@ class Closed:
         self.is_given = ports.is_affine and not rates
         self.most = _MOST_HALVINGS if self.is_given else min(most or _FIRST_PARTS, _FIRST_PARTS)
         """Largest number of parts of the next stretch."""
-        looks = {*rates, *equations.seeing}
+        looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
         """Orders used in each polynomial; only 0 and 1 for a law linear in all its inputs."""

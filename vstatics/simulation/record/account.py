@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -99,10 +100,19 @@ def heat_and_losses(
     for index, variator in enumerate(system.variators):
         taken = works[layout.contacts + variator.contact] + works[layout.variators + index]
         _add(losses, variator.name, taken)
+    for name, energy in _of_meshes(equations, state):
+        _add(losses, name, energy)
+    return heat, losses
+
+
+def _of_meshes(equations: Equations, state: Floats) -> Iterator[tuple[str, Floats]]:
+    """Yield losses of mechanisms; an efficiency that depends has another share in its port."""
+    system, works = equations.system, state[equations.works]
     for index, mesh in enumerate(system.meshes):
         if not mesh.lossless:
-            _add(losses, mesh.name, state[equations.meshed][index])
-    return heat, losses
+            yield mesh.name, state[equations.meshed][index]
+    for port, index in enumerate(system.varying, equations.layout.losses):
+        yield system.meshes[index].name, works[port]
 
 
 def _add(energies: dict[str, Floats], name: str, energy: Floats) -> None:

@@ -127,9 +127,8 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
     for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.stiffness is not None or number in moving:
             continue
-        back = (
-            mechanism.efficiency if mechanism.back_efficiency is None else mechanism.back_efficiency
-        )
+        laws = mechanism.efficiency, _back(mechanism)
+        efficiency, back = map(float, laws)
         if back == 0:
             raise CaseError(
                 "E666",
@@ -145,12 +144,18 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
                 rows[index],
                 between(mechanism.first, mechanism.third, case.links),
                 combination([(mechanism.second, -u), (mechanism.third, u)], case.links),
-                mechanism.efficiency,
+                efficiency,
                 back,
                 planets[number - 1],
+                laws if any(isinstance(law, Law) for law in laws) else None,
             )
         )
     return meshes
+
+
+def _back(mechanism: Mechanism) -> float:
+    back = mechanism.back_efficiency
+    return mechanism.efficiency if back is None else back
 
 
 def _taken_by_planets(case: Transmission) -> Floats:
@@ -326,6 +331,7 @@ def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact,
                 reference,
                 first + place,
                 mechanism.efficiency,
+                _back(mechanism),
             ),
         )
 
@@ -394,22 +400,10 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
             )
         elif torque:
             torques.append(DragTorque(is_element, number, torque))
-    problems += _variable_efficiencies(case)
     problems += _gear_losses(case)
     if problems:
         raise CaseError(problems)
     yield from torques
-
-
-def _variable_efficiencies(case: Transmission) -> Iterator[Problem]:
-    for number, mechanism in enumerate(case.mechanisms, 1):
-        if isinstance(mechanism.efficiency, Law) or isinstance(mechanism.back_efficiency, Law):
-            yield Problem(
-                "E695",
-                f"the efficiency of {mechanism.name} depends on speed or torque, expected "
-                "a number in a scenario",
-                ("case", "mechanisms", number, "efficiency"),
-            )
 
 
 def _gear_losses(case: Transmission) -> Iterator[Problem]:

@@ -14,17 +14,18 @@ their speeds follow from the balance of torques along them.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cached_property
+from collections.abc import Callable, Sequence
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError
+from vstatics.core.errors import CaseError, Problem
 from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.curves import slope_ahead
-from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.matrices import MotionSystem, MovingVariator, RigidMechanism
+from vstatics.simulation.system.varying_losses import VaryingLosses
 from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure, null
 from vstatics.simulation.system.values import ValueChanges
@@ -61,6 +62,8 @@ class Equations:
         Beginning of the piece. [s]
     rounding : float
         Largest slip that counts as 0, because it can be rounding error. [rad/s]
+    carried : sequence of float
+        Torques on first links in `VaryingLosses` right before; empty at the start. [N*m]
 
     Raises
     ------
@@ -68,13 +71,14 @@ class Equations:
         If the speed of a link without inertia is not determined.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913, PLR0917
         self,
         system: MotionSystem,
         structure: MotionStructure,
         states: States,
         time: float,
         rounding: float = STANDING,
+        carried: Sequence[float] = (),
     ) -> None:
         layout = self.layout = system.layout
         self.system, self.structure, self.states = system, structure, states
@@ -102,6 +106,8 @@ class Equations:
         limits = {layout.springs + index for index, *_ in self.seen_limits}
         self.seeing = [port for port, _ in self.ports.looks if port not in limits]
         """Ports with feedback torques, except springs at feedback limits, which enter by slope."""
+        self.coupled = [*self.seeing, *range(layout.losses, layout.ports)]
+        """Ports with torques that depend on other quantities than the rate of the port."""
         self.driving = [
             (layout.contacts + index, row)
             for index, row in structure.contact_rows.items()
@@ -114,8 +120,10 @@ class Equations:
         """Longest step where a torque is a formula of time, which can contain a pulse. [s]"""
         self.within = AHEAD * system.scenario.span
         if self.light:
+            self.last_light = np.zeros(self.light)
             self._split_light()
         self.variators = VariatorTorques(self) if system.variators else None
+        self.losses = VaryingLosses(self, carried) if system.varying else None
         self.changes = ValueChanges(self)
         """Rates of change of states and temperatures."""
 
@@ -171,6 +179,29 @@ class Equations:
                 ("case", "inertias", name),
             )
 
+    def carried(self, time: float, state: Floats) -> Sequence[float]:
+        """Return the torques on first links in `losses` [N*m]; empty without such losses."""
+        if not self.losses:
+            return ()
+        self.acting(time, state)
+        return self.losses.latest
+
+    def lacking(self, time: float, state: Floats) -> Problem | None:
+        """Return the reason why no efficiencies agree with the torques in a state, if any."""
+        if not (self.losses or self.variators):
+            return None
+        self.acting(time, state)
+        if self.variators and self.variators.lacks:
+            first: MovingVariator | RigidMechanism = self.variators.variators[0]
+            message = f"no torque on {first.name} agrees with its efficiency"
+        elif self.losses and self.losses.failed:
+            first, message = self.losses.failed
+        else:
+            return None
+        number = first.device - len(self.system.case.shift_elements) + 1
+        path = ("case", "mechanisms", number, "efficiency")
+        return Problem("E695", f"at {time:.9g} s {message}", path)
+
     def _name_of(self, motions: Floats) -> str:
         return self.system.names[int(np.abs(self.structure.light @ motions).max(axis=1).argmax())]
 
@@ -185,11 +216,11 @@ class Equations:
             if not self.by_slope.shape[1]:
                 return left
             slopes = ports.slopes(time, at, state[self.twists], angles, self.within)
-            if self.unsensed:
+            if self.unsensed or self.system.varying:
                 self._see_ahead(time, state, (at, speeds), slopes)
             return np.concatenate([left, self.by_slope.T @ (structure.balances @ slopes)])
 
-        speeds = np.zeros(self.light)
+        speeds = self.last_light if self.losses else np.zeros(self.light)
         left = unbalanced(speeds)
         for _ in range(_NEWTON):
             finest = ports.finest(rates + structure.light_rates @ speeds)
@@ -214,6 +245,7 @@ class Equations:
             speeds, left = speeds - share * change, after
             if share * largest(change) <= least:
                 break
+        self.last_light = np.where(np.isfinite(speeds), speeds, 0.0)
         return speeds
 
     def _see_ahead(
@@ -236,6 +268,15 @@ class Equations:
         for port, look in self.unsensed:
             now, middle, later = map(look.at, [time + step for step in aheads], seen)
             slopes[port] = slope_ahead(now, middle, later, ahead)
+        if self.losses:
+            still = np.zeros(self.size - len(change))
+            lost = [
+                self.torques(
+                    time + step, state + step * np.append(change, still), rates + step * turning
+                )[self.losses.places]
+                for step in aheads
+            ]
+            slopes[self.losses.places] = slope_ahead(lost[0], lost[1], lost[2], ahead)
 
     def rates(self, time: float, state: Floats) -> tuple[Floats, Floats]:
         """Return the rates of ports, and the speeds of motions without inertia."""
@@ -323,11 +364,14 @@ class Equations:
 
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
         """Return the torques of ports at several times, shape (ports, times) [N*m]."""
-        twists, angles, values = states[self.twists], states[self.angles], states[self.values]
-        torques = self.ports.torques_at(times, rates, twists, angles, values)
-        if self.variators:
+        parts = (states[part] for part in (self.twists, self.angles, self.values))
+        torques = self.ports.torques_at(times, rates, *parts)
+        if self.losses and not self.variators:
+            for place in np.flatnonzero(self.losses.fill_all(rates, torques)).tolist():
+                self._couple(float(times[place]), rates[:, place], torques[:, place])
+        elif self.variators:
             for number, time in enumerate(times.tolist()):
-                self.variators.fill(time, rates[:, number], torques[:, number])
+                self._couple(time, rates[:, number], torques[:, number])
         return torques
 
     def speeds_at(self, times: Floats, states: Floats) -> Floats:
@@ -344,11 +388,17 @@ class Equations:
         return bool((along <= STRAIGHT_BALANCE).all())
 
     @property
+    def _bends_otherwise(self) -> bool:
+        """True if torques along motions without inertia bend otherwise than with the rate."""
+        by_slope = self.system.varying and self.by_slope.shape[1]
+        return bool(self.ports.looks or self.ports.struts or by_slope)
+
+    @property
     def has_closed_form(self) -> bool:
         """True if matrix exponentials can describe the motion, at least between corners."""
         if self.system.variators:
             return False
-        if self.light and not self.light_is_straight and (self.ports.looks or self.ports.struts):
+        if self.light and not self.light_is_straight and self._bends_otherwise:
             return False
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
@@ -361,7 +411,7 @@ class Equations:
         step = DIFFERENCE_STEP * max(1.0, largest(rates))
         slopes = self.ports.by_rate.copy()
         limited = self.layout.springs + np.flatnonzero(self.limited)
-        for port in {*self.ports.bending}.difference(limited.tolist(), self.seeing):
+        for port in {*self.ports.bending}.difference(limited.tolist(), self.coupled):
             near = [rates.copy(), rates.copy()]
             near[0][port] -= step
             near[1][port] += step
@@ -376,7 +426,7 @@ class Equations:
         -------
         ndarray, shape (ports + values, size of [q, e, phi, v])
         """
-        looks, first = self.seeing, self.layout.ports
+        looks, first = self.coupled, self.layout.ports
         slopes = np.zeros((first + len(self.layout.values), self.works.start))
         for index, curve in self.ports.struts:
             twist = self.twists.start + index
@@ -420,11 +470,19 @@ class Equations:
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
         """Return the torques of ports [N*m]."""
-        twists, angles, values = state[self.twists], state[self.angles], state[self.values]
-        torques = self.ports.torques(time, rates, twists, angles, values)
-        if self.variators:
-            self.variators.fill(time, rates, torques)
+        parts = (state[part] for part in (self.twists, self.angles, self.values))
+        torques = self.ports.torques(time, rates, *parts)
+        if self.variators or self.losses:
+            self._couple(time, rates, torques)
         return torques
+
+    def _couple(self, time: float, rates: Floats, torques: Floats) -> None:
+        """Fill in the torques that depend on the torques of constraints."""
+        moving = partial(self.variators.fill, time, rates, torques) if self.variators else None
+        if self.losses:
+            self.losses.fill(rates, torques, moving)
+        elif moving:
+            moving()
 
     def moved(self, time: float, state: Floats, length: float) -> Floats:
         """Return the state after a step of the classical Runge-Kutta method of order 4."""

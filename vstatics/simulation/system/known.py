@@ -6,7 +6,7 @@ from typing import Protocol
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.matrices import MotionSystem, PortLayout
-from vstatics.simulation.system.ports import Ports
+from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure
 
 DISTANCES = (1.0, 16.0, 256.0)
@@ -20,6 +20,7 @@ class KnownMotion(Protocol):
     layout: PortLayout
     structure: MotionStructure
     ports: Ports
+    states: States
     motions: int
     twists: slice
     values: slice

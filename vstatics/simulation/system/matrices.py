@@ -28,6 +28,7 @@ from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Curve, Points, Road
 from vstatics.simulation.scenario.parts import Scenario, formulas
 from vstatics.simulation.scenario.programme import Programme
+from vstatics.simulation.tolerances import LEAST_EFFICIENCY
 
 
 class Switch(NamedTuple):
@@ -102,14 +103,37 @@ class RigidMechanism(NamedTuple):
     friction: Floats
     """Column of the friction torque: second link relative to the third, (0, -u, u)."""
     efficiency: float
+    """Efficiency, or the value at 0 of an efficiency that depends on speed or torque. [-]"""
     back: float
+    """Efficiency with power entering at the second link, as `efficiency`. [-]"""
     planets: Floats
     """Torque taken by planets from the first link, per acceleration of links. [kg*m^2]"""
+    laws: tuple[float, float] | None = None
+    """Both efficiencies, at least one of them a law; None if both are numbers."""
 
     @property
     def lossless(self) -> bool:
         """True if the mechanism has no losses."""
-        return self.efficiency == 1.0 and self.back == 1.0
+        return self.efficiency == 1.0 and self.back == 1.0 and self.laws is None
+
+    def friction_at_rest(self, torques: Floats) -> tuple[Floats | float, Floats | float]:
+        """Return the largest friction to both sides, relative to the torque on the first link.
+
+        Parameters
+        ----------
+        torques : ndarray
+            Torques on the first link. [N*m]
+        """
+        if self.laws is None:
+            return 1 - self.efficiency, 1 / self.back - 1
+        still, sizes = np.zeros(len(torques)), np.abs(torques)
+        efficiency, back = (
+            np.clip(law.at(*law.sizes_of(still, sizes)), LEAST_EFFICIENCY, 1.0)
+            if isinstance(law, Law)
+            else law
+            for law in self.laws
+        )
+        return 1 - efficiency, 1 / back - 1
 
 
 class Elastic(NamedTuple):
@@ -186,6 +210,8 @@ class MovingVariator(NamedTuple):
     contact: int
     """Index of the contact that enforces the ratio, in `MotionSystem.contacts`."""
     efficiency: float
+    back: float
+    """Efficiency with power entering at the second link."""
 
 
 class OutsideTorque(NamedTuple):
@@ -234,7 +260,8 @@ class PortLayout:
         self.sensed = tuple(sorted(system.names.index(quantity.of) for quantity in of_links))
         """Indices of the links whose speeds occur in formulas; their ports have no torque."""
         self.variators = self.sensors + len(self.sensed)
-        self.ports = self.variators + len(system.variators)
+        self.losses = self.variators + len(system.variators)
+        self.ports = self.losses + len(system.varying)
         self.frictions = self.outside + self.converters
         """Index of the first contact in `States.pieces`, after loads and converters."""
         self.curves = self.frictions + len(system.contacts)
@@ -295,6 +322,11 @@ class MotionSystem:
         return {device.element: device for device in self.may_slip if device.element is not None}
 
     @cached_property
+    def varying(self) -> tuple[int, ...]:
+        """Indices of the mechanisms whose efficiency depends on speed or torque."""
+        return tuple(index for index, mesh in enumerate(self.meshes) if mesh.laws)
+
+    @cached_property
     def layout(self) -> PortLayout:
         """Layout of the ports."""
         return PortLayout(self)
@@ -331,7 +363,19 @@ class MotionSystem:
         rows += [unit(converter.turbine - 1, links) for converter in self.converters]
         rows += [unit(link, links) for link in self.layout.sensed]
         rows += [unit(variator.first, links) for variator in self.variators]
+        rows += [self.meshes[index].friction for index in self.varying]
         return self.rows(rows)
+
+
+def efficiency_at(number: float, speed: float, torque: float) -> float:
+    """Return an efficiency, a number or a law of the magnitudes of speed and torque.
+
+    >>> efficiency_at(0.95, -3.0, 20.0)
+    0.95
+    """
+    if not isinstance(number, Law):
+        return number
+    return number.at(*number.sizes_of(abs(speed), abs(torque)))
 
 
 def unit(index: int, links: int) -> Floats:

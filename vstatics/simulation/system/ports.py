@@ -122,6 +122,7 @@ class Ports:
             | {port for port, _ in self.looks}
             | {layout.springs + index for index, _ in self.struts}
             | set(range(layout.pumps, layout.sensors))
+            | set(range(layout.losses, layout.ports))
         )
         """Ports with torques that are nonlinear in rates, twists or angles."""
         self.is_rising = bool(self.c1.any())

@@ -12,13 +12,19 @@ the torques, which depend on both: a linear system, solved at each instant.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import Law
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.known import KnownMotion
-from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.tolerances import MOVING_LINK
+from vstatics.simulation.system.matrices import MotionSystem, efficiency_at
+from vstatics.simulation.tolerances import MOVING_LINK, SAME_TORQUE
+
+_MOST_ROUNDS = 100
+"""Largest number of rounds if an efficiency depends on the torque."""
 
 
 class VariatorTorques:
@@ -46,7 +52,13 @@ class VariatorTorques:
         self.places = [*self.changes, *self.extras]
         first = [variator.first for variator in self.variators]
         self.references = np.array([variator.reference for variator in self.variators])
-        self.efficiencies = np.array([variator.efficiency for variator in self.variators])
+        self.lacks = False
+        """Whether no torques agreed with the efficiencies in the last evaluation."""
+        self.is_lawful = any(
+            isinstance(number, Law)
+            for variator in self.variators
+            for number in (variator.efficiency, variator.back)
+        )
         self.accelerations = structure.free[first] @ structure.accelerations
         """Matrix from torques of ports to accelerations of first links."""
         for variator in self.variators:
@@ -78,20 +90,43 @@ class VariatorTorques:
         apart = ratios - self.references
         by_torques = self.equations.structure.torques[self.rows]
         held = by_torques @ torques
+        least = SAME_TORQUE * (np.abs(by_torques) @ np.abs(torques))
         by_port, changes = by_torques[:, self.places], self.accelerations[:, self.places]
         driven = -moved * speeds - apart * (self.accelerations @ torques)
-        carried = held
-        for _ in range(2 + count):  # the power flow of a variator can reverse through another
-            factors = self.efficiencies ** -np.sign(carried * ratios * speeds)
+        carried, factors = held, np.ones(count)
+        # the power flow of a variator can reverse through another, and change its efficiency
+        for _ in range(_MOST_ROUNDS if self.is_lawful else 2 + count):
+            factors = self._factors(carried * ratios * factors, speeds)
             taken = ratios * factors - self.references
             matrix = np.eye(2 * count)
             matrix[:count] += apart[:, None] * changes
             matrix[count:] -= taken[:, None] * by_port
             solution = np.linalg.solve(matrix, np.concatenate([driven, taken * held]))
             before, carried = carried, held + by_port @ solution
-            if (np.sign(before) == np.sign(carried)).all():
+            agree = np.sign(before) == np.sign(carried)
+            if self.is_lawful:
+                agree = np.abs(carried - before) <= least
+            if agree.all():
                 break
+        else:
+            if self.is_lawful:
+                solution = np.full(2 * count, np.nan)
         torques[self.places] = solution
+        self.lacks = self.is_lawful and not np.isfinite(solution).all()
+
+    def _factors(self, torques: Floats, speeds: Floats) -> Floats:
+        """Return ``eta^-s`` of each variator for the torque on its first link and its speed."""
+        factors = np.ones(len(torques))
+        for n, (variator, torque, speed) in enumerate(
+            zip(self.variators, torques.tolist(), speeds.tolist(), strict=True)
+        ):
+            if torque * speed:
+                drives = torque * speed > 0
+                number = variator.efficiency if drives else variator.back
+                value = efficiency_at(number, speed, torque)
+                value = value if 0 < value <= 1 else math.nan
+                factors[n] = 1 / value if drives else value
+        return factors
 
 
 def variator_rows(system: MotionSystem, time: float) -> list[Floats]:

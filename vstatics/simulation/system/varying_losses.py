@@ -1,0 +1,180 @@
+"""Torques of mechanisms whose efficiency depends on speed, torque or both.
+
+The column of such a mechanism has a factor f0, ``eta^x`` of a constant efficiency. With the factor
+f of the present efficiency, a port adds ``(f - f0) m`` along the column of the friction. The torque
+m on the first link depends on the torques of the ports, and f on m: a fixed point, sought from the
+last solution on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from vstatics.core.model.parts import Law
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.simulation.system.fixed_point import FixedPoints, Vector
+from vstatics.simulation.system.known import KnownMotion
+from vstatics.simulation.system.matrices import SIGNS, RigidMechanism, efficiency_at
+from vstatics.simulation.system.structure import mesh_factor
+from vstatics.simulation.tolerances import LEAST_EFFICIENCY, SAME_TORQUE
+
+_MOST_ROUNDS = 12
+"""Largest number of rounds for several instants at once, before each is calculated alone."""
+
+
+class LosingMesh:
+    """Mechanism whose efficiency depends, in a state of its speed and torque.
+
+    Parameters
+    ----------
+    mesh : RigidMechanism
+    state : str
+        State as in `MeshStates`.
+    """
+
+    def __init__(self, mesh: RigidMechanism, state: str) -> None:
+        assert mesh.laws is not None  # noqa: S101 - only such mechanisms have ports
+        self.mesh = mesh
+        self.moves = state not in ("", "stick")
+        self.drives = self.moves and state[0] == state[1]
+        self.law = mesh.laws[0 if self.drives else 1]
+        self.way = SIGNS[state[1]] if self.moves else 0.0
+        self.given = mesh_factor(mesh.efficiency, mesh.back, state)
+        """Factor in the column of the mechanism."""
+
+    def torque(self, speed: float, on_first: float) -> float:
+        """Return the torque of the port, with a possible efficiency if the law gives none."""
+        if not self.moves:
+            return 0.0
+        value = min(self.efficiency(speed, on_first), 1.0)
+        value = max(LEAST_EFFICIENCY, value)  # NaN, too
+        return ((value if self.drives else 1 / value) - self.given) * on_first
+
+    def torques(self, speeds: Floats, on_first: Floats) -> Floats:
+        """Return the torques of the port at several instants; NaN where the law gives none."""
+        if not (self.moves and isinstance(self.law, Law)):
+            return np.array([self.torque(0.0, torque) for torque in on_first.tolist()])
+        sizes = self.law.sizes_of(np.abs(speeds), np.maximum(self.way * on_first, 0.0))
+        values = self.law.at(*sizes)
+        values = np.where((values > 0) & (values <= 1), values, np.nan)
+        return ((values if self.drives else 1 / values) - self.given) * on_first
+
+    def efficiency(self, speed: float, on_first: float) -> float:
+        """Return the efficiency; torques of the other sign, in trials only, count as 0."""
+        return efficiency_at(self.law, speed, max(self.way * on_first, 0.0))
+
+
+class VaryingLosses:
+    """Torques of the ports of mechanisms whose efficiency depends, between two events.
+
+    Parameters
+    ----------
+    equations : KnownMotion
+    before : sequence of float
+        Torques on the first links at the last instant, empty at the start. [N*m]
+    """
+
+    def __init__(self, equations: KnownMotion, before: Vector) -> None:
+        system, states = equations.system, equations.states.meshes
+        self.meshes = [LosingMesh(system.meshes[index], states[index]) for index in system.varying]
+        self.places = slice(equations.layout.losses, equations.layout.ports)
+        self.by_torques = equations.structure.torques[list(system.varying)]
+        self.sizes = np.abs(self.by_torques)
+        self.by_losses = self.by_torques[:, self.places].tolist()
+        self.latest: Vector = [*before] or [0.0] * len(self.meshes)
+        """Torques on the first links at the last solution. [N*m]"""
+        self.has_formulas = any(isinstance(mesh.law, Law) and mesh.law.text for mesh in self.meshes)
+        self.latest_of_all = np.zeros((0, 0))
+        self.fixed_points = FixedPoints(len(self.meshes))
+        self.failed: tuple[RigidMechanism, str] | None = None
+        """Mechanism without a solution in the last evaluation, and the reason."""
+
+    def fill(self, rates: Floats, torques: Floats, others: Callable[[], None] | None) -> None:
+        """Fill in the torques of the ports; NaN if no efficiencies agree with them.
+
+        Parameters
+        ----------
+        rates, torques : ndarray, shape (ports,)
+            Rates and torques of ports; `torques` is changed in place.
+        others : callable, optional
+            Function that fills in other torques that depend on these.
+        """
+        torques[self.places] = 0.0
+        speeds = rates[self.places].tolist()
+        if others:
+            others()
+        held: list[float] = (self.by_torques @ torques).tolist()
+        least = (SAME_TORQUE * (self.sizes @ np.abs(torques))).tolist()
+        losses: list[float] = []
+
+        def on_first(assumed: Vector) -> Vector:
+            losses[:] = [
+                mesh.torque(speed, torque)
+                for mesh, speed, torque in zip(self.meshes, speeds, assumed, strict=True)
+            ]
+            if others:
+                torques[self.places] = losses
+                others()
+                after: list[float] = (self.by_torques @ torques).tolist()
+                return after
+            return [
+                torque + sum([factor * loss for factor, loss in zip(row, losses, strict=True)])
+                for torque, row in zip(held, self.by_losses, strict=True)
+            ]
+
+        agreed = self.fixed_points.near(self.latest, on_first, least)
+        self.failed = self._failure(speeds, agreed)
+        if agreed is None or self.failed:
+            torques[self.places] = np.nan
+        else:
+            self.latest, torques[self.places] = agreed, losses
+
+    def fill_all(self, rates: Floats, torques: Floats) -> Booleans:
+        """Fill in the torques at several instants at once, without other dependent torques.
+
+        Returns
+        -------
+        ndarray, shape (times,)
+            True at instants without a solution yet, because the slopes are too different.
+        """
+        speeds, slopes = rates[self.places], np.array(self.fixed_points.slopes)
+        torques[self.places] = 0.0
+        held, least = self.by_torques @ torques, SAME_TORQUE * (self.sizes @ np.abs(torques))
+        by_losses = np.array(self.by_losses)
+        near = self.latest_of_all
+        on_first = near if near.shape == held.shape and np.isfinite(near).all() else held
+        for _ in range(_MOST_ROUNDS):
+            losses = np.array(
+                [
+                    mesh.torques(*sizes)
+                    for mesh, *sizes in zip(self.meshes, speeds, on_first, strict=True)
+                ]
+            )
+            left = held + by_losses @ losses - on_first
+            missing: Booleans = ~(np.abs(left) <= least).all(axis=0)
+            if not missing.any():
+                break
+            on_first = on_first + slopes @ left
+        torques[self.places], self.latest_of_all = losses, on_first
+        return missing
+
+    def _failure(self, speeds: Vector, agreed: Vector | None) -> tuple[RigidMechanism, str] | None:
+        """Return a mechanism whose torque and efficiency do not agree, with the reason."""
+        if agreed is not None and not self.has_formulas:
+            return None
+        at = self.latest if agreed is None else agreed
+        mesh, message = self.meshes[0], "no torque on {} agrees with its efficiency"
+        for candidate, speed, torque in zip(self.meshes, speeds, at, strict=True):
+            value = candidate.efficiency(speed, torque) if candidate.moves else 1.0
+            if not 0 < value <= 1:
+                mesh, agreed = candidate, None
+                message += (
+                    f": at {abs(speed):.6g} rad/s and {max(0.0, candidate.way * torque):.6g} N*m "
+                    f"it is {value:.6g}, expected above 0 and at most 1"
+                )
+                break
+        if agreed is not None:
+            return None
+        return mesh.mesh, message.format(mesh.mesh.name)
