@@ -505,6 +505,12 @@ GEAR = ByKey(
             examples=({"hydro": -0.2},),
         ),
         KeyShape(
+            "open",
+            ListOf(Leaf("converter"), "converters"),
+            "Converters that transmit nothing in this gear, such as drained fluid couplings.",
+            examples=(["TC"],),
+        ),
+        KeyShape(
             "loss",
             GEAR_LOSS,
             "Loss of the gear, measured as a whole, which brakes the input link beside all other "

@@ -678,6 +678,8 @@ class Gear(NamedTuple):
     loss_torques : mapping of int to float
         Torque by which `loss` brakes the input link, relative to the input torque, by link. The
         calculation sets it. [-]
+    open : sequence of int
+        Converters that transmit nothing in this gear, numbered as in `speed_ratios`.
 
     Examples
     --------
@@ -706,6 +708,7 @@ class Gear(NamedTuple):
     loss: Law | None = None
     holding: tuple[int, ...] | None = None
     loss_torques: Mapping[int, float] = MappingProxyType({})
+    open: Sequence[int] = ()
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
         """Return the links of the balance without speed or torque, except input and output."""

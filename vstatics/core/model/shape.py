@@ -88,6 +88,7 @@ LeafKind = (
         "efficiency",
         "link",
         "element",
+        "converter",
         "flag",
         "choice",
     ]
