@@ -12,3 +12,5 @@ SAME_TORQUE_CLASS = 1e-9
 """Relative difference up to which a torque at the bound of a class belongs below it. [-]"""
 SAME_POWER = 1e-9
 """Relative difference up to which the powers of two gears count as equal. [-]"""
+NO_SPEED = 1e-12
+"""Relative speed of a link that counts as rounding noise. [-]"""

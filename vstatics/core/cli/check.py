@@ -109,8 +109,8 @@ def constraints(file: str, results: Results) -> Grid:
         faults += [TIED_UP.english] * bool(tied_up)
         faults += [CONFLICT.english] * bool(conflict)
         count = given_constraints(gear) + len(holding)
-        bypassed = case.bypassed(with_engaged(gear, holding))  # these impose no constraint
-        needed = free + len(bypassed)
+        converters = case.unloaded_converters(with_engaged(gear, holding))
+        needed = free + len(converters)  # these impose no constraint
         state = f"{count} of {needed} constraints: {', '.join(faults) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"

@@ -22,7 +22,7 @@ class CaseChange(NamedTuple):
 
 _WORDS = ("name", "description", "source")
 """Keys without any effect on results."""
-_SETS = ("engaged", "allow")
+_SETS = ("engaged", "open", "allow")
 """Keys of lists whose order has no meaning."""
 
 

@@ -221,7 +221,7 @@ def _pairs(case: Transmission, place: int) -> Transmission:
             "is a converter" if mechanism.kind == "converter" else "has the speed ratio 0",
         )
         for place, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True))
-        if place not in case.bypassed(gear)
+        if place not in case.unloaded_converters(gear)
         and (mechanism.kind == "converter" or (mechanism.kind and not ratio))
     )
     raise CaseError(

@@ -132,8 +132,8 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
         yield f"{tr('Torques with losses')}: {rule(coasts=case.coasts(state.gear), drags=drags)}"
     if any(mechanism.back_efficiency is not None for mechanism in case.mechanisms):
         yield tr("With x = -1 it is u/b, where an efficiency backward b is given.")
-    bypassed = case.bypassed(state.gear)
-    kinds = {mechanism.kind for n, mechanism in enumerate(case.mechanisms) if n not in bypassed}
+    bypassed, unloaded = case.bypassed(state.gear), case.unloaded_converters(state.gear)
+    kinds = {mechanism.kind for n, mechanism in enumerate(case.mechanisms) if n not in unloaded}
     if "variator" in kinds:
         yield tr(
             "For a variator, u is the inverse of its speed ratio w_second/w_first. At speed"
@@ -145,9 +145,13 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
             "K is interpolated linearly over the speed ratio w_second/w_first and held "
             "constant outside its points. The converter loses M (w_first - K w_second)."
         )
-    if bypassed:
-        names = ", ".join(case.mechanisms[n].name for n in sorted(bypassed))
-        yield tr("Bypassed by a lock-up clutch, without torque: {names}.", names=names)
+    for text, numbers in (
+        ("Bypassed by a lock-up clutch, without torque: {names}.", bypassed),
+        ("Open, without torque: {names}.", unloaded - bypassed),
+    ):
+        if numbers:
+            names = ", ".join(case.mechanisms[n].name for n in sorted(numbers))
+            yield tr(text, names=names)
     efficiencies = (
         n
         for mechanism in case.mechanisms

@@ -203,7 +203,9 @@ def _losses(explanation: Explanation, digits: int | None) -> Iterator[str]:
             yield from _tried(tried, digits)
     elif any(sign.lossy_ratio != sign.ratio for sign in explanation.signs) or _drags(explanation):
         if _drags(explanation):
-            yield INDENT + tr("torques of drag, and of the loss of the gear, are on the right-hand sides")
+            yield INDENT + tr(
+                "torques of drag, and of the loss of the gear, are on the right-hand sides"
+            )
         yield from _system(explanation.lossy, digits, with_symbols=False)
         yield INDENT + _efficiency(explanation, digits)
     else:

@@ -328,6 +328,40 @@ class TransmissionFields:
             if mechanism.kind == "converter" and bodies[mechanism.first] == bodies[mechanism.second]
         }
 
+    def unloaded_converters(self, gear: Gear) -> set[int]:
+        """Return the indices of converters that a gear bypasses or opens.
+
+        They carry no torque and have no equation in this gear.
+
+        Examples
+        --------
+        >>> from vstatics.core.model.transmission import Transmission
+        >>> converter = Mechanism(1, 2, 0, 0.8, kind="converter", points=((0, 2), (1, 1)))
+        >>> case = Transmission(2, [ShiftElement(1, 2)], [converter], [Gear(), Gear(open=[1])])
+        >>> [case.unloaded_converters(gear) for gear in case.gears]
+        [set(), {0}]
+        """
+        first = self.own_mechanisms.start - 1
+        opened = {first + number for number in gear.open if first + number < len(self.mechanisms)}
+        return opened | self.bypassed(gear)
+
+    def sought_converters(self, gear: Gear) -> list[int]:
+        """Return the indices of converters whose speed ratio the load determines in a gear.
+
+        Examples
+        --------
+        >>> from vstatics.core.model.transmission import Transmission
+        >>> points = ((0, 2, 0.001), (1, 1, 0.0))
+        >>> converter = Mechanism(1, 2, 0, math.nan, kind="converter", points=points)
+        >>> case = Transmission(2, [], [converter], [Gear(), Gear(speed_ratios={1: 0.8})])
+        >>> [case.sought_converters(gear) for gear in case.gears]
+        [[0], []]
+        """
+        if not self.has_converter:
+            return []
+        ratios = enumerate(zip(self.mechanisms, self.gear_ratios(gear), strict=True))
+        return [n for n, (part, ratio) in ratios if part.kind == "converter" and ratio != ratio]  # noqa: PLR0124 - NaN
+
     @property
     def own_mechanisms(self) -> slice:
         """Slice of the mechanisms that the case gives directly, after the gear sets' mechanisms."""
@@ -337,7 +371,7 @@ class TransmissionFields:
     def gear_ratios(self, gear: Gear, ratios: Sequence[Any] | None = None) -> list[Any]:
         """Return the ratio of each mechanism in a gear [-], with the gear's own speed ratios.
 
-        A bypassed converter has the ratio 1.
+        A converter that is bypassed or open has the ratio 1.
 
         Parameters
         ----------
@@ -353,7 +387,7 @@ class TransmissionFields:
             place = self.own_mechanisms.start + number - 1
             if place < len(in_gear):  # larger numbers belong to `converters`
                 in_gear[place] = ratio
-        for place in self.bypassed(gear):
+        for place in self.unloaded_converters(gear):
             in_gear[place] = 1.0
         return in_gear
 

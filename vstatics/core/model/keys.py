@@ -512,6 +512,12 @@ GEAR = ByKey(
             examples=({"C1": "300 rpm"},),
         ),
         KeyShape(
+            "open",
+            ListOf(Leaf("converter"), "converters"),
+            "Converters that transmit nothing in this gear, such as drained fluid couplings.",
+            examples=(["TC"],),
+        ),
+        KeyShape(
             "loss",
             GEAR_LOSS,
             "Loss of the gear, measured as a whole, which brakes the input link beside all other "

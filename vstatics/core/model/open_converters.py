@@ -38,7 +38,8 @@ def with_open_converters(case: Transmission) -> Transmission:
     gears = []
     for gear in case.gears:
         ratios = {after.index(before[n - 1]) + 1: r for n, r in gear.speed_ratios.items()}
-        gears.append(gear._replace(speed_ratios=ratios))
+        opened = tuple(after.index(before[n - 1]) + 1 for n in gear.open)
+        gears.append(gear._replace(speed_ratios=ratios, open=opened))
     return with_mechanisms(case, remaining, gears=gears, converters=[*case.converters, *moved])
 
 

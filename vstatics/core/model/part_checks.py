@@ -29,6 +29,7 @@ from vstatics.core.model.parts import (
     OfLoad,
     ShiftElement,
     SpeedOf,
+    mechanism_names,
 )
 from vstatics.core.numerics.tolerances import SAME_POWER
 
@@ -289,6 +290,32 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             )
 
 
+def _open(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """Check the converters that a gear opens."""
+    mechanisms = case.mechanisms[case.own_mechanisms]
+    names = [*mechanism_names(mechanisms), *(converter.name for converter in case.converters)]
+    for place, number in enumerate(gear.open, 1):
+        inner = (*path, "open", place)
+        if not is_number(number, len(names), 1):
+            expected = f"the number of a converter, from 1 to {len(names)}"
+            yield Problem("E275", f"read {number!r}, expected {expected}", inner)
+            continue
+        name = names[number - 1]
+        if number <= len(mechanisms) and mechanisms[number - 1].kind != "converter":
+            yield Problem("E278", f"{name} is not a converter; remove it from `open`", inner)
+        elif number in gear.open[: place - 1]:
+            yield Problem("E278", f"{name} is listed twice, expected it once", inner)
+        elif number in gear.speed_ratios:
+            message = f"{name} also has a speed ratio in this gear; remove one of the two"
+            yield Problem("E278", message, inner)
+        elif number <= len(mechanisms) and _is_bypassed(case, gear, number):
+            message = (
+                f"the engaged shift elements lock the links of {name} together, so it cannot be "
+                "open: release its lock-up clutch, or remove it from `open`"
+            )
+            yield Problem("E278", message, inner)
+
+
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
     """Return whether a gear bypasses a converter, numbered among the case's own mechanisms.
 
@@ -325,7 +352,8 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
                 "give it in this gear under `speed_ratios`, or in the mechanism for all gears"
             )
             for place, gear in enumerate(case.gears, 1):
-                if number not in gear.speed_ratios and not _is_bypassed(case, gear, number):
+                given = number in gear.speed_ratios or number in gear.open
+                if not given and not _is_bypassed(case, gear, number):
                     yield Problem("E277", message, ("gears", place))
 
 
@@ -421,6 +449,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
         what = "a loss of 0 or more"
         yield from of_law(gear.loss, (*path, "loss"), low=0, high=math.inf, what=what)
     yield from _speed_ratios(case, gear, path)
+    yield from _open(case, gear, path)
     if gear.kind not in GEAR_KINDS:
         expected = "`gear`, `neutral` or `point`"
         yield Problem("E232", f"read {gear.kind!r}, expected {expected}", (*path, "kind"))

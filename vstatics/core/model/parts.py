@@ -681,6 +681,8 @@ class Gear(NamedTuple):
     loss_torques : mapping of int to float
         Torque by which `loss` brakes the input link, relative to the input torque, by link. The
         calculation sets it. [-]
+    open : sequence of int
+        Converters that transmit nothing in this gear, numbered as in `speed_ratios`.
 
     Examples
     --------
@@ -710,6 +712,7 @@ class Gear(NamedTuple):
     loss: Law | None = None
     holding: tuple[int, ...] | None = None
     loss_torques: Mapping[int, float] = MappingProxyType({})
+    open: Sequence[int] = ()
 
     @property
     def carrying(self) -> tuple[int, ...]:

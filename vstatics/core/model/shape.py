@@ -89,6 +89,7 @@ LeafKind = (
         "efficiency",
         "link",
         "element",
+        "converter",
         "flag",
         "choice",
     ]

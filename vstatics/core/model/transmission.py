@@ -159,8 +159,8 @@ class Transmission(TransmissionFields):
     def as_pairs(self, gear: Gear) -> Transmission | None:
         """Return the case with each variator replaced by a gear pair that has its ratio in a gear.
 
-        Return None if the gear has a converter that is not bypassed, or a variator with a speed
-        ratio of 0.
+        Return None if a converter carries torque in the gear, or a variator has the speed ratio
+        0.
 
         Examples
         --------
@@ -170,9 +170,9 @@ class Transmission(TransmissionFields):
         2.5
         """
         ratios = self.gear_ratios(gear)
-        pairs, bypassed = list[Mechanism](), self.bypassed(gear)
+        pairs, unloaded = list[Mechanism](), self.unloaded_converters(gear)
         for place, (mechanism, ratio) in enumerate(zip(self.mechanisms, ratios, strict=True)):
-            if place in bypassed:
+            if place in unloaded:
                 pairs.append(mechanism._replace(ratio=ratio))
                 continue
             if mechanism.kind == "converter" or (mechanism.kind and not ratio):
@@ -346,6 +346,7 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         balance=gear.balance
         and gear.balance._replace(efficiencies=tuple(gear.balance.efficiencies)),
         speed_ratios={number: float(ratio) for number, ratio in gear.speed_ratios.items()},
+        open=tuple(gear.open),
     )
 
 

@@ -105,9 +105,9 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
         if not (load.speed and load.torque and results.consistent[index]):
             continue
         state = results.gear_at(index)
-        bypassed, ratios = case.bypassed(state.gear), state.ideal.variant.ratios
+        unloaded, ratios = case.unloaded_converters(state.gear), state.ideal.variant.ratios
         for place, mechanism in enumerate(case.mechanisms):
-            if not mechanism.can_be_open or place in bypassed:
+            if not mechanism.can_be_open or place in unloaded:
                 continue
             speed = plain(state.speeds[mechanism.first - 1]) * load.speed * RAD_PER_RPM
             taken = torque_of_pump(mechanism.points, plain(ratios[place]), speed)

@@ -98,10 +98,10 @@ def _messages(results: Results) -> Iterator[Message]:
 
 
 def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, float]]:
-    """Yield the converters that a gear does not bypass, with speed ratios [-]."""
-    bypassed = case.bypassed(gear)
+    """Yield the converters that carry torque in a gear, with speed ratios [-]."""
+    unloaded = case.unloaded_converters(gear)
     for place, pair in enumerate(zip(case.mechanisms, case.gear_ratios(gear), strict=True)):
-        if pair[0].kind == "converter" and place not in bypassed:
+        if pair[0].kind == "converter" and place not in unloaded:
             yield pair
 
 

@@ -215,7 +215,8 @@ def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[E
     Mechanisms, springs and engaged shift elements have one equation each, ``w_f - u w_s + (u - 1)
     w_h = 0`` or ``w_a - w_b = 0``, with a given slip on the right; a spring keeps its twist at mean
     speeds. Then follow ``w_input = 1`` and one equation for each further given speed, which is a
-    number or a multiple of another link's speed (figure 3). A bypassed converter has no equation.
+    number or a multiple of another link's speed (figure 3). A converter that is bypassed or open
+    has no equation.
 
     Parameters
     ----------
@@ -306,10 +307,10 @@ def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
 def always_loaded(case: Transmission, gear: Gear) -> list[int]:
     """Return the indices of mechanisms and springs that can carry torque.
 
-    Bypassed converters and mere dampers are left out.
+    Converters that are bypassed or open, and mere dampers, are left out.
     """
     elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
-    left_out = case.bypassed(gear)
+    left_out = case.unloaded_converters(gear)
     left_out |= {n for n, spring in enumerate(case.springs, mechanisms) if spring.is_damper}
     number = elements + mechanisms + len(case.springs)
     return [device for device in range(elements, number) if device - elements not in left_out]

@@ -203,10 +203,9 @@ class _Writer(NamedTuple):
         plain = _PLAIN.get(shape.kind)
         if plain is not None:
             return plain(value)
-        if shape.kind == "link":
-            return self.links[value]
-        if shape.kind == "element":
-            return self.elements[value]
+        words = {"link": self.links, "element": self.elements, "converter": self.mechanisms}
+        if shape.kind in words:
+            return words[shape.kind][value]
         return f"{float(value)!r} {UNITS[shape.kind]}" if shape.kind in UNITS else value
 
     def speed_of(self, speed: SpeedOf) -> str:

@@ -115,7 +115,11 @@ class _WorkingPoints:
         self.path = ("gears", gear + 1)
         self.load = opened.gear_load(self.gear)
         self.joined = dict(self._joined())
-        self.closed = [c for c in opened.converters if c.name not in self.joined]
+        names = [*(part.name for part in opened.mechanisms[opened.own_mechanisms])]
+        names += [converter.name for converter in opened.converters]
+        empty = {names[number - 1] for number in self.gear.open}
+        self.filled = [c for c in opened.converters if c.name not in empty]
+        self.closed = [c for c in self.filled if c.name not in self.joined]
         self.driving: list[Converter] = []
         """Converters with given speed ratios; the first determines the torque of the input."""
 
@@ -130,7 +134,7 @@ class _WorkingPoints:
         case, doubts = self._loaded(self._case_at(ratios))
         results = solve(case)
         working = []
-        for converter in self.opened.converters:
+        for converter in self.filled:
             name = converter.name
             ratio = self.joined.get(name, ratios.get(name, 0.0))
             if self.load.speed is None and name in self.joined:
@@ -175,7 +179,7 @@ class _WorkingPoints:
         of_case = self.opened.mechanisms[self.opened.own_mechanisms]
         speed_ratios = {n: i for n, i in self.gear.speed_ratios.items() if n <= len(of_case)}
         mechanisms = [*of_case, *(c.at_ratio(ratios[c.name]) for c in self.closed)]
-        gears = [self.gear._replace(speed_ratios=speed_ratios)]
+        gears = [self.gear._replace(speed_ratios=speed_ratios, open=())]
         return with_mechanisms(self.opened, mechanisms, converters=(), gears=gears)
 
     def _pump_speed(self, converter: Converter, results: Results) -> float:

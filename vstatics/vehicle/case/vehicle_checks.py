@@ -79,11 +79,11 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     yield from _mass_twice(case, vehicle)
     yield from _units_forgotten(vehicle)
     yield from _machines_beside(case)
-    everywhere = set.intersection(*map(case.bypassed, case.gears)) if case.gears else set()
+    free = [{*case.unloaded_converters(g), *case.sought_converters(g)} for g in case.gears]
     converters = [
         mechanism.name
         for place, mechanism in enumerate(case.mechanisms)
-        if mechanism.kind == "converter" and place not in everywhere
+        if mechanism.kind == "converter" and not all(place in places for places in free)
     ]
     if converters:
         message = (

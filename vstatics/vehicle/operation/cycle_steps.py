@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +17,8 @@ from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
+from vstatics.vehicle.operation.converter import ConverterGear, bare, converters_of
+from vstatics.vehicle.operation.converter_steps import ConverterSteps
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
 from vstatics.vehicle.operation.shifting import (
     EngineSpeeds,
@@ -25,7 +27,7 @@ from vstatics.vehicle.operation.shifting import (
     by_shift_speeds,
     directions,
 )
-from vstatics.vehicle.operation.trace import Trace
+from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.operation.traction import engine_alone
 from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE, SAME_POWER
 
@@ -69,8 +71,16 @@ class CycleSteps(NamedTuple):
     ratios: Floats
     """Link speeds divided by output speed, shape (gears, links). [-]
 
-    The signs are such that the engine turns forward.
+    The signs are such that the engine turns forward. In a gear whose converter finds its ratio,
+    they are the changes of link speeds with output speed at a constant speed of the engine.
     """
+    converters: Mapping[int, ConverterGear]
+    """Gears whose converters find their speed ratios, by index."""
+    engine_ratios: Floats
+    """Engine speed divided by output speed, shape (gears,); of a converter at its free ratio. [-]
+    """
+    engine_speeds: Floats
+    """Speeds of the engine, as magnitudes. [rad/s]"""
     guessed: Sequence[str]
     """Names of gears that count as forward only because of their place in the order."""
 
@@ -85,6 +95,7 @@ class CycleSteps(NamedTuple):
         CaseError
             If a gear is not in the case.
         """
+        converters, case = converters_of(case), bare(case)
         results = solve(case)
         outputs = np.array([case.gear_output(gear) - 1 for gear in case.gears])
         inputs = np.array([case.gear_input(gear) - 1 for gear in case.gears])
@@ -93,7 +104,10 @@ class CycleSteps(NamedTuple):
             ratios = results.speeds / results.speeds[indices, outputs][:, None]
             ratios *= np.sign(ratios[indices, inputs])[:, None]  # the engine turns forward
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
-        engine = EngineSpeeds(wheels, ratios[indices, inputs], vehicle.may_turn)
+        engine_ratios = np.abs(ratios[indices, inputs])
+        for index, converter in converters.items():
+            ratios[index] = converter.per_output[2:]
+        engine = EngineSpeeds(wheels, engine_ratios, vehicle.may_turn, converters)
         driving = np.where(engine_alone(case), results.ratio, math.nan)
         if choice.least_loss and trace.gears:
             message = "the column `gear` and --strategy both give the gears, expected one of them"
@@ -116,10 +130,15 @@ class CycleSteps(NamedTuple):
         names = [gear.name for gear in case.gears]
         ways = directions(driving, names) if by_speed.least_speed is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
-        steps = cls(case, vehicle, trace, gears, ratios, guessed)
+        speeds = wheels * engine_ratios[gears]
+        steps = cls(case, vehicle, trace, gears, ratios, converters, engine_ratios, speeds, guessed)
         if not choice.least_loss:
             return steps
-        return steps._replace(gears=steps._of_least_loss(next(iter(ways), [])))
+        return steps._in_gears(steps._of_least_loss(next(iter(ways), [])))
+
+    def _in_gears(self, gears: Integers) -> CycleSteps:
+        output = np.abs(self.output_speeds)
+        return self._replace(gears=gears, engine_speeds=output * self.engine_ratios[gears])
 
     def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
         """Return the forward gears in which engine or battery give least, or take back most.
@@ -129,29 +148,24 @@ class CycleSteps(NamedTuple):
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
-        for gear in sorted(ahead, key=lambda gear: abs(float(self._input_ratio(gear)))):
-            steps = self._replace(gears=np.full(len(self.gears), gear))
+        for gear in sorted(ahead, key=lambda gear: float(self.engine_ratios[gear])):
+            steps = self._in_gears(np.full(len(self.gears), gear))
             rows, powers = steps.powers_of(moving)
             better = powers < best[rows] - SAME_POWER * np.abs(powers)
             best[rows[better]], gears[rows[better]] = powers[better], gear
         return gears
-
-    def _input_ratio(self, gear: int) -> float:
-        """Return the speed of the input relative to the output in a gear [-]."""
-        ratio: float = self.ratios[gear, self.case.gear_input(self.case.gears[gear]) - 1]
-        return ratio
 
     def powers_of(self, rows: Integers) -> tuple[Integers, Floats]:
         """Return steps within full load and speed, with the power of engine or battery there [W].
 
         Steps without torques are left out.
         """
-        speeds = self.engine_speeds
-        rows = rows[self.vehicle.may_turn(speeds[rows])]
-        torques = np.zeros(0)
+        rows = rows[self.vehicle.may_turn(self.engine_speeds[rows])]
+        torques = turning = np.zeros(0)
         while rows.size:
             try:
-                torques = self.engine_torques(rows)
+                driven = self.driven(rows)
+                torques, turning = driven.torques[rows], driven.steps.engine_speeds[rows]
                 break
             except CaseError as error:
                 firsts = [problem.path[0] for problem in error.problems if problem.path]
@@ -159,10 +173,8 @@ class CycleSteps(NamedTuple):
                 if others.size == rows.size:
                     raise
                 rows = others
-        turning = speeds[rows]
-        torques = np.maximum(torques, self.vehicle.overrun_torque(turning))
         full = self.vehicle.full_torque(turning) if self.vehicle.full_load else np.inf
-        within = torques <= full + SAME_ENGINE_TORQUE
+        within = (torques <= full + SAME_ENGINE_TORQUE) & self.vehicle.may_turn(turning)
         rows, torques, turning = rows[within], torques[within], turning[within]
         powers = torques * turning
         if self.vehicle.machine is not None:
@@ -181,7 +193,8 @@ class CycleSteps(NamedTuple):
             acceleration=complete.acceleration[rows],
             slope=complete.slope[rows],
         )
-        return self._replace(trace=trace, gears=self.gears[rows])
+        speeds = self.engine_speeds[rows]
+        return self._replace(trace=trace, gears=self.gears[rows], engine_speeds=speeds)
 
     @property
     def forces(self) -> Floats:
@@ -196,18 +209,13 @@ class CycleSteps(NamedTuple):
         forces = self.forces
         return np.where(forces < 0, self.vehicle.recuperation * forces, forces)
 
-    def link_speeds(self, kind: str) -> Floats:
-        """Return the speeds of the input or output links [rad/s]."""
-        link_of = self.case.gear_input if kind == "input" else self.case.gear_output
-        links = np.array([link_of(gear) - 1 for gear in self.case.gears])
+    @property
+    def output_speeds(self) -> Floats:
+        """Speeds of the output [rad/s]."""
+        links = np.array([self.case.gear_output(gear) - 1 for gear in self.case.gears])
         output = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive  # without sign
         speeds: Floats = output * self.ratios[self.gears, links[self.gears]]
         return speeds
-
-    @property
-    def engine_speeds(self) -> Floats:
-        """Speeds of the engine, as magnitudes [rad/s]."""
-        return np.abs(self.link_speeds("input"))
 
     def course(self, engine: Floats) -> dict[str, Floats]:
         """Return the columns of the steps by heading, with values at mid-step."""
@@ -229,10 +237,9 @@ class CycleSteps(NamedTuple):
         """
         moving = self.trace.speed > 0
         inertia = np.zeros(len(self.gears))
-        signs = np.sign(self.link_speeds("input"))
         for number, gear in enumerate(self.case.gears):
             rows = np.flatnonzero((self.gears == number) & moving)
-            inertia[rows] = self._inertia_torque(rows, self.case.gear_input(gear)) * signs[rows]
+            inertia[rows] = self._inertia_torque(rows, self.case.gear_input(gear))
         return {
             "duration [s]": self.trace.duration,
             "speed [rpm]": np.where(moving, self.engine_speeds, 0.0) * 30 / math.pi,
@@ -273,26 +280,26 @@ class CycleSteps(NamedTuple):
         for link, inertia in self.case.heavy.items():
             turned = self.ratios[self.gears, link - 1] * factor
             change = np.where(self.trace.speed > 0, turned**2 * (after**2 - before**2), 0.0)
+            for gear, converter in self.converters.items():
+                turns = converter.per_engine[1 + link] * self.engine_speeds
+                mixed = 2 * turns * turned * (after - before)
+                change = np.where(
+                    (self.gears == gear) & (self.trace.speed > 0), change + mixed, change
+                )
             total += float(np.nan_to_num(inertia / 2 * change).sum())
         return total
 
     def _from_wheels(self, rows: Integers) -> PointLoads:
         """Solve the transmission with output and input exchanged."""
-        here = self.at(rows)
-        speeds = here.link_speeds("output")
-        torques = -here.asked_forces * self.vehicle.radius / self.vehicle.final_drive
-        points = DutyPoints(self.gears[rows], speeds, torques * np.sign(speeds), np.ones(len(rows)))
-        return self._solved(self._turned, rows, points)
+        points = DutyPoints(self.gears[rows], *self._load_of_wheels(rows), np.ones(len(rows)))
+        return self._solved(turned(self.case, self.ratios), rows, points)
 
-    @property
-    def _turned(self) -> Transmission:
-        gears = []
-        for gear, ratios in zip(self.case.gears, self.ratios, strict=True):
-            ends = self.case.gear_input(gear), self.case.gear_output(gear)
-            ratio = float(ratios[ends[0] - 1] / ratios[ends[1] - 1])
-            slip = {n: slip * ratio if slip else 0.0 for n, slip in gear.slip.items()}
-            gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
-        return self.case.replace(gears=gears, outputs=())
+    def _load_of_wheels(self, rows: Integers) -> tuple[Floats, Floats]:
+        """Return speeds [rad/s] and torques [N*m] of the output as the input of the calculation."""
+        here = self.at(rows)
+        speeds = here.output_speeds
+        torques = -here.asked_forces * self.vehicle.radius / self.vehicle.final_drive
+        return speeds, torques * np.sign(speeds)
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
         """Solve the transmission at the operating points of some steps.
@@ -303,9 +310,59 @@ class CycleSteps(NamedTuple):
             If a point has no torques.
         """
         try:
-            return PointLoads.of(case, points, self._elsewhere(case, rows))
+            return PointLoads.of(
+                case, points, self._elsewhere(case, rows) | self._speed_ratios(rows)
+            )
         except CaseError as error:
             raise at_rows(error, rows) from None
+
+    def _speed_ratios(self, rows: Integers) -> dict[str, Floats]:
+        """Return the speed ratios of converters that find them, by path [-]."""
+        here = self.at(rows)
+        output = np.abs(here.output_speeds)
+        return {
+            converter.path: np.where(
+                here.gears == gear,
+                converter.ratio(here.engine_speeds, output),
+                converter.free_ratio,
+            )
+            for gear, converter in self.converters.items()
+        }
+
+    def _with_converters(self, rows: Integers) -> Iterator[tuple[ConverterSteps, Integers]]:
+        """Yield the steps whose converters find their ratios, by gear, with their rows."""
+        for gear, converter in self.converters.items():
+            places = rows[self.gears[rows] == gear]
+            if places.size:
+                cases = converter.case, turned(converter.case, self.ratios[[gear]])
+                further = [self._elsewhere(case, places) for case in cases]
+                load = self._load_of_wheels(places)
+                yield ConverterSteps(converter, self.vehicle, cases, further, load, places), places
+
+    def driven(self, rows: Integers) -> DrivenSteps:
+        """Return some of the steps with speeds and torques of the engine, within its overrun.
+
+        Raises
+        ------
+        CaseError
+            If a step has no torques.
+        """
+        speeds, torques = self.engine_speeds.copy(), np.zeros(len(self.gears))
+        limited = np.zeros(len(self.gears), np.bool_)
+        for found, places in self._with_converters(rows):
+            speeds[places], torques[places] = found.from_wheels()
+            limited[places] = np.isfinite(torques[places])
+        steps = self._replace(engine_speeds=speeds)
+        free = rows[~limited[rows]]
+        for part in blocks(len(free)):
+            torques[free[part]] = steps.engine_torques(free[part])
+        least = self.vehicle.overrun_torque(speeds)
+        over = np.zeros(len(self.gears), np.bool_)
+        over[free] = torques[free] < least[free] - SAME_ENGINE_TORQUE
+        torques = np.where(over, least, torques)
+        for found, places in self._with_converters(np.flatnonzero(over)):
+            speeds[places], torques[places] = found.at_overrun()
+        return DrivenSteps(self._replace(engine_speeds=speeds), torques, limited | over)
 
     def engine_torques(self, rows: Integers) -> Floats:
         """Return engine torques with all losses, in the direction of the engine [N*m].
@@ -316,8 +373,8 @@ class CycleSteps(NamedTuple):
             If no torque, or more than one, is consistent with the loss of a gear as a whole.
         """
         here, loads = self.at(rows), self._from_wheels(rows)
-        speeds = here.link_speeds("input")
-        torques = -self._given(self._turned, rows, loads) * np.sign(speeds)
+        speeds = here.engine_speeds
+        torques = -self._given(turned(self.case, self.ratios), rows, loads) * np.sign(speeds)
         for number, gear in enumerate(self.case.gears):
             if gear.loss is not None:
                 of_gear = np.flatnonzero(here.gears == number)
@@ -331,7 +388,7 @@ class CycleSteps(NamedTuple):
         loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
         if loss is None:
             return torques[of_gear]
-        with_loss, counts = braked_torques(loss, np.abs(speeds[of_gear]), torques[of_gear])
+        with_loss, counts = braked_torques(loss, speeds[of_gear], torques[of_gear])
         problems = [
             Problem(
                 "E424",
@@ -353,7 +410,7 @@ class CycleSteps(NamedTuple):
         """
         lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
         here = self.at(rows)
-        speeds = np.abs(here.link_speeds("input"))
+        speeds = here.engine_speeds
         for number, gear in enumerate(self.case.gears):
             own = here.gears == number
             if gear.loss is not None and own.any():
@@ -368,16 +425,39 @@ class CycleSteps(NamedTuple):
         return float(power @ here.trace.duration)
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
-        """Add the losses of rows at overrun, and return the energy of the brakes [J]."""
+        """Add the losses of rows in which brakes take the excess, and return its energy [J]."""
         here = self.at(rows)
-        speeds = here.link_speeds("input")
-        points = DutyPoints(self.gears[rows], speeds, engine[rows], np.ones(len(rows)))
+        points = DutyPoints(self.gears[rows], here.engine_speeds, engine[rows], np.ones(len(rows)))
         loads = self._solved(self.case, rows, points)
         lost.add(loads, rows, self.trace.duration[rows])
-        torque = self._given(self.case, rows, loads) * np.sign(here.link_speeds("output"))
+        torque = self._given(self.case, rows, loads) * np.sign(here.output_speeds)
         force = torque * self.vehicle.final_drive / self.vehicle.radius
         power = (force - here.forces) * here.trace.speed
         return float(power @ here.trace.duration)
+
+
+class DrivenSteps(NamedTuple):
+    """Steps of a cycle with the engine."""
+
+    steps: CycleSteps
+    torques: Floats
+    """Torques of the engine. [N*m]"""
+    limited: Booleans
+    """Steps in which the wheels get more force than asked, or less braking; brakes take it."""
+
+
+def turned(case: Transmission, ratios: Floats) -> Transmission:
+    """Return a case with output and input exchanged, and without losses of gears as a whole.
+
+    `ratios` are the speeds of links per output speed, shape (gears, links) [-].
+    """
+    gears = []
+    for gear, by_output in zip(case.gears, ratios, strict=True):
+        ends = case.gear_input(gear), case.gear_output(gear)
+        ratio = float(by_output[ends[0] - 1] / by_output[ends[1] - 1])
+        slip = {n: slip * ratio if slip else 0.0 for n, slip in gear.slip.items()}
+        gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
+    return case.replace(gears=gears, outputs=())
 
 
 def _gears(

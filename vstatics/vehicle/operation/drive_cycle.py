@@ -28,10 +28,14 @@ from vstatics.core.statics.points.machines import machine_torque
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.answer import Sometimes, document, json_keys
 from vstatics.vehicle.case.vehicle import Machine, Vehicle
-from vstatics.vehicle.operation.cycle_steps import CycleLosses, CycleSteps, GearChoice
+from vstatics.vehicle.operation.cycle_steps import (
+    CycleLosses,
+    CycleSteps,
+    DrivenSteps,
+    GearChoice,
+)
 from vstatics.vehicle.operation.fuel_map import FuelMap
 from vstatics.vehicle.operation.trace import Trace, blocks
-from vstatics.vehicle.operation.traction import bare
 from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE
 
 J_OF_KWH = 3.6e6
@@ -130,9 +134,10 @@ def drive(
     (62500.0, 12500.0, 50.0)
     """
     vehicle = Vehicle.needed(case)
-    steps = CycleSteps.of(bare(case), vehicle, trace, choice)
+    driven = CycleSteps.of(case, vehicle, trace, choice).driven(np.flatnonzero(trace.speed > 0))
+    steps, engine = driven.steps, driven.torques
     speeds = steps.engine_speeds
-    engine, lost, brakes = _solved(steps)
+    lost, brakes = _losses(driven)
     energy = CycleEnergy(
         float((engine * speeds) @ trace.duration),
         float((steps.forces * trace.speed) @ trace.duration),
@@ -172,19 +177,16 @@ def drive(
     )
 
 
-def _solved(steps: CycleSteps) -> tuple[Floats, CycleLosses, float]:
-    """Return engine torques [N*m], losses, and the energy of the brakes [J]."""
-    speeds, is_moving = steps.engine_speeds, steps.trace.speed > 0
-    engine = np.zeros(len(speeds))
-    lost = CycleLosses({}, {}, np.zeros((len(speeds), len(steps.case.shift_elements))))
-    for rows in _blocks(is_moving):
-        engine[rows] = steps.engine_torques(rows)
-    least = steps.vehicle.overrun_torque(speeds)
-    over = is_moving & (engine < least - SAME_ENGINE_TORQUE)
-    engine = np.where(over, least, engine)
-    brakes = math.fsum(steps.add_losses(rows, engine, lost) for rows in _blocks(is_moving & ~over))
-    brakes += math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
-    return engine, lost, brakes
+def _losses(driven: DrivenSteps) -> tuple[CycleLosses, float]:
+    """Return the losses, and the energy of the brakes [J]."""
+    steps, engine, limited = driven
+    is_moving = steps.trace.speed > 0
+    lost = CycleLosses({}, {}, np.zeros((len(engine), len(steps.case.shift_elements))))
+    brakes = math.fsum(
+        steps.add_losses(rows, engine, lost) for rows in _blocks(is_moving & ~limited)
+    )
+    brakes += math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(limited))
+    return lost, brakes
 
 
 def _per_distance(energy: float, distance: float) -> float:

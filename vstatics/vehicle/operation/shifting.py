@@ -6,7 +6,7 @@ engine exceeds it if another gear avoids this.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -95,6 +95,8 @@ class EngineSpeeds(NamedTuple):
     """Speeds of the engine relative to the output, shape (gears,). [-]"""
     may_turn: Callable[[Floats], Booleans]
     """Function that returns whether the engine can reach a speed. [rad/s]"""
+    slipping: Collection[int] = ()
+    """Indices of gears whose converters slip: of two equal ratios, the lower gear."""
 
     def of(self, gear: int, rows: slice = slice(None)) -> Floats:
         """Return the speeds in a gear at some steps [rad/s]."""
@@ -196,7 +198,7 @@ def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> 
     >>> by_least_speed(engine, 100.0, [0, 1])
     array([1, 1])
     """
-    ascending = sorted(ahead, key=lambda gear: float(engine.ratios[gear]))
+    ascending = sorted(ahead, key=lambda gear: (engine.ratios[gear], gear in engine.slipping))
     chosen = np.full(len(engine.output), ascending[0] if ascending else 0)
     for gear in ascending:
         chosen[engine.may_turn(engine.of(gear))] = gear

@@ -4,25 +4,33 @@ The wheel force is ``F = Mx final_drive/radius``, with the output torque Mx at f
 losses. The acceleration is the largest of all gears of ``(F - R)/(m + sum J k^2)``, with the
 road resistance R, the vehicle mass m, and for each inertia J the speed w of its link divided by
 the vehicle speed v, ``k = w/v``.
+
+The engine finds the speed ratio of a converter at each speed of the vehicle. Where it would exceed
+its last point, it stays there and gives what the pump takes. Then k is the change of w with v at a
+constant speed of the engine.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from vstatics.core.model.carried import as_type
-from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.constants import GRAVITY
 from vstatics.core.statics.solve import solve
 from vstatics.core.tables.grid import Grid, grid_of
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
+from vstatics.vehicle.operation.converter import (
+    SLOWEST_PART,
+    ConverterGear,
+    bare,
+    converters_of,
+)
 from vstatics.vehicle.operation.shifting import directions
 
 if TYPE_CHECKING:
@@ -38,6 +46,11 @@ NARROWINGS = 5
 """Number of narrowings, which give a relative accuracy of 1e-12."""
 STEPS_TO_100 = 2000
 """Number of intervals of the integral of time, in addition to points of the engine."""
+
+AT_REST = 1e-10
+"""Speed relative to the largest, at which the losses at rest are calculated. [-]"""
+CONVERTER_POINTS = 2049
+"""Number of speeds at which the force of a converter is calculated for the integral of time."""
 
 
 class GearPerformance(NamedTuple):
@@ -82,12 +95,6 @@ class Performance(NamedTuple):
         yield grid_of("Vehicle", ["top speed, km/h", "0 to 100 km/h, s"], [row], key="vehicle")
 
 
-def bare(case: Transmission) -> Transmission:
-    """Return the case without operating points and coasting, for calculations at any point."""
-    gears = [gear._replace(load=None, coast=None) for gear in case.gears]
-    return replace(case, gears=gears, load=Load(1000.0, 1.0), coast=None)
-
-
 def engine_alone(case: Transmission) -> Booleans:
     """Return whether the engine is the only machine, for each gear."""
     return np.array([not beside_engine(gear, case.link_name) for gear in case.gears])
@@ -118,7 +125,7 @@ def performance(case: Transmission) -> Performance:
     """
     vehicle = Vehicle.of(case)
     assert vehicle is not None and vehicle.full_load  # noqa: PT018, S101 - callers check
-    pull = Traction(bare(case), vehicle)
+    pull = Traction(case, vehicle)
     gears = {
         gear.name: GearPerformance(KMH * pull.top_speed(number), pull.slope(number))
         for number, gear in enumerate(case.gears)
@@ -133,14 +140,16 @@ class Traction:
 
     >>> from vstatics import Gear, Mechanism
     >>> car = Vehicle(1000, 0.5, engine=[(0.0, 125.0), (400.0, 125.0)])
-    >>> pull = Traction(bare(Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear()])), car)
+    >>> pull = Traction(Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear()]), car)
     >>> pull.largest_force(0), pull.largest_power, pull.largest_speed(0)
     (1000.0, 50000.0, 50.0)
     """
 
     def __init__(self, case: Transmission, vehicle: Vehicle) -> None:
-        """Solve the speeds of a case made by `bare`, for a vehicle with an engine."""
-        self.case = case
+        """Solve the speeds of a case, for a vehicle with an engine."""
+        self.converters = converters_of(case)
+        """Gears whose converters find their speed ratios, by index."""
+        self.case = case = bare(case)
         self.vehicle = vehicle
         self.first, self.last = vehicle.full_load[0][0], vehicle.full_load[-1][0]
         results = solve(case)
@@ -148,11 +157,14 @@ class Traction:
         speeds = results.speeds
         output = speeds[np.arange(len(outputs)), outputs]
         output = np.where(engine_alone(case), output, math.nan)
-        """Output speed per unit of engine speed, by gear."""
+        """Output speed per unit of engine speed, by gear; of a converter at its free ratio."""
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
             links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
-            turned = np.where(links > 0, links * (speeds / self.per_engine[:, None]) ** 2, 0.0)
+            turns = speeds / self.per_engine[:, None]
+            for gear, converter in self.converters.items():
+                turns[gear] = converter.per_output[2:] * vehicle.final_drive / vehicle.radius
+            turned = np.where(links > 0, links * turns**2, 0.0)
             self.mass = vehicle.mass + turned.sum(axis=1)
         """Mass by gear, including rotating parts. [kg]"""
         with np.errstate(divide="ignore"):
@@ -160,18 +172,83 @@ class Traction:
         self.ahead = next(iter(ranges), [])
         """Indices of the forward gears."""
 
+    def slowest(self, gear: int) -> float:
+        """Return the lowest speed that `forces` takes in a gear [rad/s]."""
+        return 0.0 if gear in self.converters else self.first
+
     def forces(self, gear: int, speeds: Floats) -> Floats:
         """Return wheel forces in the direction of the output, at speeds of the engine [N].
 
-        Below the first point of the engine, the force is as at the first point.
+        Below the first point of the engine, the force is as at the first point. A converter that
+        finds its speed ratio has these speeds of the engine at its largest ratio without braking
+        torque; they stand for the speed of the vehicle.
         """
+        factor = self.vehicle.final_drive / self.vehicle.radius
+        if gear in self.converters:
+            return (
+                self._converter_forces(self.converters[gear], self._output(gear, speeds)) * factor
+            )
         engine = np.maximum(speeds, self.first)
         turning = np.maximum(engine, np.finfo(float).tiny ** 0.25)
         full = {"load.speed": turning, "load.torque": self.vehicle.full_torque(engine)}
         results = solve(self.case, vary=full)
         output = self.case.gear_output(self.case.gears[gear]) - 1
-        torque = results.lossy_output_torque_Nm[:, gear] * np.sign(results.speeds[:, gear, output])
-        return torque * self.vehicle.final_drive / self.vehicle.radius
+        torque: Floats = results.lossy_output_torque_Nm[:, gear] * np.sign(
+            results.speeds[:, gear, output]
+        )
+        return torque * factor
+
+    def engine_speeds(self, gear: int, speeds: Floats) -> Floats:
+        """Return the speeds of the engine at full load, at speeds as in `forces` [rad/s]."""
+        if gear not in self.converters:
+            return speeds
+        return self._matched(self.converters[gear], self._output(gear, speeds))[0]
+
+    def _output(self, gear: int, speeds: Floats) -> Floats:
+        """Return magnitudes of output speeds, slightly above 0, where losses have a direction."""
+        per_output = self.per_engine[gear] * self.vehicle.final_drive / self.vehicle.radius
+        output: Floats = np.maximum(speeds, AT_REST * self.last) * per_output
+        return output
+
+    def _matched(self, converter: ConverterGear, output: Floats) -> tuple[Floats, Floats]:
+        """Return speeds [rad/s] and torques [N*m] of the engine; NaN without a solution."""
+        vehicle, case, last = self.vehicle, converter.case, self.last
+
+        def brought(rows: Integers, engine: Floats, torque: Floats) -> Floats:
+            ratios = converter.ratio(engine, output[rows])
+            return converter.brought(case, (engine, torque), ratios, {})
+
+        points = [speed for speed, _ in vehicle.full_load if speed > 0]
+        search = converter.search(
+            1 / np.array([*points, *last * SLOWEST_PART]),
+            (converter.free_ratio, 1 / last, math.inf),
+            output,
+            lambda rows, engine: brought(rows, engine, vehicle.full_torque(engine)),
+        )
+        engine = search.engine
+        torque = np.where(np.isfinite(engine), vehicle.full_torque(engine), np.nan)
+        # The engine reaches its last point, at the smallest speed ratio, with too much torque.
+        fast = np.flatnonzero(np.isnan(engine) & (search.surplus[:, 1] > 0))
+        engine[fast] = last
+        torque[fast] = converter.torque_at(
+            engine[fast],
+            output[fast],
+            lambda rows, part: brought(fast[rows], engine[fast[rows]], part),
+        )
+        return engine, torque
+
+    def _converter_forces(self, converter: ConverterGear, output: Floats) -> Floats:
+        """Return torques of the output in its direction, at magnitudes of its speed [N*m]."""
+        engine, torque = self._matched(converter, output)
+        torques = np.full(len(output), math.nan)
+        rows = np.flatnonzero(np.isfinite(torque))
+        ratios = converter.ratio(engine[rows], output[rows])
+        vary = {"load.speed": engine[rows], "load.torque": torque[rows], converter.path: ratios}
+        link = converter.case.gear_output(converter.case.gears[0])
+        if rows.size:
+            given = solve(converter.case, vary=vary).lossy_output_torque_Nm[:, 0]
+            torques[rows] = given * np.sign(converter.per_output[1 + link])
+        return torques
 
     def top_speed(self, gear: int) -> float:
         """Return the speed at which force equals resistance, or the engine ends; else NaN [m/s]."""
@@ -183,7 +260,7 @@ class Traction:
             difference: Floats = self.forces(gear, speeds) - self.vehicle.resistance(speeds * ratio)
             return difference
 
-        low, high = self.first, self.last
+        low, high = self.slowest(gear), self.last
         for _ in range(NARROWINGS):
             speeds = np.linspace(low, high, SPEEDS_OF_ENGINE + 1)
             with np.errstate(invalid="ignore"):
@@ -198,7 +275,7 @@ class Traction:
 
     def largest_force(self, gear: int) -> float:
         """Return the largest wheel force in a gear; NaN if undefined [N]."""
-        return _largest(lambda speeds: self.forces(gear, speeds), self.first, self.last)
+        return _largest(lambda speeds: self.forces(gear, speeds), self.slowest(gear), self.last)
 
     @property
     def largest_power(self) -> float:
@@ -214,12 +291,15 @@ class Traction:
     def slope(self, gear: int) -> float:
         """Return the sine of the steepest ascent, at most 1; NaN in a gear without drive.
 
-        It is ``(F - R)/(m g)`` with the largest wheel force F, and R on a level road at speed 0.
+        It is ``(F - R)/(m g)`` with the largest wheel force F, and R on a level road at speed 0. A
+        converter that finds its speed ratio has the wheel force at rest.
         """
         weight = self.vehicle.mass * GRAVITY
         if not math.isfinite(self.per_engine[gear]):
             return math.nan
-        part = float((self.largest_force(gear) - self.vehicle.resistance(0.0)) / weight)
+        at_rest = gear in self.converters
+        force = self.forces(gear, np.zeros(1))[0] if at_rest else self.largest_force(gear)
+        part = float((force - self.vehicle.resistance(0.0)) / weight)
         return part if math.isnan(part) else min(1.0, part)
 
     def accelerations(self, speeds: Floats) -> Floats:
@@ -227,12 +307,19 @@ class Traction:
         largest = np.full(speeds.shape, -math.inf)
         for gear in self.ahead:
             engine = speeds / self.per_engine[gear]
-            force = self.forces(gear, np.minimum(engine, self.last))
+            force = self._forces_between(gear, np.minimum(engine, self.last))
             acceleration = (force - self.vehicle.resistance(speeds)) / self.mass[gear]
             largest = np.fmax(
                 largest, np.where(self.vehicle.may_turn(engine), acceleration, -math.inf)
             )
         return largest
+
+    def _forces_between(self, gear: int, speeds: Floats) -> Floats:
+        """Return wheel forces at many speeds, with a converter interpolated linearly [N]."""
+        if gear not in self.converters or len(speeds) <= CONVERTER_POINTS:
+            return self.forces(gear, speeds)
+        places = np.linspace(0.0, speeds.max(), CONVERTER_POINTS)
+        return np.interp(speeds, places, self.forces(gear, places))
 
     def time_to_100(self) -> float:
         """Return the time from rest to 100 km/h, by Gaussian quadrature [s]."""

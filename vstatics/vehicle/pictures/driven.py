@@ -15,7 +15,7 @@ from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, Style
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.traction import KMH, Traction, bare
+from vstatics.vehicle.operation.traction import KMH, Traction
 
 DRIVE_PANEL_HEIGHT = 250.0
 """Height of the panel. [pt]"""
@@ -64,7 +64,7 @@ def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicl
     if not vehicle.full_load:
         message = "the vehicle has no `engine`, expected its full load: [[rad/s, N*m], ...]"
         raise CaseError("E442", message)
-    pull = Traction(bare(case), vehicle)
+    pull = Traction(case, vehicle)
     gears = []
     for index in [number - 1 for number in shown] or range(len(case.gears)):
         fastest = pull.largest_speed(index)

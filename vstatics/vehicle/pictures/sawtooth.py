@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import chain
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from vstatics.core.model.parts import RAD_PER_RPM
@@ -19,6 +21,9 @@ from vstatics.pictures.drawing.style import SIZE, SMALL_NUMBER, Style
 from vstatics.pictures.drawing.words import gear_title, title
 from vstatics.vehicle.operation.traction import KMH
 from vstatics.vehicle.pictures.driven import DrivenGear, DrivenVehicle, driven, speed_panel
+
+POINTS_OF_CONVERTER = 120
+"""Number of points of a line in a gear whose converter finds its speed ratio."""
 
 
 def draw(
@@ -58,9 +63,9 @@ def draw(
     last = pen.up(vehicle.pull.last / RAD_PER_RPM)
     forward = _forward(results, vehicle)
     if len(forward) > 1:
-        teeth = list(_teeth(pen, forward, last))
-        pen.line(*teeth, kind="saw", **_tooth(style))
-        _name_drops(pen, teeth[1:])
+        teeth = list(_teeth(pen, vehicle, forward))
+        pen.line(*chain.from_iterable(teeth), kind="saw", **_tooth(style))
+        _name_drops(pen, [tooth[0] for tooth in teeth[1:] if tooth])
     ends = [
         Label(pen.across(KMH * gear.largest_speed), gear.name, style.ink) for gear in vehicle.gears
     ]
@@ -79,10 +84,28 @@ def _first(style: Style) -> Look:
 def _draw_gear(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear) -> None:
     per_speed = vehicle.pull.last / RAD_PER_RPM / (KMH * gear.largest_speed)
     group = pen.within("line", gear=gear.name, rpm_per_kmh=f"{per_speed:.9g}")
-    end = pen.across(KMH * gear.largest_speed), pen.up(vehicle.pull.last / RAD_PER_RPM)
     unit = pen.style.text("rpm per km/h")
     line_title = f"{gear_title(gear.name, pen.style)}: {per_speed:.4g} {unit}"
-    group.line((0.0, 0.0), end, title=line_title, **gear.look)
+    group.line(*_course(pen, vehicle, gear, 0.0), title=line_title, **gear.look)
+
+
+def _course(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear, slowest: float) -> list[Point]:
+    """Return points of engine speed from a road speed to the largest of a gear.
+
+    Parameters
+    ----------
+    slowest : float
+        Road speed of the first point. [m/s]
+    """
+    pull = vehicle.pull
+    count = POINTS_OF_CONVERTER if gear.place in pull.converters else 2
+    speeds = np.linspace(slowest, gear.largest_speed, count)
+    engine = pull.engine_speeds(gear.place, speeds / pull.per_engine[gear.place])
+    return [
+        (pen.across(KMH * speed), pen.up(turned / RAD_PER_RPM))
+        for speed, turned in zip(speeds.tolist(), engine.tolist(), strict=True)
+        if math.isfinite(turned)
+    ]
 
 
 def _forward(results: Results, vehicle: DrivenVehicle) -> list[DrivenGear]:
@@ -93,27 +116,19 @@ def _forward(results: Results, vehicle: DrivenVehicle) -> list[DrivenGear]:
     )
 
 
-def _teeth(pen: Pen, gears: Sequence[DrivenGear], last: float) -> Iterator[Point]:
-    """Yield the points of the sawtooth: up to the last engine speed, down to the next gear.
-
-    Parameters
-    ----------
-    last : float
-        Place of the last engine speed. [pt]
-    """
-    yield 0.0, 0.0
-    for gear, following in pairwise(gears):
-        x = pen.across(KMH * gear.largest_speed)
-        yield x, last
-        yield x, last * gear.largest_speed / following.largest_speed
-    yield pen.across(KMH * gears[-1].largest_speed), last
+def _teeth(pen: Pen, vehicle: DrivenVehicle, gears: Sequence[DrivenGear]) -> Iterator[list[Point]]:
+    """Yield the points of each tooth: in a gear up to the last engine speed."""
+    speed = 0.0
+    for gear in gears:
+        yield _course(pen, vehicle, gear, speed)
+        speed = gear.largest_speed
 
 
-def _name_drops(pen: Pen, teeth: Sequence[Point]) -> None:
+def _name_drops(pen: Pen, drops: Sequence[Point]) -> None:
     """Write the engine speed after each shift, if there is space."""
     taken: Taken = []
     high = pen.y.high / pen.size[1]
-    for x, y in teeth[1::2]:
+    for x, y in drops:
         text = f"{y * high:.0f}"
         wide, tall = width(text, SMALL_NUMBER) + 3, LINE_HEIGHT * SMALL_NUMBER
         places = [(x + wide / 2 + 2, y - tall / 2), (x + wide / 2 + 2, y - 1.5 * tall)]

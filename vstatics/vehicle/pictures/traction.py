@@ -174,7 +174,7 @@ def _draw_gear(
 ) -> None:
     pull = vehicle.pull
     engine = np.union1d(
-        np.linspace(pull.first, pull.last, POINTS_OF_LINE),
+        np.linspace(pull.slowest(gear.place), pull.last, POINTS_OF_LINE),
         [speed for speed, _ in vehicle.vehicle.full_load],
     )
     speeds = KMH * engine * pull.per_engine[gear.place]

@@ -123,6 +123,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
     },
     "link": LeafReading("a link", NO_LINK),
     "element": LeafReading("the name of a shift element", NO_ELEMENT),
+    "converter": LeafReading("the name of a converter", NO_ELEMENT),
     "flag": LeafReading("`true` or `false`", stand_in=False),
     "choice": LeafReading("text", None),
 }

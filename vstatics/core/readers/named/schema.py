@@ -267,7 +267,7 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"type": "boolean"}
         case "choice":
             return {"enum": list(shape.choices)}
-        case "element":
+        case "element" | "converter":
             return dict(_NAME)
         case "text":
             return {"type": ["string", "number", "boolean"]}

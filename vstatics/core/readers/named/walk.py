@@ -312,16 +312,18 @@ class Walk:
         except ValueError as error:
             identity = NAME if shape.kind in ("choice", "flag") else compounds.id_of(error)
             return self.refuse(spot, shape, error, identity=identity)
-        if value == stand_in(shape) and shape.kind in ("link", "element"):
+        if value == stand_in(shape) and shape.kind in ("link", "element", "converter"):
             self.spots.unreadable.append(spot.path)
         return value
 
-    def _scalar(self, node: Scalar, shape: Leaf) -> Any:  # noqa: PLR0911 - a table
+    def _scalar(self, node: Scalar, shape: Leaf) -> Any:  # noqa: PLR0911, C901 - a table
         match shape.kind:
             case "link":
                 return self.references.link(node.text)
             case "element":
                 return self.references.element(node.text)
+            case "converter":
+                return self.references.other("mechanism", node.text)
             case "relative_speed":
                 speed = self.references.speed_of(node.text)
                 if speed is not None:

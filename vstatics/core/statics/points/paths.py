@@ -184,12 +184,12 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
 
 
 def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumber]:
-    """Return the speed ratios that have an effect: those of bypassed converters are left out."""
+    """Return the speed ratios that have an effect: not those of bypassed or open converters."""
     first = case.own_mechanisms.start - 1
     return [
         number
         for number in numbers
-        if first + number.owner not in case.bypassed(case.gears[number.gear or 0])
+        if first + number.owner not in case.unloaded_converters(case.gears[number.gear or 0])
     ]
 
 

@@ -247,12 +247,12 @@ class _PointData:
         self, case: Transmission, chosen: Integers, index: int, numbers: GearNumbers
     ) -> None:
         given, ratios = case.own_mechanisms, case.gear_ratios(case.gears[index])
-        bypassed = case.bypassed(case.gears[index])
+        unloaded = case.unloaded_converters(case.gears[index])
         for owner, (mechanism, fixed_ratio) in enumerate(
             zip(case.mechanisms[given], ratios[given], strict=True), 1
         ):
             ratio = numbers.get(GearNumber("speed_ratios", owner), fixed_ratio)
-            if given.start + owner - 1 in bypassed:
+            if given.start + owner - 1 in unloaded:
                 continue
             if mechanism.kind == "converter" and np.any(wrong := mechanism.is_outside(ratio)):
                 nowhere = np.zeros_like(self.loaded)

@@ -1,0 +1,327 @@
+"""Engine and converter of a vehicle, against trains by hand, roots by SciPy and own sums."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from tests.chance import count, generator
+from vstatics import CaseError, Gear, Machine, Mechanism, Transmission
+from vstatics.core.model.checks import doubts
+from vstatics.core.model.laws import MapLaw
+from vstatics.core.numerics.constants import GRAVITY
+from vstatics.vehicle.case.vehicle import Vehicle
+from vstatics.vehicle.operation.cycle_steps import GearChoice
+from vstatics.vehicle.operation.drive_cycle import drive
+from vstatics.vehicle.operation.trace import Trace, read_trace
+from vstatics.vehicle.operation.traction import Traction, performance
+
+COLUMNS, ROWS = [0.0, 150.0, 600.0], [[0.0, 0.9, 0.95, 0.96], [300.0, 0.85, 0.97, 0.98]]
+SPLIT = -2.5
+MAPPED = 4
+"""Every fourth train, from the second on, has an efficiency by map."""
+SEEDS = [
+    pytest.param(seed, marks=pytest.mark.slow) if seed % MAPPED == 1 else seed
+    for seed in (3, 2, 1, *range(4, count(4, 40)))
+]
+INERTIAS = {1: 0.2, 2: 0.05, 3: 0.3}
+
+
+def by_map(speed: float, torque: Any) -> Any:
+    """Return the efficiency of the map, constant outside."""
+    part, (low, high) = min(abs(speed), 300.0) / 300, np.array(ROWS)[:, 1:]
+    torques = np.abs(torque), COLUMNS
+    return (1 - part) * np.interp(*torques, low) + part * np.interp(*torques, high)
+
+
+class Train(NamedTuple):
+    """Pair, converter and pair with a map; or a set whose sun drives the pump."""
+
+    points: list[tuple[float, float, float]]
+    car: Vehicle
+    before: tuple[float, float]
+    behind: float
+    is_split: bool
+    has_map: bool
+
+    def case(self) -> Transmission:
+        """Return the train as a case."""
+        converter: dict[str, Any] = {"kind": "converter", "points": tuple(self.points)}
+        if self.is_split:
+            parts = [Mechanism(2, 3, 1, SPLIT, name="set")]
+            parts += [Mechanism(2, 3, 0, math.nan, name="TC", **converter)]
+            return Transmission(3, [], parts, [Gear()], inertias=INERTIAS, vehicle=self.car)
+        law: Any = MapLaw(COLUMNS, ROWS) if self.has_map else 0.96
+        parts = [
+            Mechanism(1, 2, 0, *self.before, name="before"),
+            Mechanism(2, 3, 0, math.nan, name="TC", **converter),
+            Mechanism(3, 4, 0, self.behind, law, name="behind"),
+        ]
+        return Transmission(4, [], parts, [Gear()], inertias=INERTIAS, vehicle=self.car)
+
+    def ratio(self, engine: Any, output: float) -> Any:
+        """Return the speed ratio of the converter."""
+        return self.turbine(output) / self.pump(engine, output)
+
+    def pump(self, engine: Any, output: float) -> Any:
+        """Return the speed of the pump."""
+        return SPLIT * output + (1 - SPLIT) * engine if self.is_split else engine / self.before[0]
+
+    def turbine(self, output: float) -> float:
+        """Return the speed of the turbine."""
+        return output if self.is_split else output * self.behind
+
+    def of(self, column: int, ratio: Any) -> Any:
+        """Return a number of the points at a speed ratio."""
+        return np.interp(ratio, *np.array(self.points)[:, [0, column]].T)
+
+    def taken(self, engine: Any, output: float) -> Any:
+        """Return the torque that the pump takes."""
+        pump = self.pump(engine, output)
+        return self.of(2, self.ratio(engine, output)) * pump * np.abs(pump)
+
+    def brought(self, torque: Any, change: float = 0.0) -> Any:
+        """Return the torque on the pump by that of the engine, while the output speeds up."""
+        if self.is_split:
+            return torque / (1 - SPLIT) - INERTIAS[2] * SPLIT * change
+        ratio, eta = self.before
+        return torque * ratio * np.where(np.asarray(torque) > 0, eta, 1 / eta)
+
+    def asked(self, pump: Any, change: float = 0.0) -> Any:
+        """Return the torque of the engine by that on the pump."""
+        if self.is_split:
+            return (pump + INERTIAS[2] * SPLIT * change) * (1 - SPLIT)
+        ratio, eta = self.before
+        return pump / ratio / np.where(pump > 0, eta, 1 / eta)
+
+    def given(self, engine: Any, output: float, change: float = 0.0) -> Any:
+        """Return the torque of the output that the pump gives, while the output speeds up."""
+        pump = self.taken(engine, output)
+        turbine = pump * self.of(1, self.ratio(engine, output))
+        if self.is_split:
+            return turbine - SPLIT * self.asked(pump, change) / (1 - SPLIT) - INERTIAS[3] * change
+        turbine -= INERTIAS[3] * self.behind * change
+        eta = by_map(self.turbine(output), turbine) if self.has_map else 0.96
+        return turbine * self.behind * np.where(turbine > 0, eta, 1 / eta)
+
+    def slowest(self, output: float) -> float:
+        """Return the engine speed at the last point of the converter."""
+        last = self.points[-1][0]
+        pump = self.turbine(output) / last
+        return (pump - SPLIT * output) / (1 - SPLIT) if self.is_split else pump * self.before[0]
+
+
+def first_root(function: Callable[[Any], Any], low: float, high: float) -> float:
+    """Return the smallest root, NaN without one."""
+    places = np.geomspace(max(low, 1e-6), high, 4001)
+    values = function(places)
+    turns = np.flatnonzero(values[:-1] * values[1:] <= 0)
+    if not turns.size:
+        return math.nan
+    ends = places[turns[0]], places[turns[0] + 1]
+    return float(brentq(lambda x: float(function(x)), *ends, xtol=1e-13, rtol=1e-15))
+
+
+def train(seed: int, *, is_split: bool = False) -> Train:
+    random = generator(seed, 51)
+    speeds = np.sort(random.uniform(60, 600, random.integers(2, 6))) + 20 * np.arange(5)[0]
+    speeds = speeds + 15 * np.arange(len(speeds))
+    torques = random.uniform(120, 400, len(speeds))
+    car = Vehicle(1500, 0.31, 0.012, 0.6, 3.2, engine=list(zip(speeds, torques, strict=True)))
+    overrun = [(float(speeds[0]), -15.0), (float(speeds[-1]), -60.0)]
+    car = car._replace(overrun=overrun) if seed % 2 else car
+    if seed % 3 == 0:
+        machine = Machine(car.engine, generating=overrun, efficiency=0.9)
+        car = car._replace(engine=(), overrun=(), machine=machine, recuperation=0.7)
+    before = (float(random.uniform(0.8, 1.4)), 0.97)
+    ratios = [0.0, 0.25, 0.5, 0.7, 0.85, 1.0]
+    size = 230.0 / float(random.uniform(110, 260)) ** 2 * (0.3 if is_split else before[0] ** 3)
+    factors = size * random.uniform(0.5, 1.3, 6)
+    factors[-1] = 0.0
+    points = [
+        (i, 1 + 1.1 * max(0.0, 1 - i / 0.85), float(f))
+        for i, f in zip(ratios, factors, strict=True)
+    ]
+    if seed % 2:
+        points.append((1.5, 1.0, -float(factors[-2])))
+    return Train(points, car, before, float(random.uniform(1.0, 4.0)), is_split, seed % MAPPED == 1)
+
+
+def full_load(by_hand: Train, output: float) -> tuple[float, float]:
+    """Return speed of the engine and force at the wheels."""
+    car = by_hand.car
+    speeds, torques = np.array(car.full_load).T
+    last = float(speeds[-1])
+
+    def surplus(engine: Any) -> Any:
+        torque = by_hand.brought(np.interp(engine, speeds, torques))
+        return torque - by_hand.taken(engine, output)
+
+    free = by_hand._replace(points=[p for p in by_hand.points if p[2] >= 0])
+    engine = first_root(surplus, free.slowest(output), last)
+    engine = last if math.isnan(engine) else engine
+    return engine, float(by_hand.given(engine, output)) * car.final_drive / car.radius
+
+
+@pytest.mark.parametrize("is_split", [False, True])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_engine_and_converter_find_each_other_at_full_load(seed: int, is_split: bool) -> None:
+    by_hand = train(seed, is_split=is_split)
+    pull = Traction(by_hand.case(), by_hand.car)
+    speeds = generator(seed).uniform(0, 0.98, 12) * pull.last
+    output = speeds * pull.per_engine[0] * by_hand.car.final_drive / by_hand.car.radius
+    expected = np.array([full_load(by_hand, x) for x in output])
+    assert pull.engine_speeds(0, speeds) == pytest.approx(expected[:, 0], rel=1e-9)
+    assert pull.forces(0, speeds) == pytest.approx(expected[:, 1], rel=1e-8, abs=1e-5)
+
+
+class Step(NamedTuple):
+    """Speed and torque of the engine, and force at the wheels."""
+
+    engine: float
+    torque: float
+    force: float
+
+    @classmethod
+    def of(cls, by_hand: Train, speed: float, change: float, force: float) -> Step:
+        """Return a step in which the wheels ask for a force."""
+        car = by_hand.car
+        factor = car.final_drive / car.radius
+        output, dx = speed * factor, change * factor
+        high = 2e3 + 4 * by_hand.slowest(output)
+        lowest = max(car.full_load[0][0], by_hand.slowest(output))
+
+        def delivered(engine: Any) -> Any:
+            return by_hand.given(engine, output, dx) * factor
+
+        engine = first_root(lambda x: delivered(x) - force, lowest, high)
+        torque = float(by_hand.asked(by_hand.taken(engine, output), dx))
+        if torque < (least := float(car.overrun_torque(engine))) - 1e-9:
+            engine = first_root(
+                lambda x: by_hand.brought(car.overrun_torque(x), dx) - by_hand.taken(x, output),
+                lowest,
+                high,
+            )
+            torque = float(car.overrun_torque(engine)) if math.isfinite(engine) else least
+        if math.isnan(engine):
+            engine = lowest
+            torque = float(by_hand.asked(by_hand.taken(engine, output), dx))
+        return cls(engine, torque, float(delivered(engine)))
+
+
+def random_trace(seed: int) -> Trace:
+    random = generator(seed, 7)
+    speeds = np.concatenate([[0, 0.3], random.uniform(0, 18, 8), [0.2, 0, 0]])
+    times = np.cumsum(random.uniform(3, 9, len(speeds)))
+    rows = [
+        f"{time!r},{speed!r}" for time, speed in zip(times.tolist(), speeds.tolist(), strict=True)
+    ]
+    return read_trace("\n".join(["time [s],speed [m/s]", *rows]).encode(), "t.csv")
+
+
+@pytest.mark.parametrize("is_split", [False, True])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_cycle_is_as_step_by_step(seed: int, is_split: bool) -> None:
+    by_hand, trace = train(seed, is_split=is_split), random_trace(seed)
+    driven, car = drive(by_hand.case(), trace, GearChoice()), by_hand.car
+    moving = np.flatnonzero(trace.speed > 0)
+    force = car.resistance(trace.speed) + car.mass * trace.acceleration
+    steps = [
+        Step.of(
+            by_hand,
+            float(trace.speed[n]),
+            float(trace.acceleration[n]),
+            float(force[n] * (car.recuperation if force[n] < 0 else 1)),
+        )
+        for n in moving
+    ]
+    kind = "machine" if car.machine else "engine"
+    engine = driven.steps[f"{kind} speed [rpm]"][moving] * math.pi / 30
+    torque = driven.steps[f"{kind} torque [N*m]"][moving]
+    assert engine == pytest.approx([step.engine for step in steps], rel=1e-8)
+    assert torque == pytest.approx([step.torque for step in steps], rel=1e-7, abs=1e-6)
+    brakes = sum(
+        (step.force - force[n]) * trace.speed[n] * trace.duration[n]
+        for n, step in zip(moving, steps, strict=True)
+    )
+    energy = driven.energy
+    given = (energy.machine if car.machine else energy.engine) or 0.0
+    assert energy.brakes == pytest.approx(brakes, rel=1e-7, abs=1e-3)
+    total = energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values())
+    assert given == pytest.approx(total, rel=1e-9)
+    factor = car.final_drive / car.radius
+    lost = 0.0
+    for n, step in zip(moving, steps, strict=True):
+        x = trace.speed[n] * factor
+        pump, taken = by_hand.pump(step.engine, x), by_hand.taken(step.engine, x)
+        torque_ratio = by_hand.of(1, by_hand.ratio(step.engine, x))
+        lost += taken * (pump - torque_ratio * by_hand.turbine(x)) * trace.duration[n]
+    assert energy.lost.get("TC", 0.0) == pytest.approx(lost, rel=1e-7, abs=1e-3)
+
+
+STALL = ((0.0, 2.0, 0.002), (0.8, 1.0, 0.0015), (1.0, 1.0, 0.0))
+
+
+def automatic(**more: Any) -> Transmission:
+    """Return a converter before a pair of 4, with an engine of 200 N*m up to 500 rad/s."""
+    car = Vehicle(2000, 0.5, 0.0, 0.0, 1.5, engine=[(0.0, 200.0), (500.0, 200.0)])
+    points = more.pop("points", STALL)
+    parts = [
+        Mechanism(1, 2, 0, math.nan, name="TC", kind="converter", points=points),
+        Mechanism(2, 3, 0, 4.0, 0.9),
+    ]
+    return Transmission(3, [], parts, [Gear()], vehicle=car, **more)
+
+
+def test_the_slope_is_that_at_stall() -> None:
+    """The pump takes lambda w^2, so w = sqrt(200/0.002), and the turbine gives twice 200 N*m."""
+    case = automatic()
+    pull = Traction(case, Vehicle.needed(case))
+    assert pull.engine_speeds(0, np.zeros(1)) == pytest.approx(math.sqrt(200 / 0.002), rel=1e-9)
+    slope = 2 * 200 * 4 * 0.9 * 1.5 / 0.5 / (2000 * GRAVITY)
+    assert performance(case).gears["1"].slope == pytest.approx(slope, rel=1e-9)
+
+
+def test_links_before_the_converter_are_no_mass_at_full_load() -> None:
+    """Over i at a constant torque: w = sqrt(T/lambda), v = i w/12, F = K T 0.9 12.
+
+    Only the turbine, 12 times as fast as the vehicle, adds to the mass.
+    """
+    ratios = np.linspace(0, 0.89, 400_001)
+    _, torque_ratio, factor = (np.interp(ratios, *np.array(STALL)[:, [0, n]].T) for n in range(3))
+    speeds = ratios * np.sqrt(200 / factor) / 12
+    slowness = (2000 + 0.1 * 12**2) / (torque_ratio * 200 * 0.9 * 12)
+    edges = np.linspace(0, 100 / 3.6, 400_001)
+    time = np.trapezoid(np.interp(edges, speeds, slowness), edges)
+    case = automatic(inertias={1: 5.0, 2: 0.1})
+    assert performance(case).time_to_100 == pytest.approx(time, rel=1e-6)
+
+
+def test_a_trace_that_no_speed_ratio_fits_is_an_error_at_its_row() -> None:
+    """From i = 0.5 on, an engine of a slow vehicle would turn slower than at its first point."""
+    car = Vehicle(2000, 0.5, engine=[(100.0, 200.0), (500.0, 200.0)])
+    case = automatic(points=STALL[1:]).replace(vehicle=car)
+    trace = read_trace(b"time [s],speed [m/s]\n0,20\n5,20\n6,1\n7,1\n", "t.csv")
+    with pytest.raises(CaseError) as error:
+        drive(case, trace, GearChoice())
+    assert {(p.id, p.path) for p in error.value.problems} == {("E424", (2,))}
+
+
+def test_a_converter_beside_the_path_of_power_is_an_error_in_its_gear() -> None:
+    parts = [
+        Mechanism(1, 3, 0, math.nan, name="TC", kind="converter", points=STALL),
+        Mechanism(1, 2, 0, 4.0),
+    ]
+    case = automatic().replace(mechanisms=parts, output=2)
+    with pytest.raises(CaseError, match="does not depend on TC") as error:
+        performance(case)
+    assert [(p.id, p.path) for p in error.value.problems] == [("E429", ("gears", 1))]
+
+
+def test_a_converter_that_finds_its_ratio_keeps_none() -> None:
+    assert [doubt.id for doubt in doubts(automatic())] == []

@@ -1,0 +1,380 @@
+"""Gear of a vehicle whose converter finds its speed ratio i.
+
+Engine and output turn independently: each link has the speed ``a w + b x`` at the engine speed w
+and the output speed x. Together they give i, and the pump takes ``lambda(i) w_P |w_P|``. The engine
+speed follows from the torque M that the train brings to the pump, with all losses, as a root of
+``(M - lambda(i) w_P |w_P|)/w^2``. This is nearly a quadratic polynomial of 1/w between the points
+of engine and converter. Roots are bracketed between these points, and found by the Illinois rule
+(Dowell, Jarratt 1971).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import Load
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.solve import solve
+from vstatics.vehicle.case.vehicle import beside_engine
+from vstatics.vehicle.tolerances import NO_SPEED, SAME_SPEED
+
+INTERVALS = 2
+"""Number of intervals between neighbouring points in which a sign change is sought."""
+MOST_STEPS = 100
+"""Largest number of steps of the Illinois rule."""
+MOST_DOUBLINGS = 40
+"""Largest number of doublings of an engine torque until the pump gets enough."""
+MOST_POINTS_AT_ONCE = 100_000
+"""Largest number of points calculated at once, which limits memory."""
+SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
+"""Engine speeds near 0 at which roots are bracketed, relative to the last engine speed. [-]"""
+LEAST_EXCESS = 1e-9
+"""Relative increase of an engine torque that rounding leaves just below the least one. [-]"""
+FASTEST_OF_SEARCH = 1e7
+"""Largest engine speed of the search. [rad/s]"""
+
+Brought = Callable[[Integers, Floats], Floats]
+"""Torque brought to the pump [N*m], at rows and their engine speeds [rad/s] or torques [N*m]."""
+
+Limits = tuple[float, float, float]
+"""Largest speed ratio [-], smallest and largest inverse engine speed [s/rad]."""
+
+
+def free_ratio(points: Floats) -> float:
+    """Return the largest speed ratio at which a converter takes no braking torque [-].
+
+    >>> free_ratio(np.array([[0, 2, 0.002], [0.9, 1, 0.001], [1.1, 1, -0.001]])).__round__(9)
+    1.0
+    """
+    ratios, factors = points[:, 0], points[:, 2]
+    braking = np.flatnonzero(factors < 0)
+    if not braking.size or not braking[0]:
+        return float(ratios[-1])
+    before, after = braking[0] - 1, braking[0]
+    part = factors[before] / (factors[before] - factors[after])
+    return float(ratios[before] + part * (ratios[after] - ratios[before]))
+
+
+def bare(case: Transmission) -> Transmission:
+    """Return the case without operating points and coasting, for calculations at any point.
+
+    Converters that find their speed ratios have the largest without braking torque.
+    """
+    gears = []
+    for gear in case.gears:
+        ratios = dict(gear.speed_ratios)
+        for place in case.sought_converters(gear):
+            points = np.array(case.mechanisms[place].points)
+            ratios[place + 1 - case.own_mechanisms.start] = free_ratio(points)
+        gears.append(gear._replace(load=None, coast=None, speed_ratios=ratios))
+    return replace(case, gears=gears, load=Load(1000.0, 1.0), coast=None)
+
+
+def converters_of(case: Transmission) -> dict[int, ConverterGear]:
+    """Return the gears with the engine alone whose converters find their ratios, by index.
+
+    Raises
+    ------
+    CaseError
+        If the output speed does not depend on a converter.
+    """
+    gears = {
+        index: ConverterGear.of(case, index)
+        for index, gear in enumerate(case.gears)
+        if case.sought_converters(gear) and not beside_engine(gear, case.link_name)
+    }
+    return {index: gear for index, gear in gears.items() if gear}
+
+
+class EngineSearch(NamedTuple):
+    """Result of a search for engine speeds, one for each row."""
+
+    engine: Floats
+    """Engine speed at the largest speed ratio with a solution; NaN without solution. [rad/s]"""
+    surplus: Floats
+    """Sign of the surplus of torque on the pump at the largest and at the smallest speed ratio,
+    shape (rows, 2)."""
+    ends: Floats
+    """Engine speeds at the largest and smallest speed ratio, shape (rows, 2). [rad/s]"""
+
+
+class ConverterGear(NamedTuple):
+    """Gear with a converter that finds its speed ratio."""
+
+    case: Transmission
+    """Case with this gear only."""
+    name: str
+    """Name of the converter."""
+    device: int
+    """Index of the converter among the devices."""
+    points: Floats
+    """Points of speed ratio, torque ratio and lambda, with the free ratio, shape (points, 3)."""
+    per_engine: Floats
+    """Speeds of pump, turbine and links per engine speed, with the output at rest. [-]"""
+    per_output: Floats
+    """Speeds of pump, turbine and links per magnitude of the output speed. [-]"""
+
+    @classmethod
+    def of(cls, case: Transmission, index: int) -> ConverterGear | None:
+        """Return a gear whose converter finds its ratio; None without speeds.
+
+        Raises
+        ------
+        CaseError
+            If the output speed does not depend on the speed ratio, or a shift element slips.
+        """
+        known, (place, *_) = bare(case), case.sought_converters(case.gears[index])
+        alone = known.replace(gears=[known.gears[index]])
+        gear, mechanism = alone.gears[0], alone.mechanisms[place]
+        if any(gear.slip.values()):
+            message = (
+                f"a shift element slips in gear {gear.name}, where {mechanism.name} would find its "
+                "speed ratio: give a `speed_ratio`, or engage the shift element"
+            )
+            raise CaseError("E429", message, ("gears", index + 1))
+        free = alone.gear_ratios(gear)[place]
+        points = _with_point(np.array(mechanism.points), free)
+        self = cls(alone, mechanism.name, len(case.shift_elements) + place, points, points, points)
+        speeds = solve(alone, vary={self.path: [free, free - 0.5]}).speeds[:, 0]
+        output = speeds[:, case.gear_output(gear) - 1]
+        ends = [mechanism.first - 1, mechanism.second - 1]
+        if not np.isfinite([output, *speeds[:, ends].T]).all():
+            return None
+        fastest = np.nanmax(np.abs(speeds))
+        if abs(output[0] - output[1]) <= NO_SPEED * fastest:
+            message = (
+                f"the speed of the output does not depend on {mechanism.name} in gear {gear.name}, "
+                "so engine and converter cannot find each other: give a `speed_ratio`, or open it"
+            )
+            raise CaseError("E429", message, ("gears", index + 1))
+        per_output = (speeds[0] - speeds[1]) / (output[0] - output[1])
+        per_engine = speeds[0] - per_output * output[0]
+        noise = np.abs(per_engine) <= NO_SPEED * fastest
+        both = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0])
+        turns = [np.concatenate([array[ends], array]) for array in both]
+        return self._replace(per_engine=turns[0], per_output=turns[1])
+
+    @property
+    def path(self) -> str:
+        """Path of the speed ratio among varied numbers."""
+        return f"gears.{self.case.gears[0].name}.speed_ratios.{self.name}"
+
+    @property
+    def free_ratio(self) -> float:
+        """Largest speed ratio without braking torque [-]."""
+        return free_ratio(self.points)
+
+    def _ratio(self, engine: Floats, output: Floats) -> Floats:
+        pump, turbine = (self.per_engine[n] * engine + self.per_output[n] * output for n in (0, 1))
+        with np.errstate(all="ignore"):
+            ratio: Floats = turbine / pump
+        return ratio
+
+    def ratio(self, engine: Floats, output: Floats) -> Floats:
+        """Return speed ratios within the points, at engine and output speeds [rad/s].
+
+        Rounding noise beside a point is removed: beyond the ratio 1 a converter can gain power.
+        """
+        ratio = self._ratio(engine, output)
+        for point in self.points[:, 0]:
+            ratio = np.where(np.abs(ratio - point) <= SAME_SPEED, point, ratio)
+        return np.clip(ratio, self.points[0, 0], self.points[-1, 0])
+
+    def _inverse(self, ratios: Floats, output: Floats) -> Floats:
+        """Return inverse engine speeds at speed ratios, shape (rows, ratios) [s/rad]."""
+        (pump, turbine), (by_pump, by_turbine) = self.per_engine[:2], self.per_output[:2]
+        with np.errstate(all="ignore"):
+            inverse: Floats = (ratios * pump - turbine) / (
+                output[:, None] * (by_turbine - ratios * by_pump)
+            )
+        return inverse
+
+    def taken(self, engine: Floats, output: Floats) -> tuple[Floats, Floats]:
+        """Return the torque that the pump takes [N*m], and the direction in which it turns."""
+        pump = self.per_engine[0] * engine + self.per_output[0] * output
+        factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 2])
+        return factors * pump * np.abs(pump), np.sign(pump)
+
+    def brought(
+        self,
+        case: Transmission,
+        load: tuple[Floats, Floats],
+        ratios: Floats,
+        further: Mapping[str, Floats],
+    ) -> Floats:
+        """Return the torque that the train brings to the pump, with all losses [N*m].
+
+        Parameters
+        ----------
+        case : Transmission
+            `self.case`, or the same with input and output exchanged.
+        load : tuple of ndarray
+            Speeds [rad/s] and torques [N*m] of the input.
+        ratios : ndarray
+            Speed ratios of the converter. [-]
+        further : mapping
+            Values of other numbers by path.
+        """
+        if not len(ratios):
+            return np.zeros(0)
+        vary = {"load.speed": load[0], "load.torque": load[1], self.path: ratios}
+        torques: Floats = solve(case, vary={**vary, **further}).lossy_torques_Nm[:, 0, self.device]
+        return torques
+
+    def search(
+        self, inverse: Floats, limits: Limits, output: Floats, brought: Brought
+    ) -> EngineSearch:
+        """Search for engine speeds at which the pump takes the torque that it gets.
+
+        Parameters
+        ----------
+        inverse : ndarray, shape (points,)
+            Inverse engine speeds at which the torque can bend. [s/rad]
+        limits : tuple of float
+            Largest speed ratio [-], smallest and largest inverse engine speed [s/rad].
+        output : ndarray, shape (rows,)
+            Magnitudes of output speeds. [rad/s]
+        brought : callable
+            Torque brought to the pump in rows, at engine speeds.
+        """
+        count = max(1, MOST_POINTS_AT_ONCE // (INTERVALS * (len(inverse) + len(self.points) + 1)))
+        parts = []
+        for start in range(0, max(len(output), 1), count):
+            rows = np.arange(start, min(start + count, len(output)))
+            places = self._places(inverse, limits, output[rows])
+            parts.append(self._searched(rows, places, output[rows], brought))
+        return EngineSearch(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
+
+    def _places(self, inverse: Floats, limits: Limits, output: Floats) -> Floats:
+        """Return inverse engine speeds in the order of falling speed ratio; NaN after the last."""
+        top, least, most = limits
+        ratios = np.append(self.points[self.points[:, 0] < top, 0], top)
+        at_points = self._inverse(ratios, output)
+        places = np.concatenate(
+            [at_points, np.broadcast_to(inverse, (len(output), len(inverse)))], axis=1
+        )
+        with np.errstate(all="ignore"):
+            ratio = self._ratio(1 / places, output[:, None])
+            room = SAME_SPEED * np.maximum(np.abs(ratio), 1.0)
+            valid = np.isfinite(places) & (places >= least * (1 - SAME_SPEED))
+            valid &= places <= most * (1 + SAME_SPEED)
+            valid &= (ratio >= ratios[0] - room) & (ratio <= top + room)
+        (pump, turbine), (by_pump, by_turbine) = self.per_engine[:2], self.per_output[:2]
+        order = -1.0 if pump * by_turbine > turbine * by_pump else 1.0
+        places = order * np.sort(np.where(valid, order * places, np.nan), axis=1)  # NaN at the end
+        parts = np.arange(INTERVALS) / INTERVALS
+        between = places[:, :-1, None] * (1 - parts) + places[:, 1:, None] * parts
+        between[:, :, 0] = places[:, :-1]  # also before NaN
+        return np.concatenate([between.reshape(len(output), -1), places[:, -1:]], axis=1)
+
+    def _searched(
+        self, rows: Integers, places: Floats, output: Floats, brought: Brought
+    ) -> EngineSearch:
+        """Return the search in some rows; empty rows have NaN."""
+        known = np.isfinite(places)
+        at, columns = np.nonzero(known)
+
+        def surplus(at: Integers, inverse: Floats) -> Floats:
+            engine = 1 / inverse
+            taken, direction = self.taken(engine, output[at])
+            return direction * (brought(rows[at], engine) - taken) * inverse**2
+
+        values = np.full(places.shape, np.nan)
+        values[at, columns] = surplus(at, places[at, columns])
+        signs = np.sign(values)
+        changes = signs[:, :-1] * signs[:, 1:] <= 0  # False beside NaN
+        first = changes.argmax(axis=1)
+        found = np.flatnonzero(changes.any(axis=1))
+        inverse = np.full(len(places), np.nan)
+        ends = (found, first[found]), (found, first[found] + 1)
+        # Near rest the surplus is nearly linear in the square.
+        squares = _root(
+            lambda part, x: surplus(found[part], np.sqrt(x)),
+            (places[ends[0]] ** 2, places[ends[1]] ** 2),
+            (values[ends[0]], values[ends[1]]),
+        )
+        inverse[found] = np.sqrt(squares)
+        last = np.maximum(known.sum(axis=1) - 1, 0)
+        both = np.stack([np.zeros_like(last), last], axis=1)
+        return EngineSearch(
+            1 / inverse,
+            np.take_along_axis(signs, both, axis=1),
+            1 / np.take_along_axis(places, both, axis=1),
+        )
+
+    def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
+        """Return engine torques that bring to the pump what it takes; NaN if none does [N*m].
+
+        Parameters
+        ----------
+        engine, output : ndarray, shape (rows,)
+            Speeds of the engine, and magnitudes of output speeds. [rad/s]
+        brought : callable
+            Torque brought to the pump in rows, at engine torques.
+        """
+        taken, direction = self.taken(engine, output)
+        everywhere = np.arange(len(engine))
+
+        def surplus(at: Integers, torque: Floats) -> Floats:
+            # A pump that would gain power gets too little, or brakes too little.
+            left = direction[at] * (brought(at, torque) - taken[at])
+            return np.where(np.isnan(left), -gained[at], left)
+
+        gained = np.where(direction * taken < 0, -1, 1) * (np.abs(taken) + 1)
+        start = np.zeros(len(engine))
+        at_start = surplus(everywhere, start)
+        size = 1 + 2 * np.abs(taken * self.per_engine[0])
+        end = np.where(at_start > 0, -size, size)
+        at_end = surplus(everywhere, end)
+        for _ in range(MOST_DOUBLINGS):
+            wide = np.flatnonzero(at_end * at_start > 0)
+            if not wide.size:
+                break
+            start[wide], at_start[wide] = end[wide], at_end[wide]
+            end[wide] *= 2
+            at_end[wide] = surplus(wide, end[wide])
+        has_root: Booleans = at_end * at_start <= 0
+        torques = np.full(len(engine), np.nan)
+        rows = np.flatnonzero(has_root)
+        torques[rows] = _root(
+            lambda part, x: surplus(rows[part], x),
+            (start[rows], end[rows]),
+            (at_start[rows], at_end[rows]),
+        )
+        lacking = rows[np.isnan(brought(rows, torques[rows]))]
+        torques[lacking] += np.sign(gained[lacking]) * LEAST_EXCESS * (1 + np.abs(torques[lacking]))
+        return torques
+
+
+def _with_point(points: Floats, ratio: float) -> Floats:
+    """Return points of a converter with a further one on its lines, at a speed ratio."""
+    ratios = np.union1d(points[:, 0], [ratio])
+    return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
+
+
+def _root(function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]) -> Floats:
+    """Return the roots of a function between ends with values of different signs."""
+    (low, high), (at_low, at_high) = map(np.copy, ends), map(np.copy, values)
+    swap = np.abs(at_low) < np.abs(at_high)
+    low[swap], high[swap] = high[swap], low[swap]
+    at_low[swap], at_high[swap] = at_high[swap], at_low[swap]
+    open_ = np.flatnonzero((at_high != 0) & (low != high))
+    for _ in range(MOST_STEPS):
+        if not open_.size:
+            break
+        a, b, at_a, at_b = (array[open_] for array in (low, high, at_low, at_high))
+        new = b - at_b * (b - a) / (at_b - at_a)
+        at_new = function(open_, new)
+        turned = np.sign(at_new) != np.sign(at_b)
+        low[open_] = np.where(turned, b, a)
+        at_low[open_] = np.where(turned, at_b, at_a / 2)
+        high[open_], at_high[open_] = new, at_new
+        still = np.abs(new - b) > SAME_SPEED * np.abs(new)
+        open_ = open_[still & (at_new != 0) & np.isfinite(at_new)]
+    return high

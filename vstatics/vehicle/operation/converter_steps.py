@@ -1,0 +1,127 @@
+"""Steps of a driving cycle in a gear whose converter finds its speed ratio.
+
+The ratio is the largest at which speed and torque at the wheels fit the pump, with the engine at
+its first point or above. Where there is none, since the converter gives too much at its largest
+ratio, the engine turns at this ratio and gives what the pump takes; the brakes take the excess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import CaseError, Problem
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.vehicle.case.vehicle import Vehicle
+from vstatics.vehicle.operation.converter import (
+    FASTEST_OF_SEARCH,
+    Brought,
+    ConverterGear,
+    EngineSearch,
+)
+
+
+class ConverterSteps(NamedTuple):
+    """Steps in one gear."""
+
+    converter: ConverterGear
+    vehicle: Vehicle
+    cases: tuple[Transmission, Transmission]
+    """Case with this gear only, and the same with output and input exchanged."""
+    further: Sequence[Mapping[str, Floats]]
+    """Values of other numbers by path, for both cases."""
+    load: tuple[Floats, Floats]
+    """Speeds [rad/s] and torques [N*m] of the output, as the input of the second case."""
+    rows: Integers
+    """Indices of the steps in the cycle, for messages."""
+
+    @property
+    def _output(self) -> Floats:
+        return np.abs(self.load[0])
+
+    def _brought(
+        self, place: int, rows: Integers, load: tuple[Floats, Floats], engine: Floats
+    ) -> Floats:
+        """Return torques on the pump in the first or second case, at speeds of the engine [N*m]."""
+        ratios = self.converter.ratio(engine, self._output[rows])
+        further = {path: numbers[rows] for path, numbers in self.further[place].items()}
+        return self.converter.brought(self.cases[place], load, ratios, further)
+
+    def _from_engine(self, rows: Integers, engine: Floats, torque: Floats) -> Floats:
+        return self._brought(0, rows, (engine, torque), engine)
+
+    def _search(self, brought: Brought, points: Sequence[float] = ()) -> EngineSearch:
+        """EngineSearch for engine speeds; `points` are speeds at which the torque bends [rad/s]."""
+        full = self.vehicle.full_load
+        first = full[0][0] if full else 0.0
+        slowest = [first] if first else []
+        speeds = np.array(
+            [*slowest, *(point for point in points if point > first), FASTEST_OF_SEARCH]
+        )
+        limits = (
+            float(self.converter.points[-1, 0]),
+            1 / FASTEST_OF_SEARCH,
+            1 / first if first else np.inf,
+        )
+        return self.converter.search(1 / speeds, limits, self._output, brought)
+
+    def from_wheels(self) -> tuple[Floats, Floats]:
+        """Return speeds [rad/s] and torques [N*m] of the engine that the wheels ask for.
+
+        Torques are NaN where the wheels determine them, and numbers where brakes take an excess.
+
+        Raises
+        ------
+        CaseError
+            If no speed ratio fits a step.
+        """
+        speeds, torques = self.load
+
+        def brought(rows: Integers, engine: Floats) -> Floats:
+            return self._brought(1, rows, (speeds[rows], torques[rows]), engine)
+
+        return self._settled(self._search(brought))
+
+    def at_overrun(self) -> tuple[Floats, Floats]:
+        """Return speeds [rad/s] and torques [N*m] of the engine that brakes as much as it can.
+
+        Raises
+        ------
+        CaseError
+            If no speed ratio fits a step.
+        """
+        overrun = self.vehicle.overrun_torque
+        points = [speed for speed, _ in self.vehicle.braking]
+        engine, torques = self._settled(
+            self._search(
+                lambda rows, engine: self._from_engine(rows, engine, overrun(engine)), points
+            )
+        )
+        return engine, np.where(np.isnan(torques), overrun(engine), torques)
+
+    def _settled(self, search: EngineSearch) -> tuple[Floats, Floats]:
+        """Return engine speeds [rad/s], and torques [N*m] at the largest ratio without solution."""
+        engine = search.engine.copy()
+        torques = np.full(len(engine), np.nan)
+        held = np.flatnonzero(np.isnan(engine) & ~(search.surplus[:, 0] > 0))
+        engine[held] = search.ends[held, 0]
+        held = held[np.isfinite(engine[held])]
+        torques[held] = self.converter.torque_at(
+            engine[held],
+            self._output[held],
+            lambda rows, torque: self._from_engine(held[rows], engine[held[rows]], torque),
+        )
+        lacking = np.isnan(engine)
+        lacking[held] = np.isnan(torques[held])
+        if lacking.any():
+            name, gear = self.converter.name, self.converter.case.gears[0].name
+            low, high = self.converter.points[[0, -1], 0]
+            text = (
+                f"gear {gear} has no speed ratio of {name} from {low:g} to {high:g} at which the "
+                "pump takes the torque that it gets"
+            )
+            raise CaseError([Problem("E424", text, (int(row),)) for row in self.rows[lacking]])
+        return engine, torques
