@@ -9,18 +9,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from contourpy import contour_generator
-from matplotlib.figure import Figure
-from matplotlib.patches import PathPatch
-from matplotlib.path import Path
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.numbers import typeset
 from vstatics.core.tables.written_results import WrittenSweep
+from vstatics.pictures.drawing.canvas import Canvas, Look, Outline, Point
 from vstatics.pictures.drawing.head import sheet_head
-from vstatics.pictures.drawing.labels import Point, height, ticks, widest, width
-from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.labels import height, ticks, widest, width
+from vstatics.pictures.drawing.line_styles import mixed
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SMALL_NUMBER, Style
 from vstatics.sweep.pictures.columns import (
@@ -67,7 +65,7 @@ class Surface(NamedTuple):
     """Text that replaces a surface without any number."""
 
 
-def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figure]:
+def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canvas]:
     """Draw a map for each gear or value of a column, all with equal levels.
 
     Raises
@@ -113,7 +111,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
             row, column = divmod(place, columns)
             corner = column * pitch + MAP_SCALE_WIDTH, (rows - 1 - row) * up + MAP_SCALE_HEIGHT
             _draw(pen.panel(corner, size, *scales), surface, levels, (x, y))
-        figures.append(pen.figure)
+        figures.append(pen.canvas)
     return figures
 
 
@@ -220,11 +218,11 @@ def _fill(pen: Pen, filled: tuple[Sequence[Any], Sequence[Any]], colour: str) ->
     """Fill the polygons of a band between two levels, without their holes."""
     left, low = pen.corner
     for points, offsets in zip(*filled, strict=True):
-        codes = np.full(len(points), Path.LINETO, dtype=np.uint8)
-        codes[offsets[:-1]] = Path.MOVETO
-        codes[offsets[1:] - 1] = Path.CLOSEPOLY
-        path = Path(points + np.array([left, low]), codes)
-        pen.add(PathPatch(path, facecolor=colour, edgecolor=colour, linewidth=0.2, zorder=0.2))
+        steps = np.full(len(points), "L")
+        steps[offsets[:-1]] = "M"
+        steps[offsets[1:] - 1] = "z"
+        outline = Outline(points + np.array([left, low]), "".join(steps.tolist()))
+        pen.fill(outline, facecolor=colour, edgecolor=colour, width=0.2, zorder=0.2)
 
 
 def _label(

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from matplotlib.figure import Figure
-
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.statics.results import Results
 from vstatics.core.summary.design_table import ranges
+from vstatics.pictures.drawing.canvas import Canvas, Look, Point
 from vstatics.pictures.drawing.ends import along
 from vstatics.pictures.drawing.free import Taken, first_free
-from vstatics.pictures.drawing.labels import LEADER, LINE_HEIGHT, Label, Point, width
-from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.labels import LEADER, LINE_HEIGHT, Label, width
+from vstatics.pictures.drawing.line_styles import mixed
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import SIZE, SMALL_NUMBER, Style
 from vstatics.pictures.drawing.words import gear_title, title
@@ -23,7 +22,7 @@ from vstatics.vehicle.pictures.driven import DrivenGear, DrivenVehicle, driven, 
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
-) -> list[Figure]:
+) -> list[Canvas]:
     """Draw the engine speed over road speed in all gears, or in some.
 
     Parameters
@@ -65,7 +64,7 @@ def draw(
         Label(pen.across(KMH * gear.largest_speed), gear.name, style.ink) for gear in vehicle.gears
     ]
     along(pen.panel(pen.corner, (pen.size[0], last)), "top", ends, upright=False)
-    return [pen.figure]
+    return [pen.canvas]
 
 
 def _tooth(style: Style) -> Look:
