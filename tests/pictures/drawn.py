@@ -7,6 +7,8 @@ from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
+from vstatics.pictures.drawing.canvas import Canvas
+
 WITHOUT_PLAN = ("wheel-hub.yaml", "wolfrom.yaml")
 """Shipped cases in which nothing is free."""
 WITHOUT_TWO_GEARS = (
@@ -26,7 +28,9 @@ def _named(figure: Figure) -> list[tuple[Artist, str]]:
     return [(one, name) for one, name in found if name and name.startswith("{")]
 
 
-def texts(figure: Figure) -> list[str]:
+def texts(figure: Figure | Canvas) -> list[str]:
     """All texts of a picture that are shown."""
+    if isinstance(figure, Canvas):
+        return figure.texts
     found: list[Any] = figure.findobj(Text)
     return [one.get_text() for one in found if one.get_visible() and one.get_text()]

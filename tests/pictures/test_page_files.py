@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from matplotlib.figure import Figure
 
 from tests.commands import CASES, vstatics
 from tests.processes import names
 from vstatics import ReadError, load, solve
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.flow import efficiency
 from vstatics.pictures.plotting import plot
@@ -23,10 +23,10 @@ def count(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """How many pages a picture of efficiencies has, where pages have a height."""
     wanted = [3]
 
-    def draw(_: Results, style: Style, gears: Sequence[int]) -> list[Figure]:
+    def draw(_: Results, style: Style, gears: Sequence[int]) -> list[Canvas]:
         assert not gears
         number = wanted[0] if style.height < style.width * 10 else 1
-        return [Figure((style.width / 72, 1 + page / 100)) for page in range(number)]
+        return [Canvas((style.width, 72 + page), style, [], {}) for page in range(number)]
 
     monkeypatch.setattr(efficiency, "draw", draw)
     return wanted

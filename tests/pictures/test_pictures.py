@@ -23,7 +23,7 @@ from tests.pictures.schemes.test_schemes import ring
 from tests.shipped import shipped_results
 from vstatics import CaseError, Results, Transmission, load, solve
 from vstatics.pictures import drawn_kinds, drawn_pages, module_of, picture, render
-from vstatics.pictures.drawing.files import Format, settings_of
+from vstatics.pictures.drawing.files import Format, figures_of, settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 
 if TYPE_CHECKING:
@@ -87,9 +87,9 @@ def test_charts_of_a_van_can_be_read_and_fit_the_paper(path: Path) -> None:
     """Shipped cases have no vehicle."""
     results, style = solve(in_van(load(path))), Style(height=PAGE_HEIGHT)
     for kind in ("traction", "sawtooth", "steps"):
-        with contextlib.suppress(CaseError), settings_of(style):  # some have no steps
-            [figures] = drawn_pages(results, kind, style, [()])
-            for figure in figures:
+        with contextlib.suppress(CaseError):  # some have no steps
+            [pages] = drawn_pages(results, kind, style, [()])
+            for figure in figures_of(pages):
                 wide, high = figure.get_size_inches() * 72
                 assert (wide <= PAGE_WIDTH + 1e-6, high <= PAGE_HEIGHT + 1e-6) == (True, True)
                 figure.set_dpi(150)

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from vstatics.core.statics.results import Results
+    from vstatics.pictures.drawing.canvas import Canvas
     from vstatics.pictures.drawing.files import Format
     from vstatics.pictures.drawing.style import Style
     from vstatics.pictures.runs import PicturedRun
@@ -99,7 +100,10 @@ def picture(
     CaseError
         If matplotlib is not installed, or the case has nothing to draw.
     """
-    [[figure]] = drawn_pages(results, kind, style._replace(height=math.inf), [gears], motion)
+    from vstatics.pictures.drawing.files import figures_of
+
+    [pages] = drawn_pages(results, kind, style._replace(height=math.inf), [gears], motion)
+    [figure] = figures_of(pages)
     return figure
 
 
@@ -110,9 +114,8 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     shown: Sequence[Sequence[int]],
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
-) -> list[list[Figure]]:
+) -> list[list[Canvas]]:
     """Draw the pages of each list of gears; scales of a run are wide enough for the other runs."""
-    from vstatics.pictures.drawing.files import settings_of
     from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
     require("plot", "a picture")
@@ -122,10 +125,9 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     run: tuple[Any, ...] = ()
     if "motion" in record.options:
         run = (motion, others) if record.shows == "run" else (motion,)
-    with settings_of(style):
-        if hasattr(drawing, "each"):
-            return list(drawing.each(results, style, shown))
-        return [drawing.draw(results, style, gears, *run) for gears in shown]
+    if hasattr(drawing, "each"):
+        return list(drawing.each(results, style, shown))
+    return [[*drawing.draw(results, style, gears, *run)] for gears in shown]
 
 
 def render(  # noqa: PLR0913 - what is drawn, and how
@@ -159,8 +161,8 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
     """
     from vstatics.pictures.drawing.files import files_of
 
-    [figures] = drawn_pages(results, kind, style, [gears], motion, others)
-    return files_of(figures, form, style, _alternative(results, kind, style, gears))
+    [drawn] = drawn_pages(results, kind, style, [gears], motion, others)
+    return files_of(drawn, form, _alternative(results, kind, style, gears))
 
 
 def of_each_gear(
@@ -172,7 +174,7 @@ def of_each_gear(
     shown = [(number,) for number in gears]
     drawn = drawn_pages(results, kind, style, shown)
     return [
-        files_of(figures, "svg", style, _alternative(results, kind, style, gears))
+        files_of(figures, "svg", _alternative(results, kind, style, gears))
         for gears, figures in zip(shown, drawn, strict=True)
     ]
 

@@ -12,11 +12,10 @@ from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import require
 from vstatics.core.statics.results import Results
 from vstatics.pictures import drawn_pages, module_of
-from vstatics.pictures.drawing.files import Format, files_of, settings_of
+from vstatics.pictures.drawing.files import Format, files_of
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
+    from vstatics.pictures.drawing.canvas import Canvas
     from vstatics.pictures.drawing.style import Style
     from vstatics.pictures.runs import PicturedRun
 
@@ -57,19 +56,17 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
     """
     require("plot", "a picture")
     title = f"{style.text(picture_kinds()[kind].title)}: {', '.join(case.name for case in both)}"
-    with settings_of(style):
-        figures = list(_sheets(both, kind, style))
-    return files_of(figures, form, style, title)
+    return files_of(list(_sheets(both, kind, style)), form, title)
 
 
-def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Figure]:
-    from vstatics.pictures.drawing.join import LETTER_HEIGHT, LetteredFigure, joined
+def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Canvas]:
+    from vstatics.pictures.drawing.join import LETTER_HEIGHT, LetteredPicture, joined
 
-    def lettered(width: float, height: float) -> list[list[LetteredFigure]]:
+    def lettered(width: float, height: float) -> list[list[LetteredPicture]]:
         sized = style._replace(width=width, height=height)
         drawn = [_drawn(both, place, kind, sized) for place in range(len(both))]
         return [
-            [LetteredFigure(letter, case.name, figure) for figure in figures]
+            [LetteredPicture(letter, case.name, figure) for figure in figures]
             for letter, case, figures in zip(LETTERS, both, drawn, strict=True)
         ]
 
@@ -90,7 +87,7 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Fig
             yield from (joined([page], style) for page in present)
 
 
-def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> list[Figure]:
+def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> list[Canvas]:
     """Draw the pages of a case, with scales that are wide enough for the second case, too.
 
     Raises
@@ -102,7 +99,7 @@ def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> l
     try:
         if picture_kinds()[kind].alike:
             results = [other.results for other in others]
-            figures: list[Figure] = module_of(kind).draw(case.results, style, case.gears, results)
+            figures: list[Canvas] = module_of(kind).draw(case.results, style, case.gears, results)
             return figures
         runs = [(other.results, other.motion) for other in others if other.motion]
         [pages] = drawn_pages(case.results, kind, style, [case.gears], case.motion, runs)

@@ -5,9 +5,8 @@ from itertools import pairwise
 import matplotlib as mpl
 import pytest
 
-from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.labels import spread, width
-from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.metrics import line_width
 
 
 def test_labels_move_as_little_as_they_can() -> None:
@@ -28,7 +27,7 @@ def test_labels_keep_their_order_and_their_distance() -> None:
 
 def test_a_text_is_as_wide_under_any_settings_of_the_user() -> None:
     texts = ["input", "carrier and second ring", "E"]
-    with settings_of(Style()):
-        widths = [width.__wrapped__(text) for text in texts]
+    widths = [width(text) for text in texts]
+    line_width.cache_clear()
     with mpl.rc_context({"text.hinting": "force_autohint"}):
-        assert [width.__wrapped__(text) for text in texts] == widths
+        assert [width(text) for text in texts] == widths

@@ -1,20 +1,20 @@
 """SVG of pictures: texts that can be found and copied, titles, nothing that could run."""
 
 import re
+from typing import Any
 from xml.etree import ElementTree as ET
 
 import pytest
-from matplotlib.figure import Figure
 
 from tests.commands import CASES
 from tests.pictures.test_pictures import in_van
 from tests.shipped import shipped_results
 from vstatics import load, solve
 from vstatics.pictures import drawn_kinds, render
-from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.figures import figure_of
 from vstatics.pictures.drawing.pen import blank
 from vstatics.pictures.drawing.style import Style
-from vstatics.pictures.drawing.svg import halo, told, written_as_svg
+from vstatics.pictures.drawing.svg import written_as_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 STYLE = Style()
@@ -29,12 +29,11 @@ def parsed(svg: bytes) -> ET.Element:
     return ET.fromstring(svg)  # noqa: S314 - from nowhere else
 
 
-def made(**how: object) -> ET.Element:
+def made(**how: Any) -> ET.Element:
     """A picture of one text."""
-    figure = Figure(figsize=(2, 1))
-    with settings_of(STYLE):
-        figure.text(0.5, 0.5, "sun <1>\nК & −2.5", **how)  # type: ignore[arg-type]
-        return parsed(written_as_svg(figure, "a <set>", STYLE))
+    pen = blank(144.0, 72.0, STYLE)
+    pen.text(72.0, 36.0, "sun <1>\nК & −2.5", **how)
+    return parsed(written_as_svg(pen.canvas, "a <set>"))
 
 
 def test_texts_stay_texts_in_letters_that_other_machines_have() -> None:
@@ -46,14 +45,13 @@ def test_texts_stay_texts_in_letters_that_other_machines_have() -> None:
 
 
 def test_what_an_artist_says_is_its_title_and_data() -> None:
-    root = made(gid=told('P1: "sun" & <ring>', gear="R"))
+    root = made(title='P1: "sun" & <ring>')
     group = next(root.iter(f"{SVG}g"))
     assert group.findtext(f"{SVG}title") == 'P1: "sun" & <ring>'
-    assert group.attrib == {"data-gear": "R"}
 
 
 def test_a_halo_is_painted_below_letters_that_stay_letters() -> None:
-    root = made(**halo(STYLE), gid=told(halo=True))
+    root = made(over=True)
     group = next(root.iter(f"{SVG}g"))
     assert group.attrib["paint-order"] == "stroke"
     assert group.attrib["stroke"] == STYLE.paper
@@ -61,11 +59,9 @@ def test_a_halo_is_painted_below_letters_that_stay_letters() -> None:
 
 
 def test_a_halo_stays_for_pictures_of_dots() -> None:
-    figure = Figure()
-    with settings_of(STYLE):
-        text = figure.text(0.5, 0.5, "x", **halo(STYLE))
-        written_as_svg(figure, "", STYLE)
-    assert text.get_path_effects()
+    pen = blank(72.0, 72.0, STYLE)
+    pen.text(36.0, 36.0, "x", over=True)
+    assert figure_of(pen.canvas).texts[0].get_path_effects()
 
 
 @pytest.mark.parametrize("dark", [False, True])
@@ -93,13 +89,12 @@ def test_every_kind_says_what_it_shows_and_typesets_its_numbers(kind: str) -> No
 
 def test_what_belongs_together_is_one_group() -> None:
     """Parts of two links drawn in turns stand by link, and their wires have their class."""
-    with settings_of(Style()):
-        pen = blank(50.0, 50.0, Style())
-        for turn in range(2):
-            for name in ("sun", "ring"):
-                link = pen.within("scheme").within("link", name=name)
-                link.line((0.0, turn), (5.0, turn), kind="wire", color="#000000")
-        root = parsed(written_as_svg(pen.figure, "", Style()))
+    pen = blank(50.0, 50.0, Style())
+    for turn in range(2):
+        for name in ("sun", "ring"):
+            link = pen.within("scheme").within("link", name=name)
+            link.line((0.0, turn), (5.0, turn), kind="wire", color="#000000")
+    root = parsed(written_as_svg(pen.canvas, ""))
     [scheme] = root.findall(".//*[@class='scheme']")
     assert {link.get("data-name"): [part.get("class") for part in link] for link in scheme} == {
         "sun": ["wire", "wire"],

@@ -7,7 +7,6 @@ from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.pictures import picture
-from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.pictures.flow.efficiency import draw, loss_shares
 
@@ -44,13 +43,12 @@ def test_many_gears_stand_in_panels_below_one_another_on_pages_of_paper() -> Non
     gears = [Gear(name=f"g{number}") for number in range(40)]
     results = solve(Transmission(2, [], pairs, gears))
     paper = Style(height=PAGE_HEIGHT)
-    with settings_of(paper):
-        pages = draw(results, paper)
+    pages = [*draw(results, paper)]
     said = [text for page in pages for text in texts(page)]
     assert [said.count(gear.name) for gear in gears] == [1] * 40
     assert said.count("0.960") >= 40
     for page in pages:
-        wide, high = page.get_size_inches() * 72
+        wide, high = page.size
         assert wide <= PAGE_WIDTH + 1e-6
         assert high <= PAGE_HEIGHT + 1e-6
     assert overlaps(results, "efficiency", Style()) == []

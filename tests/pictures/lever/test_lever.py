@@ -21,7 +21,7 @@ from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
 from vstatics import loads, solve
 from vstatics.pictures import picture, render
-from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.files import figures_of, settings_of
 from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.lever.gear import in_gear
@@ -154,10 +154,10 @@ def test_no_text_or_line_covers_a_text_of_merged_levers(name: str) -> None:
     style = Style("ru", merged=True)
     results = shipped_results(name)
     assert overlaps(results, "lever", style) == []
-    with settings_of(Style()):
-        gears = [(n,) for n in range(1, len(results.case.gears) + 1)]
-        for [figure] in each(results, Style(), gears):
-            assert list(crossed(figure)) == []
+    gears = [(n,) for n in range(1, len(results.case.gears) + 1)]
+    for pages in each(results, Style(), gears):
+        [figure] = figures_of(pages)
+        assert list(crossed(figure)) == []
 
 
 def test_a_wheel_that_is_part_of_the_axle_is_held_by_the_housing() -> None:
@@ -336,7 +336,7 @@ def test_no_line_runs_through_the_sign_of_a_clutch() -> None:
     """Two clutches on one link are side by side: the line of each branches off before plates."""
     split = solve(loads(TWO_CLUTCHES))
     [power_split] = each(split, Style(), [[1]])
-    assert any("x = 1.250" in text.get_text() for text in power_split[0].texts)
+    assert any("x = 1.250" in text for text in power_split[0].texts)
     own = page_of(split.case, Style())
     assert own is not None
     pictures = [routes(own, in_gear(split, 1, own.levers).ties)]

@@ -24,8 +24,8 @@ from vstatics.core.elements import Drawing, Element, transmission
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.model.springs import between
 from vstatics.pictures import picture, render
-from vstatics.pictures.drawing.files import settings_of, written
 from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.svg import written_as_svg
 from vstatics.pictures.paged.drawn import HALF
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
@@ -232,10 +232,8 @@ def planar_boxes(count: int) -> list[Transmission]:
 
 
 def drawn(case: Transmission) -> tuple[bytes, str]:
-    style = Style()
-    with settings_of(style):
-        figure = bare_stick(case, style).drawn("box").figure
-    return written(figure, "svg", style, "box"), figure.texts[0].get_text()
+    canvas = bare_stick(case, Style()).drawn("box").canvas
+    return written_as_svg(canvas, "box"), canvas.texts[0]
 
 
 @needs("synthesis")

@@ -19,7 +19,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import sweep_tables
 from vstatics.core.tables.written_results import WrittenSweep
-from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.files import figures_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.sweep.pictures import curves, histogram, map_sheet
 from vstatics.sweep.pictures import map as map_
@@ -50,10 +50,7 @@ def saddle(where: float = np.inf) -> WrittenSweep:
 
 
 def drawn(kind: Any, sweep: WrittenSweep, **asked: Any) -> Figure:
-    style = Style()
-    with settings_of(style):
-        [figure] = kind.draw(sweep, style, DrawnColumns(**asked))
-    assert isinstance(figure, Figure)
+    [figure] = figures_of(kind.draw(sweep, Style(), DrawnColumns(**asked)))
     return figure
 
 
@@ -205,15 +202,14 @@ def test_panels_go_on_on_further_pages_of_a_width() -> None:
     ]
     columns = sweep_of({"x": [1, 2], **{gear: [1, 2] for gear in gears}}, "x")
     style = Style(height=PAGE_HEIGHT)
-    with settings_of(style):
-        maps = map_.draw(read("variant,x,y,status,gear,z", rows), style, DrawnColumns())
-        panels = curves.draw(columns, style, DrawnColumns(y=gears))
+    maps = map_.draw(read("variant,x,y,status,gear,z", rows), style, DrawnColumns())
+    panels = curves.draw(columns, style, DrawnColumns(y=gears))
     for figures in (maps, panels):
         said = [one for figure in figures for one in texts(figure)]
         assert sorted(one for one in said if one in gears) == gears
         assert len(figures) > 1
         for figure in figures:
-            wide, high = 72 * figure.get_size_inches()
+            wide, high = figure.size
             assert wide <= style.width
             assert high <= style.height
 

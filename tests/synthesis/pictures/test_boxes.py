@@ -14,8 +14,9 @@ from tests.pictures.schemes.test_schemes import overlaps
 from tests.synthesis.boxes import hand_boxes
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import CaseError
-from vstatics.pictures.drawing.files import settings_of, written
+from vstatics.pictures.drawing.files import figures_of, settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
+from vstatics.pictures.drawing.svg import written_as_svg
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures.case import box_case
@@ -29,8 +30,7 @@ from vstatics.synthesis.pictures.stick import stick_diagram
 
 def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -> Figure:
     listing, style = listing_of(document), style or Style()
-    with settings_of(style):
-        [figure] = draw_boxes(listing, style, drawn_boxes(listing, most))
+    [figure] = figures_of(draw_boxes(listing, style, drawn_boxes(listing, most)))
     return figure
 
 
@@ -63,11 +63,10 @@ def test_the_scales_of_a_narrow_page_can_be_read() -> None:
 def test_a_held_link_and_meshed_planets_are_drawn() -> None:
     """Lepelletier: one sun stands for good, one set has two rows of planets."""
     [box] = listing_of(zf_6hp()).boxes
-    with settings_of(Style()):
-        figure = bare_stick(box.transmission(), Style()).drawn().figure
-        svg = written(figure, "svg", Style(), "box")
+    canvas = bare_stick(box.transmission(), Style()).drawn().canvas
+    svg = written_as_svg(canvas, "box")
     assert list(wires(svg)).count("housing") == 1
-    said = {text.get_text() for text in figure.texts}
+    said = {*canvas.texts}
     assert {"P1-P2", "P3", "T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"} <= said
     assert {"L0", "L1", "L2", "L3", "L5", "L6"} <= said
 
@@ -86,14 +85,13 @@ def test_diagrams_can_be_read_and_join_what_the_case_joins(
     search: BoxSearch, box: FoundBox, is_small: bool
 ) -> None:
     case = box_case(box, search.targets, 0.98)
-    with settings_of(Style()):
-        stick = bare_stick(case, Style(), is_small=is_small)
-        figure = stick.drawn("" if is_small else case.name).figure
-        svg = written(figure, "svg", Style(), "box")
+    stick = bare_stick(case, Style(), is_small=is_small)
+    canvas = stick.drawn("" if is_small else case.name).canvas
+    svg = written_as_svg(canvas, "box")
     assert crossings(svg) == bridges(svg)
     assert (crossings(svg) == 0) == box_is_planar(case)
     assert_connected(svg)
-    assert overlaps(figure) == []
+    assert overlaps(figures_of([canvas])[0]) == []
 
 
 def numbers(figure: Figure) -> list[Text]:
@@ -166,12 +164,11 @@ def test_the_same_boxes_give_the_same_picture() -> None:
 def test_diagrams_go_on_on_further_pages_of_a_width() -> None:
     listing, style = listing_of(many(200)), Style(height=PAGE_HEIGHT)
     shown = drawn_boxes(listing, 8)
-    with settings_of(style):
-        pages = draw_boxes(listing, style, shown)
+    pages = draw_boxes(listing, style, shown)
     assert len(pages) > 1
     headings = [one for page in pages for one in texts(page) if "   family " in one]
     assert [int(one.split()[0]) for one in headings] == [box.number for box in shown]
     for page in pages:
-        wide, high = 72 * page.get_size_inches()
+        wide, high = page.size
         assert wide <= style.width
         assert high <= style.height

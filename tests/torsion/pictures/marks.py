@@ -23,20 +23,20 @@ class Mark(NamedTuple):
     element: ET.Element
 
     @property
-    def _use(self) -> dict[str, str]:
+    def _sign(self) -> dict[str, str]:
         """Attributes of its only sign."""
-        [use] = self.element.iter(f"{{{SVG}}}use")
-        return use.attrib
+        [sign] = self.element.iter(f"{{{SVG}}}circle")
+        return sign.attrib
 
     @property
     def at(self) -> tuple[float, float]:
         """The place of its only sign [pt]."""
-        return float(self._use["x"]), float(self._use["y"])
+        return float(self._sign["cx"]), float(self._sign["cy"])
 
     @property
     def fill(self) -> str:
         """Of its only sign."""
-        return self._use["fill"]
+        return self._sign["fill"]
 
     @property
     def points(self) -> list[tuple[float, float]]:

@@ -66,7 +66,7 @@ def test_pages_fit_their_paper() -> None:
     pages = dump.draw(results, style)
     assert len(pages) == 2
     for figure in pages:
-        wide, high = (72 * size for size in figure.get_size_inches())
+        wide, high = figure.size
         assert (wide <= style.width + 0.01, high <= style.height + 0.01) == (True, True)
     assert b'class="dump"' in drawn(results, "dump", Style(), 2)
 

@@ -14,7 +14,7 @@ from vstatics import Gear, Mechanism, Results, ShiftElement, Spring, Transmissio
 from vstatics.core.errors import CaseError
 from vstatics.core.texts import Language
 from vstatics.pictures import drawn_kinds, module_of, picture
-from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.files import figures_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.torsion.pictures.shapes import modes
 from vstatics.torsion.pictures.shapes.links import mode_links
@@ -142,9 +142,7 @@ def test_no_page_is_larger_than_its_paper_and_no_letter_small(
     name: str, kind: str, style: Style
 ) -> None:
     module = module_of(kind)
-    with settings_of(style):
-        figures = module.draw(ODD[name], style)
-    for figure in figures:
+    for figure in figures_of([*module.draw(ODD[name], style)]):
         wide, high = (72 * size for size in figure.get_size_inches())
         assert wide <= style.width + 0.01
         assert high <= style.height + 0.01

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import zip_longest
 from typing import Literal, NamedTuple
 
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.labels import (
     LABEL_GAP,
     LEADER,
@@ -16,7 +17,6 @@ from vstatics.pictures.drawing.labels import (
     spread,
     width,
 )
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, SIGN_WIDTH
 

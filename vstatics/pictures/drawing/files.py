@@ -1,4 +1,4 @@
-"""Conversion of figures to files: an SVG or PNG for each page, or a PDF with all pages."""
+"""Conversion of canvases to files: an SVG or PNG for each page, or a PDF with all pages."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from vstatics.pictures.drawing.style import Style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from vstatics.pictures.drawing.canvas import Canvas
 
 Format = Literal["svg", "png", "pdf"]
 FORMATS: tuple[Format, ...] = get_args(Format)
@@ -41,29 +43,29 @@ def settings_of(style: Style) -> Iterator[None]:
         yield
 
 
-def files_of(figures: Sequence[Figure], form: Format, style: Style, title: str) -> list[bytes]:
-    """Return pages as files, all in a single PDF; equal figures give equal bytes.
+def files_of(pages: Sequence[Canvas], form: Format, title: str) -> list[bytes]:
+    """Return pages as files, all in a single PDF; equal pages give equal bytes.
 
     Parameters
     ----------
     title : str
         Alternative text.
     """
-    with settings_of(style):
-        if form == "svg":
-            from vstatics.pictures.drawing.svg import written_as_svg
+    if form == "svg":
+        from vstatics.pictures.drawing.svg import written_as_svg
 
-            return [
-                written_as_svg(figure, title, style, number)
-                for number, figure in enumerate(figures, 1)
-            ]
+        return [written_as_svg(page, title, number) for number, page in enumerate(pages, 1)]
+    figures = figures_of(pages)
+    with settings_of(pages[0].style):
         return [_pdf(figures)] if form == "pdf" else [*map(_png, figures, count(1))]
 
 
-def written(figure: Figure, form: Format, style: Style, title: str) -> bytes:
-    """Return a figure as a file; see `files_of`."""
-    [file] = files_of([figure], form, style, title)
-    return file
+def figures_of(pages: Sequence[Canvas]) -> list[Figure]:
+    """Return pages as figures of matplotlib, with the settings of their style."""
+    from vstatics.pictures.drawing.figures import figure_of
+
+    with settings_of(pages[0].style):
+        return [*map(figure_of, pages)]
 
 
 # Without dates and versions, equal cases give equal bytes.

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from vstatics.pictures.drawing.labels import Point, Span
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import Span
 
 Taken = list[tuple[Span, Span]]
 """Horizontal and vertical extents of the texts that are already placed. [pt]"""

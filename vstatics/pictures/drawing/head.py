@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import LINE_HEIGHT, Point, height, title_width, width, wrapped
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
+from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, title_width, width, wrapped
 from vstatics.pictures.drawing.pen import Pen, blank
 from vstatics.pictures.drawing.style import MARGIN, SIGN_WIDTH, SIZE, TITLE, Style
 

@@ -1,47 +1,33 @@
 """Pictures of several cases on a sheet, each in a panel with a letter.
 
-Figures are not drawn again; their artists move to a common figure.
+Pictures are not drawn again; their parts move to a common canvas.
 """
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from matplotlib.artist import Artist
-from matplotlib.figure import Figure
-from matplotlib.transforms import Affine2D, TransformedBbox
-
-from vstatics.pictures.drawing.labels import (
-    LINE_HEIGHT,
-    POINTS_PER_INCH,
-    Point,
-    height,
-    title_width,
-    wrapped,
-)
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Canvas, CanvasPart, CanvasPlace, Look, Point
+from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, title_width, wrapped
 from vstatics.pictures.drawing.pen import Pen, blank
 from vstatics.pictures.drawing.style import MARGIN, TITLE, Style
-from vstatics.pictures.drawing.svg import told
 
 LETTER_HEIGHT = LINE_HEIGHT * TITLE + MARGIN
 """Height of the line with the letter and the name of a case, with a margin above. [pt]"""
 
 
-class LetteredFigure(NamedTuple):
+class LetteredPicture(NamedTuple):
     """Page of the picture of a case."""
 
     letter: str
     name: str
-    figure: Figure
+    canvas: Canvas
 
     @property
     def own(self) -> Point:
-        """Size of the figure [pt]."""
-        wide, high = self.figure.get_size_inches().tolist()
-        return wide * POINTS_PER_INCH, high * POINTS_PER_INCH
+        """Size of the picture [pt]."""
+        return self.canvas.size
 
     @property
     def head(self) -> str:
@@ -63,18 +49,16 @@ class LetteredFigure(NamedTuple):
         return wide, high + self.over
 
 
-def joined(parts: Sequence[LetteredFigure], style: Style, *, side_by_side: bool = False) -> Figure:
+def joined(parts: Sequence[LetteredPicture], style: Style, *, side_by_side: bool = False) -> Canvas:
     """Join pictures on a page, vertically or side by side.
 
     Examples
     --------
-    >>> from vstatics.pictures.drawing.files import settings_of
-    >>> with settings_of(Style()):
-    ...     pens = [blank(100.0, 50.0, Style()) for _ in "AB"]
-    ...     parts = [LetteredFigure(*names, pen.figure) for *names, pen in zip("AB", "xy", pens)]
-    ...     made = joined(parts, Style())
-    >>> [text.get_text() for text in made.texts], made.get_size_inches().round(2).tolist()
-    (['A  x', 'B  y'], [1.39, 2.07])
+    >>> pens = [blank(100.0, 50.0, Style()) for _ in "AB"]
+    >>> parts = [LetteredPicture(*names, pen.canvas) for *names, pen in zip("AB", "xy", pens)]
+    >>> page = joined(parts, Style())
+    >>> page.texts, page.size
+    (['A  x', 'B  y'], (100.0, 149.0))
     """
     sizes = [part.own for part in parts]
     overs = [part.over for part in parts]
@@ -90,27 +74,16 @@ def joined(parts: Sequence[LetteredFigure], style: Style, *, side_by_side: bool 
         at = left + MARGIN, top - MARGIN
         look: Look = {"va": "top", "linespacing": LINE_HEIGHT, "color": style.soft}
         panel.text(*at, part.head, size=TITLE, bold=True, **look)
-        _move(part.figure, panel, (left, top - high))
+        _move(part.canvas, panel, (left, top - high))
         left, top = (left + size[0], top) if side_by_side else (left, top - high)
-    return pen.figure
+    return pen.canvas
 
 
-def _move(figure: Figure, pen: Pen, corner: Point) -> None:
-    """Move all artists of a figure into the figure of a pen, with an offset of the corner."""
-    x, y = corner
-    inches = Affine2D().translate(x / POINTS_PER_INCH, y / POINTS_PER_INCH)
-    place = figure.dpi_scale_trans.inverted() + inches + pen.figure.dpi_scale_trans
-    artists: list[Artist] = figure.get_children()
-    for artist in artists:
-        if artist is figure.patch:
-            continue
-        artist.remove()
-        artist.set_transform(artist.get_transform() + place)
-        box: Any = artist.get_clip_box()
-        if box is not None:
-            artist.set_clip_box(TransformedBbox(box, place))
-        said = artist.get_gid()
-        mark = json.loads(said) if said and said.startswith("{") else json.loads(told())
-        groups = [*pen.groups, *mark["groups"]]
-        artist.set_gid(json.dumps({**mark, "groups": groups}, ensure_ascii=False))
-        pen.figure.add_artist(artist)
+def _move(canvas: Canvas, pen: Pen, corner: Point) -> None:
+    """Add the parts of a canvas to the canvas of a pen, with an offset of the corner."""
+    offset = CanvasPlace(1.0, *corner)
+    for shape, place, mark in canvas.parts:
+        groups = (*pen.groups, *mark.groups)
+        pen.canvas.parts.append(
+            CanvasPart(shape, place.within(offset), mark._replace(groups=groups))
+        )

@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
-from contextlib import nullcontext
-from functools import cache, partial
-from typing import Any, NamedTuple
+from functools import partial
+from typing import NamedTuple
 
-import matplotlib as mpl
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.font_manager import FontProperties
-from matplotlib.ticker import MaxNLocator
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.metrics import line_width
+from vstatics.pictures.drawing.style import SIZE, TITLE
 
-from vstatics.pictures.drawing.files import ALONE
-from vstatics.pictures.drawing.style import FONT, HINTING, SIZE, TITLE
-
-POINTS_PER_INCH = 72.0
-"""Points per inch."""
 LABEL_GAP = 3.0
 """Distance between labels. [pt]"""
 LEADER = 16.0
 """Length of the line from an edge to a label. [pt]"""
-Point = tuple[float, float]
-"""Point of a picture. [pt]"""
 Segment = tuple[Point, Point]
 """Straight line between two points."""
 LINE_HEIGHT = 1.25
@@ -80,24 +71,9 @@ def spread(
     return places
 
 
-@cache
-def _renderer() -> Any:
-    canvas: Any = FigureCanvasAgg(Figure(dpi=POINTS_PER_INCH))
-    return canvas.get_renderer()
-
-
-def _is_hinted() -> bool:
-    """Check whether the settings of matplotlib hint letters; changing them takes long."""
-    return any(mpl.rcParams[key] != value for key, value in HINTING.items())
-
-
-@cache
 def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
-    """Return the width of a text [pt], independent of settings of matplotlib."""
-    font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
-    measure = _renderer().get_text_width_height_descent
-    with ALONE, mpl.rc_context(HINTING) if _is_hinted() else nullcontext():
-        return float(max(measure(line, font, ismath=False)[0] for line in text.split("\n")))
+    """Return the width of a text [pt]."""
+    return max(line_width(line, size, bold=bold) for line in text.split("\n"))
 
 
 title_width = partial(width, size=TITLE, bold=True)
@@ -150,8 +126,20 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     >>> ticks(-35.0, 2.0, 5)
     [-30.0, -20.0, -10.0, 0.0]
     """
-    values = MaxNLocator(most, steps=[1, 2, 5, 10]).tick_values(low, high)
-    return [float(value) for value in values if low <= value <= high]
+    if not low < high:
+        return [low]
+    power = math.floor(math.log10((high - low) / most))
+    sizes = [(digit, power + more) for more in (1, 0, -1) for digit in (5, 2, 1)]
+    enough = [size for size in sizes if size[0] * 10.0 ** size[1] >= (high - low) / most]
+    values: list[float] = []
+    for digit, tens in sizes[len(enough) - 1 :]:  # the smallest sufficient step, then smaller steps
+        step, parts = digit * 10 ** max(tens, 0), 10 ** max(-tens, 0)
+        numbers = range(math.floor(low * parts / step), math.ceil(high * parts / step) + 1)
+        values = [number * step / parts for number in numbers]
+        values = [value for value in values if low <= value <= high]
+        if len(values) > 1:
+            break
+    return values
 
 
 def power_of_ten(exponent: int) -> str:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.style import Style
 
-Look = dict[str, Any]
-"""Properties of a line or area as keyword arguments of matplotlib."""
 STRIPE = 5.0
 """Length of a stripe of a striped line, relative to the width of the line."""
 TINTS = (0.5, 0.16, 0.34)

@@ -1,7 +1,4 @@
-"""Drawing of lines, areas, texts and scales in a rectangle of a figure; all lengths in points.
-
-Axes of matplotlib are not used, because they would take most of the time.
-"""
+"""Drawing of lines, areas, texts and scales in a rectangle of a canvas; all lengths in points."""
 
 from __future__ import annotations
 
@@ -11,18 +8,24 @@ from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
-from matplotlib.artist import Artist
-from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
-from matplotlib.patches import Polygon
-from matplotlib.transforms import Affine2D, Bbox, Transform, TransformedBbox
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.numbers import typeset
-from vstatics.pictures.drawing.labels import LINE_HEIGHT, POINTS_PER_INCH, Point
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import (
+    Canvas,
+    CanvasArea,
+    CanvasLine,
+    CanvasPart,
+    CanvasPlace,
+    CanvasText,
+    Look,
+    MarkGroup,
+    Outline,
+    PartMark,
+    Point,
+)
+from vstatics.pictures.drawing.labels import LINE_HEIGHT
 from vstatics.pictures.drawing.style import FRAME_WIDTH, LARGE_NUMBER, SIZE, TICK_LENGTH, Style
-from vstatics.pictures.drawing.svg import MarkGroup, halo, told
 from vstatics.pictures.drawing.tolerances import SAME_TICK
 
 LINE_WIDTH = 1.3
@@ -59,23 +62,26 @@ WHOLE = AxisScale(0.0, 1.0)
 
 
 class Pen(NamedTuple):
-    """Drawing tool in a rectangle of a figure; places are relative to the lower left corner."""
+    """Drawing tool in a rectangle of a canvas; places are relative to the lower left corner."""
 
-    figure: Figure
+    canvas: Canvas
     style: Style
-    points: Transform
-    """Transform of matplotlib from points of the figure to pixels."""
+    place: CanvasPlace = CanvasPlace()
+    """Place of the coordinates of the pen on the canvas."""
     corner: Point = (0.0, 0.0)
     """Lower left corner of the rectangle."""
     size: Point = (0.0, 0.0)
     x: AxisScale = WHOLE
     y: AxisScale = WHOLE
-    part: float = 1.0
-    """Factor by which lengths of the pen are multiplied in the figure."""
     letters: float = 1.0
     """Additional scale of letters."""
     groups: tuple[MarkGroup, ...] = ()
-    """Groups of the drawn artists in SVG, the outermost first."""
+    """Groups of the drawn parts in SVG, the outermost first."""
+
+    @property
+    def part(self) -> float:
+        """Factor by which lengths of the pen are multiplied on the canvas."""
+        return self.place.part
 
     def panel(self, corner: Point, size: Point, x: AxisScale = WHOLE, y: AxisScale = WHOLE) -> Pen:
         """Return a pen for a rectangle with scales."""
@@ -86,12 +92,11 @@ class Pen(NamedTuple):
 
         An underscore in a name becomes a hyphen: ``largest_force`` gives ``data-largest-force``.
         """
-        return self._replace(groups=(*self.groups, MarkGroup(kind, tuple(_hyphened(data).items()))))
+        return self._replace(groups=(*self.groups, MarkGroup(kind, tuple(data.items()))))
 
     def tell(self, **data: str) -> None:
         """Set attributes of the picture in SVG: ``tell(left_out="[]")`` gives ``data-left-out``."""
-        attributes: dict[str, Any] = _hyphened(data)
-        self.figure.set_gid(told(**attributes))
+        self.canvas.data.update(data)
 
     def fitted(self, low: Point, high: Point) -> Pen:
         """Return a pen that fits the area between two corners into the rectangle.
@@ -106,8 +111,8 @@ class Pen(NamedTuple):
             start + (room - part * length) / 2
             for start, room, length in zip(self.corner, self.size, wanted_size, strict=True)
         )
-        place = Affine2D().translate(-low[0], -low[1]).scale(part).translate(left, bottom)
-        return self._replace(corner=(0.0, 0.0), part=part, points=place + self.points)
+        place = CanvasPlace(part, left - part * low[0], bottom - part * low[1])
+        return self._replace(corner=(0.0, 0.0), place=place.within(self.place))
 
     def across(self, x: float) -> float:
         """Return the horizontal place of a value on the scale of abscissas [pt]."""
@@ -118,13 +123,16 @@ class Pen(NamedTuple):
         return self.y.part(y) * self.size[1]
 
     def add(
-        self, artist: Artist, title: str = "", kind: str = "", data: Mapping[str, Any] = NO_DATA
+        self,
+        shape: CanvasLine | CanvasArea | CanvasText,
+        title: str = "",
+        kind: str = "",
+        data: Mapping[str, str] = NO_DATA,
     ) -> None:
-        """Add an artist in coordinates of the figure, with title, class and data in SVG."""
-        artist.set_transform(self.points)
-        self.figure.add_artist(artist)
-        if title or kind or self.groups:
-            artist.set_gid(told(title, kind=kind, groups=self.groups, **data))
+        """Add a part in coordinates of the canvas, with title, class and data in SVG."""
+        self.canvas.parts.append(
+            CanvasPart(shape, self.place, PartMark(title, kind, data, self.groups))
+        )
 
     def text(  # noqa: PLR0913 - a text has these
         self,
@@ -136,23 +144,15 @@ class Pen(NamedTuple):
         bold: bool = False,
         over: bool = False,
         title: str = "",
+        zorder: float = 3.0,
         **look: Any,
     ) -> None:
         """Write a text, with a halo of paper for a text `over` lines."""
-        if not text:
-            return
-        look |= halo(self.style) if over else {}
-        artist = self.figure.text(
-            self.corner[0] + x,
-            self.corner[1] + y,
-            text,
-            fontsize=size * self.part * self.letters,
-            weight="bold" if bold else "normal",
-            transform=self.points,
-            **look,
-        )
-        if title or over or self.groups:
-            artist.set_gid(told(title, halo=over, groups=self.groups))
+        if text:
+            at = self.corner[0] + x, self.corner[1] + y
+            size *= self.part * self.letters
+            look.setdefault("color", self.style.ink)
+            self.add(CanvasText(at, text, look, size, bold, over, zorder), title)
 
     def line(
         self,
@@ -161,6 +161,7 @@ class Pen(NamedTuple):
         title: str = "",
         kind: str = "",
         data: Mapping[str, str] = NO_DATA,
+        zorder: float = 2.0,
         **look: Any,
     ) -> None:
         """Draw a line through places, with gaps at NaN.
@@ -169,7 +170,8 @@ class Pen(NamedTuple):
         """
         left, low = self.corner
         xs, ys = zip(*((left + x, low + y) for x, y in places), strict=True)
-        self.add(Line2D(xs, ys, linewidth=width * self.part, **look), title, kind, data)
+        look["linewidth"] = width * self.part
+        self.add(CanvasLine(xs, ys, look, zorder), title, kind, data)
 
     def lines(self, pieces: Iterable[Sequence[Point]], **look: Any) -> None:
         """Draw lines of equal style."""
@@ -182,14 +184,28 @@ class Pen(NamedTuple):
     ) -> None:
         """Draw a polygon, with an outline of a given width, and a class in SVG."""
         left, low = self.corner
-        places = [(left + x, low + y) for x, y in corners]
-        self.add(Polygon(places, linewidth=width * self.part, **look), title, kind)
+        outline = Outline.polygon([(left + x, low + y) for x, y in corners])
+        self.fill(outline, width=width, title=title, kind=kind, **look)
+
+    def fill(
+        self,
+        outline: Outline,
+        *,
+        width: float = 0.0,
+        title: str = "",
+        kind: str = "",
+        zorder: float = 1.0,
+        **look: Any,
+    ) -> None:
+        """Draw an area in coordinates of the canvas, with an outline of a given width."""
+        look["linewidth"] = width * self.part
+        self.add(CanvasArea(outline, look, zorder), title, kind)
 
     def box(self, corner: Point, size: Point, **look: Any) -> None:
         """Draw a rectangle from the lower left corner."""
         self.area(*corners(*corner, corner[0] + size[0], corner[1] + size[1]), **look)
 
-    def plot(
+    def plot(  # noqa: PLR0913 - a line has these
         self,
         xs: Floats,
         ys: Floats,
@@ -197,21 +213,21 @@ class Pen(NamedTuple):
         width: float = LINE_WIDTH,
         title: str = "",
         kind: str = "",
+        zorder: float = 2.0,
         **look: Any,
     ) -> None:
         """Draw a line through points of linear scales, clipped at the edge."""
-        places = [
+        across, up = [
             start + (values - scale.low) / (scale.high - scale.low) * length
             for values, scale, start, length in zip(
                 (xs, ys), (self.x, self.y), self.corner, self.size, strict=True
             )
         ]
-        line = Line2D(*places, linewidth=width * self.part, **look)
-        self.add(line, title, kind)
-        ends = zip(places, self.corner, self.size, strict=True)
-        if any(np.any((at < start) | (at > start + length)) for at, start, length in ends):
-            clip = Bbox.from_bounds(*self.corner, *self.size)
-            line.set_clip_box(TransformedBbox(clip, self.points))
+        ends = zip((across, up), self.corner, self.size, strict=True)
+        is_cut = any(np.any((at < start) | (at > start + length)) for at, start, length in ends)
+        look["linewidth"] = width * self.part
+        clip = (self.corner, self.size) if is_cut else None
+        self.add(CanvasLine(across, up, look, zorder, clip), title, kind)
 
     def frame(self, *sides: Side) -> None:
         """Draw lines along the given edges, by default along all four edges."""
@@ -277,15 +293,9 @@ class Pen(NamedTuple):
             self.text(-off if side == "left" else wide + off, high / 2, text, **_UPRIGHT)
 
 
-def _hyphened(data: Mapping[str, str]) -> dict[str, str]:
-    """Return attribute names of SVG from argument names."""
-    return {key.replace("_", "-"): value for key, value in data.items()}
-
-
 def blank(wide: float, high: float, style: Style) -> Pen:
-    """Return a pen for an empty figure of a given size."""
-    figure = Figure(figsize=(wide / POINTS_PER_INCH, high / POINTS_PER_INCH))
-    return Pen(figure, style, Affine2D().scale(1 / POINTS_PER_INCH) + figure.dpi_scale_trans)
+    """Return a pen for an empty canvas of a given size."""
+    return Pen(Canvas((wide, high), style, [], {}), style)
 
 
 def corners(left: float, low: float, right: float, high: float) -> list[Point]:

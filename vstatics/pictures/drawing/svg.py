@@ -1,112 +1,70 @@
-"""Reduction of SVG from matplotlib: texts stay texts, and nodes have classes and titles.
+"""SVG of a canvas: texts stay texts, and parts have classes and titles.
 
-The ``gid`` of an artist, created by `told`, contains additional data for SVG:
-
->>> from matplotlib.figure import Figure
->>> from vstatics.pictures.drawing.files import settings_of
+>>> from vstatics.pictures.drawing.pen import blank
 >>> from vstatics.pictures.drawing.style import Style
->>> figure = Figure(figsize=(1, 1))
->>> with settings_of(Style()):
-...     _ = figure.text(0.5, 0.5, "P1", gid=told("P1: planetary, ratio −2.5"))
->>> b"<title>P1: planetary" in written_as_svg(figure, "", Style())
+>>> pen = blank(72.0, 72.0, Style())
+>>> pen.text(36.0, 36.0, "P1", title="P1: planetary, ratio −2.5")
+>>> b"<title>P1: planetary" in written_as_svg(pen.canvas, "")
 True
 """
 
 from __future__ import annotations
 
-import io
-import json
-import re
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
-from matplotlib.figure import Figure
-from matplotlib.patheffects import withStroke
-from matplotlib.text import Text
+import numpy as np
 
 from vstatics.core.jobs.page_files import PAGE_KEY
-from vstatics.pictures.drawing.style import FAMILIES, SIZE, Style
+from vstatics.pictures.drawing.canvas import (
+    Canvas,
+    CanvasArea,
+    CanvasLine,
+    CanvasPart,
+    CanvasPlace,
+    CanvasText,
+    Look,
+    MarkGroup,
+    Outline,
+    Point,
+    as_attributes,
+)
+from vstatics.pictures.drawing.lettering import placed_lines
+from vstatics.pictures.drawing.style import FAMILIES, SIZE
 
 SVG = "http://www.w3.org/2000/svg"
-_GROUP, _TITLE = f"{{{SVG}}}g", f"{{{SVG}}}title"
-XLINK = "http://www.w3.org/1999/xlink"
 HALO = 2.0
 """Width of the border in the colour of paper around letters that are written over lines. [pt]"""
+LONG_LINE = 128
+"""Number of points from which a line is drawn without points that nobody can see."""
+HATCH_TILE = 72.0
+"""Width and height of the tile of a hatch. [pt]"""
+MARKER_EDGE = 1.0
+"""Default width of the outline of a marker. [pt]"""
+_DIAGONAL = math.sqrt(2)
 _SIZE = f"{SIZE:g}px"
-_DECIMAL = re.compile(r"-?\d+\.\d+")
-_BESIDE_LETTER = re.compile(r"(?<=[A-Za-z]) (?=[-\d])|(?<=\d) (?=[A-Za-z])")
-_USUAL = {
-    ("font-size", _SIZE),
-    ("stroke-linejoin", "round"),
-    ("stroke-dashoffset", "0"),
-    ("text-anchor", "start"),
+_CAPS = {"projecting": "square", "round": "round"}
+_ANCHORS = {"center": "middle", "right": "end"}
+
+
+_MARKERS: Mapping[str, Sequence[Point]] = {
+    "s": [(-1, 1), (1, 1), (1, -1), (-1, -1)],
+    "^": [(0, -1), (-1, 1), (1, 1)],
+    "v": [(0, 1), (1, -1), (-1, -1)],
+    "D": [(0, _DIAGONAL), (_DIAGONAL, 0), (0, -_DIAGONAL), (-_DIAGONAL, 0)],
 }
-_MEASURES = {"d", "x", "y", "x1", "x2", "y1", "y2", "width", "height", "points", "transform"}
+"""Corners of a marker relative to half its size."""
 
 
-class MarkGroup(NamedTuple):
-    """Group of related parts in SVG: ``<g class="link" data-name="sun">``."""
-
-    kind: str
-    """Class of the group."""
-    data: tuple[tuple[str, str], ...] = ()
-    """Attributes ``data-...``."""
-
-    @property
-    def attributes(self) -> dict[str, str]:
-        """Attributes of the SVG element."""
-        return {"class": self.kind} | {f"data-{key}": value for key, value in self.data}
+def _number(value: float) -> str:
+    """Return a length with two decimals; the sixth decimal is noise and does not decide."""
+    return f"{round(value, 6):.2f}".rstrip("0").rstrip(".")
 
 
-def told(
-    title: str = "",
-    *,
-    halo: bool = False,
-    kind: str = "",
-    groups: Sequence[MarkGroup] = (),
-    **data: str,
-) -> str:
-    """Return the data of an artist, or of the whole figure, for SVG, as the ``gid``.
-
-    Parameters
-    ----------
-    title : str
-        Text that appears under the pointer, and is the alternative text.
-    halo : bool
-        True for a text with paper around its letters, see `halo`.
-    kind : str
-        Class of the path or text.
-    groups : sequence of MarkGroup
-        Groups of the artist, the outermost first; a group is at the place of its first part.
-    **data
-        Attributes ``data-...`` of the path or text if it has a class, otherwise of its group. Data
-        of a figure become attributes of the root.
-
-    Examples
-    --------
-    >>> from vstatics.pictures.drawing.pen import blank
-    >>> pen = blank(9.0, 9.0, Style())
-    >>> pen.tell(left_out="[]")
-    >>> b'data-left-out="[]"' in written_as_svg(pen.figure, "", Style())
-    True
-    """
-    mark = {"title": title, "halo": halo, "kind": kind, "groups": groups, "data": data}
-    return json.dumps(mark, ensure_ascii=False)
-
-
-def halo(style: Style) -> dict[str, Any]:
-    """Return the style of a text over lines, with paper around the letters.
-
-    >>> list(halo(Style()))
-    ['path_effects']
-    """
-    return {"path_effects": [withStroke(linewidth=HALO, foreground=style.paper)]}
-
-
-def written_as_svg(figure: Figure, title: str, style: Style, number: int = 1) -> bytes:
-    """Return a figure as SVG; equal figures give equal bytes.
+def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
+    """Return a canvas as SVG; equal canvases give equal bytes.
 
     Parameters
     ----------
@@ -115,152 +73,295 @@ def written_as_svg(figure: Figure, title: str, style: Style, number: int = 1) ->
     number : int, optional
         Number of the page; further pages have a mark.
     """
-    file = io.BytesIO()
-    with _letters_kept(figure):
-        figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
-    root = ET.fromstring(file.getvalue())  # noqa: S314 - written above
-    _strip(root)
-    for child in root:  # data of the whole figure become attributes of the root
-        if child.get("id", "").startswith("{"):
-            data = json.loads(child.attrib.pop("id"))["data"]
-            root.attrib |= {f"data-{key}": value for key, value in data.items()}
-    _gather(root)
-    for element in list(root.iter()):
-        _say(element, style)
-        _shorten(element)
-    _unwrap(root)
-    root.set("viewBox", _plain(root.get("viewBox", "")))
-    root.attrib |= {
-        "font-family": FAMILIES,
-        "font-size": _SIZE,
-        "stroke-linejoin": "round",
-        "role": "img",
-    }
-    if number > 1:
-        root.set(PAGE_KEY, str(number))
-    del root.attrib["version"]
+    wide, high = map(_number, canvas.size)
+    root = ET.Element(
+        "svg",
+        {
+            "xmlns": SVG,
+            "width": f"{wide}pt",
+            "height": f"{high}pt",
+            "viewBox": f"0 0 {wide} {high}",
+            **as_attributes(canvas.data),
+            "font-family": FAMILIES,
+            "font-size": _SIZE,
+            "stroke-linejoin": "round",
+            "role": "img",
+            **({PAGE_KEY: str(number)} if number > 1 else {}),
+        },
+    )
     _add_title(root, title)
-    ET.register_namespace("", SVG)
-    ET.register_namespace("xlink", XLINK)
+    paper = f"M0 {high}L{wide} {high}L{wide} 0L0 0z"
+    ET.SubElement(root, "path", {"d": paper, "fill": canvas.style.paper})
+    SvgWriter(canvas, root, {}, {}, {}).write()
     text = ET.tostring(root, encoding="unicode")
     return f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n'.encode()
 
 
-@contextmanager
-def _letters_kept(figure: Figure) -> Iterator[None]:
-    """Remove path effects temporarily, which would convert texts to outlines."""
-    texts: list[Any] = figure.findobj(Text)
-    effects = [(text, text.get_path_effects()) for text in texts if text.get_path_effects()]
-    for text, _ in effects:
-        text.set_path_effects([])
-    yield
-    for text, path_effects in effects:
-        text.set_path_effects(path_effects)
+class SvgWriter(NamedTuple):
+    """Parts of a canvas as elements of SVG."""
 
+    canvas: Canvas
+    root: ET.Element
+    groups: dict[tuple[MarkGroup, ...], ET.Element]
+    hatches: dict[tuple[Any, ...], str]
+    """Ids of hatches by pattern and colours."""
+    clips: dict[tuple[str, ...], str]
+    """Ids of rectangles that clip lines."""
 
-def _strip(root: ET.Element) -> None:
-    """Remove metadata, the style for all elements, and blanks."""
-    for parent in reversed(list(root.iter())):
-        for child in list(parent):
-            name = child.tag.rpartition("}")[2]
-            if name in ("metadata", "style") or (name == "defs" and not len(child)):
-                parent.remove(child)
-            child.tail = None
-        if not parent.tag.endswith("}text"):
-            parent.text = None
+    def write(self) -> None:
+        """Add the elements of all parts, then the hatches and clips that they use."""
+        for part in self.canvas.ordered:
+            self._add(part)
+        for definitions in (self.hatches, self.clips):
+            if definitions:
+                within = ET.SubElement(self.root, "defs")
+                for key, name in definitions.items():
+                    within.append(
+                        _pattern(name, *key) if definitions is self.hatches else _clip(name, key)
+                    )
 
+    def _add(self, part: CanvasPart) -> None:
+        mark, parent = part.mark, self._group(part.mark.groups)
+        elements = [*self._elements(part)]
+        attributes = as_attributes(mark.data)
+        if mark.kind:
+            for element in elements:
+                _insert(element, {"class": mark.kind, **attributes})
+            attributes = {}
+        if isinstance(part.shape, CanvasText) and part.shape.has_halo:
+            halo = {"stroke": self.canvas.style.paper, "stroke-width": f"{HALO:g}px"}
+            attributes |= {"paint-order": "stroke", **halo}
+        if attributes or mark.title:
+            parent = ET.SubElement(parent, "g", attributes)
+            _add_title(parent, mark.title)
+        for element in elements:
+            if not (len(parent) and _joins(parent[-1], element)):
+                parent.append(element)
 
-def _gather(root: ET.Element) -> None:
-    """Collect the parts of each group in a single element."""
-    groups: dict[str, ET.Element] = {}
-    for parent in list(root.iter()):
-        for child in list(parent):
-            said = child.get("id", "") if child.tag == _GROUP else ""
-            into = parent
-            of_child = json.loads(said)["groups"] if said.startswith("{") else []
-            for depth, group in enumerate(of_child, 1):
-                key = json.dumps(of_child[:depth])
-                if key not in groups:
-                    groups[key] = ET.Element(_GROUP, MarkGroup(*group).attributes)
-                    place = list(into).index(child) if into is parent else len(into)
-                    into.insert(place, groups[key])
-                into = groups[key]
-            if into is not parent:
-                parent.remove(child)
-                into.append(child)
+    def _group(self, groups: tuple[MarkGroup, ...]) -> ET.Element:
+        """Return the element of a group, which begins at its first part."""
+        if not groups:
+            return self.root
+        if groups not in self.groups:
+            outer = self._group(groups[:-1])
+            self.groups[groups] = ET.SubElement(outer, "g", groups[-1].attributes)
+        return self.groups[groups]
 
+    def _elements(self, part: CanvasPart) -> Iterator[ET.Element]:
+        match part.shape:
+            case CanvasLine() as stroke:
+                yield from self._stroke(stroke, part.place)
+            case CanvasArea(outline, look):
+                data = _outline_data(outline, part.place, self.canvas.size[1])
+                yield ET.Element("path", {"d": data, **self._area_look(look)})
+            case CanvasText() as letters:
+                yield from _lines(letters, part.place, self.canvas)
 
-def _say(element: ET.Element, style: Style) -> None:
-    """Set title, halo and data of a group, and remove unused names."""
-    said = element.attrib.pop("id", "") if element.tag == _GROUP else ""
-    if not said.startswith("{"):
-        return
-    mark = json.loads(said)
-    data = {f"data-{key}": value for key, value in mark["data"].items()}
-    for part in element if mark["kind"] else ():
-        part.attrib |= {"class": mark["kind"], **data}
-    element.attrib |= {} if mark["kind"] else data
-    if mark["halo"]:
-        element.attrib |= {
-            "paint-order": "stroke",
-            "stroke": style.paper,
-            "stroke-width": f"{HALO:g}px",
-        }
-    _add_title(element, mark["title"])
+    def _stroke(self, stroke: CanvasLine, place: CanvasPlace) -> Iterator[ET.Element]:
+        look, clip = stroke.look, self._clip_of(stroke, place)
+        data = _line_data(stroke, place, self.canvas.size)
+        if "L" in data and look.get("linestyle", "solid") not in ("none", ""):
+            if "gapcolor" in look:
+                offset, (dash, gap) = look["linestyle"]
+                gaps = {"color": look["gapcolor"], "linestyle": (offset + gap, (gap, dash))}
+                yield ET.Element("path", {"d": data, **clip, **_line_look({**look, **gaps})})
+            yield ET.Element("path", {"d": data, **clip, **_line_look(look)})
+        for point in look.get("markevery", range(len(stroke.xs))) if "marker" in look else ():
+            across, up = place.of(stroke.xs[point], stroke.ys[point])
+            if not math.isnan(up):
+                yield _marker(across, self.canvas.size[1] - up, look, clip)
+
+    def _clip_of(self, stroke: CanvasLine, place: CanvasPlace) -> dict[str, str]:
+        if stroke.clip is None:
+            return {}
+        corner, size = stroke.clip
+        left, low = place.of(*corner)
+        wide, high = (place.part * length for length in size)
+        key = tuple(map(_number, (left, self.canvas.size[1] - low - high, wide, high)))
+        return {"clip-path": f"url(#{self.clips.setdefault(key, f'c{len(self.clips)}')})"}
+
+    def _area_look(self, look: Look) -> dict[str, str]:
+        colour: str = look.get("color", "none")
+        face: str = look.get("facecolor", colour)
+        edge: str = look.get("edgecolor", colour)
+        width: float = look["linewidth"]
+        attributes = {"fill": face}
+        if look.get("hatch"):
+            key = look["hatch"], face, edge
+            name = self.hatches.setdefault(key, f"h{len(self.hatches)}")
+            attributes = {"fill": f"url(#{name})"}
+        if look.get("alpha", 1.0) != 1.0:
+            attributes["opacity"] = _number(look["alpha"])
+        if edge != "none" and width:
+            style = look.get("linestyle", "solid")
+            attributes |= _stroke_look(edge, width, style, look.get("capstyle", "butt"))
+            if look.get("joinstyle", "miter") != "round":
+                attributes["stroke-linejoin"] = look.get("joinstyle", "miter")
+        return attributes
 
 
 def _add_title(element: ET.Element, text: str) -> None:
     if text:
-        element.insert(0, ET.Element(_TITLE))
-        element[0].text = text
+        ET.SubElement(element, "title").text = text
 
 
-def _shorten(element: ET.Element) -> None:
-    """Round to two decimals of a point, and replace styles by attributes."""
-    for key in element.attrib.keys() & _MEASURES:
-        element.set(key, _BESIDE_LETTER.sub("", _plain(" ".join(element.attrib[key].split()))))
-    if element.get("transform", "").startswith("rotate(-0 "):
-        del element.attrib["transform"]
-    declared = element.attrib.pop("style", "")
-    for key, _, value in (part.partition(":") for part in declared.split(";") if part.strip()):
-        name, given = key.strip(), _plain(value.strip())
-        if name == "font":
-            _set_font(element, given)
-        elif name != "font-family" and (name, given) not in _USUAL:
-            element.set(name, given)
-
-
-def _plain(value: str) -> str:
-    return _DECIMAL.sub(lambda match: f"{float(match[0]):.2f}".rstrip("0").rstrip("."), value)
-
-
-def _set_font(element: ET.Element, font: str) -> None:
-    """Set size and weight from a combined font: ``bold 10px 'DejaVu Sans'``."""
-    words = font.split("'", maxsplit=1)[0].split()
-    for word in words:
-        if word.endswith("px") and word != _SIZE:
-            element.set("font-size", word)
-        elif word in ("bold", "600", "700"):
-            element.set("font-weight", word)
-
-
-def _unwrap(parent: ET.Element) -> None:
-    """Remove groups without data, and join adjacent lines of equal style."""
-    children: list[ET.Element] = []
-    for child in parent:
-        _unwrap(child)
-        bare = child.tag == _GROUP and not child.attrib and child.find(_TITLE) is None
-        for element in list(child) if bare else [child]:
-            if not (children and _joins(children[-1], element)):
-                children.append(element)
-    parent[:] = children
+def _insert(element: ET.Element, attributes: dict[str, str]) -> None:
+    """Insert attributes after the place of an element."""
+    places: list[str] = [key for key in ("d", "x", "y") if key in element.attrib]
+    first = {key: element.attrib.pop(key) for key in places}
+    element.attrib = {**first, **attributes, **element.attrib}
 
 
 def _joins(line: ET.Element, other: ET.Element) -> bool:
     """Append a line to a line of equal style; return False for different styles."""
-    lines = line.tag == other.tag == f"{{{SVG}}}path" and other.get("fill") == "none"
+    if line.tag != "path" or other.tag != "path" or other.get("fill") != "none":
+        return False
     looks = [{**path.attrib, "d": ""} for path in (line, other)]
-    if not lines or looks[0] != looks[1] or looks[0].keys() & {"opacity", "class"}:
+    if looks[0] != looks[1] or looks[0].keys() & {"opacity", "class"}:
         return False
     line.set("d", line.attrib["d"] + other.attrib["d"])
     return True
+
+
+def _line_data(stroke: CanvasLine, place: CanvasPlace, size: tuple[float, float]) -> str:
+    part, left, top = place.part, place.left, size[1] - place.low
+    if len(stroke.xs) >= LONG_LINE:
+        from matplotlib.path import Path
+
+        xs, ys = left + part * np.asarray(stroke.xs), top - part * np.asarray(stroke.ys)
+        path: Any = Path(np.column_stack([xs, ys])).cleaned(
+            remove_nans=True, clip=(0.0, 0.0, *size), simplify=True
+        )
+        pairs = zip(path.vertices.tolist(), path.codes.tolist(), strict=True)
+        return "".join(
+            f"{'M' if code == Path.MOVETO else 'L'}{_number(x)} {_number(y)}"
+            for (x, y), code in pairs
+            if code != Path.STOP
+        )
+    data = []
+    letter = "M"
+    for x, y in zip(stroke.xs, stroke.ys, strict=True):
+        if math.isnan(y):
+            letter = "M"
+        else:
+            data.append(f"{letter}{_number(left + part * x)} {_number(top - part * y)}")
+            letter = "L"
+    return "".join(data)
+
+
+def _outline_data(outline: Outline, place: CanvasPlace, high: float) -> str:
+    part, left, top = place.part, place.left, high - place.low
+    data = []
+    remaining = 0
+    for (x, y), step in zip(outline.points, outline.steps, strict=True):
+        if step == "z":
+            data.append("z")
+            continue
+        if remaining:
+            data.append(" ")
+            remaining -= 1
+        else:
+            data.append(step)
+            remaining = {"C": 2, "Q": 1}.get(step, 0)
+        data.append(f"{_number(left + part * x)} {_number(top - part * y)}")
+    return "".join(data)
+
+
+def _stroke_look(colour: str, width: float, dashes: Any, cap: str) -> dict[str, str]:
+    """Return colour, width, dashes and ends of a line; dashes are relative to the width."""
+    attributes = {}
+    if dashes != "solid":
+        offset, lengths = dashes
+        attributes["stroke-dasharray"] = ",".join(_number(width * length) for length in lengths)
+        if offset:
+            attributes["stroke-dashoffset"] = _number(width * offset)
+    attributes["stroke"] = colour
+    if width != 1.0:
+        attributes["stroke-width"] = _number(width)
+    if cap in _CAPS:
+        attributes["stroke-linecap"] = _CAPS[cap]
+    return attributes
+
+
+def _line_look(look: Look) -> dict[str, str]:
+    dashes = look.get("linestyle", "solid")
+    cap = look.get("solid_capstyle" if dashes == "solid" else "dash_capstyle", "butt")
+    attributes = {"fill": "none", **_stroke_look(look["color"], look["linewidth"], dashes, cap)}
+    if look.get("alpha", 1.0) != 1.0:
+        attributes["stroke-opacity"] = _number(look["alpha"])
+    return attributes
+
+
+def _marker(x: float, y: float, look: Look, clip: dict[str, str]) -> ET.Element:
+    """Return a circle, square, triangle or rhombus with the centre at a point."""
+    colour: str = look.get("color", "none")
+    edge: str = look.get("markeredgecolor", colour)
+    half = look["markersize"] / 2
+    fill: str = look.get("markerfacecolor", colour)
+    attributes = {
+        **clip,
+        "fill": fill,
+        **_stroke_look(edge, look.get("markeredgewidth", MARKER_EDGE), "solid", "butt"),
+    }
+    if look["marker"] == "o":
+        circle = {"cx": _number(x), "cy": _number(y), "r": _number(half)}
+        return ET.Element("circle", circle | attributes)
+    corners = _MARKERS[look["marker"]]
+    places = (f"{_number(x + half * a)} {_number(y + half * b)}" for a, b in corners)
+    return ET.Element(
+        "path", {"d": f"M{'L'.join(places)}z", **attributes, "stroke-linejoin": "miter"}
+    )
+
+
+def _lines(letters: CanvasText, place: CanvasPlace, canvas: Canvas) -> Iterator[ET.Element]:
+    """Yield the lines of a text."""
+    attributes = {}
+    if letters.is_bold:
+        attributes["font-weight"] = "700"
+    if _number(letters.size) != _number(SIZE):
+        attributes["font-size"] = f"{_number(letters.size)}px"
+    anchor = _ANCHORS.get(letters.look.get("ha", "left"))
+    colour = {"fill": letters.look.get("color", canvas.style.ink)}
+    lines = [*placed_lines(letters, place)]
+    for x, y, text in lines:
+        down = canvas.size[1] - y
+        if len(lines) == 1 and not letters.look.get("rotation"):
+            at = {"x": _number(place.of(*letters.at)[0]), "y": _number(down)}
+            look = {**attributes, **({"text-anchor": anchor} if anchor else {})}
+        else:
+            turn = letters.look.get("rotation", 0.0)
+            turned = f" rotate({_number(-turn)})" if turn else ""
+            at = {"transform": f"translate({_number(x)} {_number(down)}){turned}"}
+            look = attributes
+        element = ET.Element("text", {**at, **look, **colour})
+        element.text = text
+        yield element
+
+
+def _clip(name: str, key: tuple[str, ...]) -> ET.Element:
+    clip = ET.Element("clipPath", {"id": name})
+    ET.SubElement(clip, "rect", dict(zip(("x", "y", "width", "height"), key, strict=True)))
+    return clip
+
+
+def _pattern(name: str, hatch: str, face: str, edge: str) -> ET.Element:
+    """Return the tile of a hatch."""
+    from matplotlib.hatch import get_path
+    from matplotlib.path import Path
+
+    letters = {Path.MOVETO: "M", Path.LINETO: "L", Path.CURVE4: "C", Path.CLOSEPOLY: "z"}
+    path: Any = get_path(hatch, 6)
+    steps = "".join(letters[code] for code in path.codes.tolist())
+    data = _outline_data(Outline(path.vertices, steps), CanvasPlace(HATCH_TILE), HATCH_TILE)
+    tile = f"{HATCH_TILE:g}"
+    pattern = ET.Element(
+        "pattern",
+        {"id": name, "patternUnits": "userSpaceOnUse", "x": "0", "y": "0"}
+        | {"width": tile, "height": tile},
+    )
+    whole = f"{HATCH_TILE + 1:g}"
+    area = {"x": "0", "y": "0", "width": whole, "height": whole, "fill": face}
+    ET.SubElement(pattern, "rect", area)
+    lines = {"d": data, "fill": edge, "stroke": edge, "stroke-width": "1"}
+    ET.SubElement(pattern, "path", lines | {"stroke-linejoin": "miter"})
+    return pattern

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import Point, Span, height, width
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import Span, height, width
 from vstatics.pictures.flow.columns import BAND_CLEARANCE, SPACE, Across, FlowCell, length
 from vstatics.pictures.flow.graph import Band, Graph
 from vstatics.pictures.flow.places import Box, Line, Note

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
@@ -15,6 +14,7 @@ from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import DRAGGED, LOCKED
 from vstatics.core.tables.numbers import typeset
 from vstatics.core.tables.values import tables
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.ends import along
 from vstatics.pictures.drawing.head import Meaning, NameInKey, headed, sheet_head
 from vstatics.pictures.drawing.labels import LEADER, Label, across_size, height, ticks, width
@@ -80,7 +80,7 @@ class _Losses(NamedTuple):
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
-) -> list[Figure]:
+) -> list[Canvas]:
     """Draw the efficiency of all gears, or of a selection.
 
     Parameters
@@ -127,7 +127,7 @@ def _losses(results: Results, chosen: Sequence[int], style: Style) -> _Losses:
     return _Losses(shown, efficiency, [names[row] for row in rows], shares[rows], missing, style)
 
 
-def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterator[Figure]:
+def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterator[Canvas]:
     """Yield pages with panels from top to bottom, each as wide as the page at most."""
     room = style.width - EFFICIENCY_SCALE_WIDTH - MARGIN
     count = len(losses.gears)
@@ -159,7 +159,7 @@ def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterat
                 scale,
             )
             _panel(indices, part, part.foot(step)[0], LEADER + foot + SIZE)
-        yield pen.figure
+        yield pen.canvas
 
 
 def _panel(pen: Pen, losses: _Losses, upright: bool, name_off: float) -> None:  # noqa: FBT001

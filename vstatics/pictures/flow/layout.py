@@ -6,7 +6,8 @@ from collections.abc import Hashable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import Point, height, width
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.flow.back import GROWTH, BackRow, back_rows, crowded, placed_rows
 from vstatics.pictures.flow.columns import Across, NodeColumns, across, columns
 from vstatics.pictures.flow.depths import Depths, depths

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 
-from matplotlib.figure import Figure
-
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import GearFlow
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.labels import title_width
 from vstatics.pictures.drawing.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.drawing.words import gear_title, title
@@ -40,7 +39,7 @@ NAME_WIDTHS = (SHORT_NAME, 60.0, 44.0)
 """Widths to which names of nodes are wrapped, smaller if a gear is wider than the page. [pt]"""
 
 
-def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
     """Yield the power flow of all gears, or of a selection, in a common scale.
 
     Power runs from left to right, and bands are as wide as their power. Losses leave downwards, and
@@ -51,8 +50,8 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
-    >>> [[figure]] = each(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), [()])
-    >>> [text.get_text() for text in figure.texts if ": " in text.get_text()][-1]
+    >>> [[page]] = each(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), [()])
+    >>> [text for text in page.texts if ": " in text][-1]
     'recirculating power 1.000: 100.0% of the power in'
     """
     every = flows(results)
@@ -109,7 +108,7 @@ def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[Flow
     )
 
 
-def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
+def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Canvas]:
     """Yield the pages of a single gear, which is named in the title."""
     subject = style.text("power flow")
     name = title(results.case, f"{subject}, {gear_title(gear.flow.gear, style)}")

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vstatics.core.flow.circulation import Node
-from vstatics.pictures.drawing.labels import Point, height
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import height
 from vstatics.pictures.flow.columns import NODE_GAP, FlowCell, signs
 from vstatics.pictures.flow.graph import Band, EndPort, Graph
 

@@ -7,9 +7,8 @@ from functools import partial
 from itertools import pairwise, starmap
 from typing import NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.core.flow.power_flow import GearFlow
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.drawing.pen import Pen
@@ -66,7 +65,7 @@ class FlowBlock(NamedTuple):
 
 def sheets(
     blocks: Sequence[FlowBlock], name: str, note: str, room: float, style: Style
-) -> Iterator[Figure]:
+) -> Iterator[Canvas]:
     """Yield pages with title, note and key, in a width without margins [pt]."""
 
     def head_of(shelves: Sequence[Sequence[FlowBlock]]) -> SheetHead:
@@ -85,7 +84,7 @@ def sheets(
                 block.draw(pen, left, top)
                 left += block.wide + FLOW_GEAR_GAP
             top -= _high(shelf) + _gap(shelf, following)
-        yield pen.figure
+        yield pen.canvas
 
 
 def _key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:

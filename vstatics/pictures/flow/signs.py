@@ -5,13 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from matplotlib.patches import PathPatch
-from matplotlib.path import Path
-
-from vstatics.pictures.drawing.labels import Point
-from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.canvas import Look, Outline, Point
+from vstatics.pictures.drawing.line_styles import mixed
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import SIZE, Style
 from vstatics.pictures.flow.columns import LOSS_LENGTH, PORT_ARROW
@@ -76,8 +73,7 @@ class FlowView(NamedTuple):
             pen.area(*_outline(path, wide), title=said, **hatched_look(pale, style))
         else:
             look: Look = {"edgecolor": colour, "facecolor": "none", "alpha": alpha}
-            look |= {"capstyle": "butt", "joinstyle": "round", "linewidth": wide}
-            pen.add(PathPatch(path, **look), said)
+            pen.fill(path, width=wide, title=said, joinstyle="round", **look)
         for (x, start), (_, end) in (points[1:3], points[3:5]) if band.back else ():
             y, size = (start + end) / 2, min(max(line.width / 4, 2.0), 5.0)
             tip = math.copysign(size, end - start)  # direction of circulation
@@ -147,23 +143,23 @@ class FlowView(NamedTuple):
         return map(self._at, places)
 
 
-def _curves(points: Sequence[Point]) -> Path:
+def _curves(points: Sequence[Point]) -> Outline:
     """Return a smooth path through points that is horizontal at each point."""
-    places, codes = [points[0]], [Path.MOVETO]
+    places, steps = [points[0]], "M"
     for (left, start), (right, end) in pairwise(points):
         if start == end:
             places.append((right, end))
-            codes.append(Path.LINETO)
+            steps += "L"
         else:
             middle = (left + right) / 2
             places += [(middle, start), (middle, end), (right, end)]
-            codes += [Path.CURVE4] * 3
-    return Path(places, codes)
+            steps += "CCC"
+    return Outline(places, steps)
 
 
-def _rounded(points: Sequence[Point], wide: float) -> Path:
+def _rounded(points: Sequence[Point], wide: float) -> Outline:
     """Return a path from corner to corner, with rounded corners as far as possible."""
-    places, codes = [points[0]], [Path.MOVETO]
+    places, steps = [points[0]], "M"
     last = len(points) - 1
     room = [  # two corners share the distance between them
         math.dist(*pair) / (1 if place in (0, last - 1) else 2)
@@ -174,8 +170,8 @@ def _rounded(points: Sequence[Point], wide: float) -> Path:
         rounding = min(wide / 2 + TURN_RADIUS, room[place - 1], room[place])
         start, end = (_towards(corner, points[place + step], rounding) for step in (-1, 1))
         places += [start, corner, end]
-        codes += [Path.LINETO, Path.CURVE3, Path.CURVE3]
-    return Path([*places, points[-1]], [*codes, Path.LINETO])
+        steps += "LQQ"
+    return Outline([*places, points[-1]], f"{steps}L")
 
 
 def _towards(place: Point, other: Point, way: float) -> Point:
@@ -193,14 +189,9 @@ def hatched_look(colour: str, style: Style) -> Look:
     return {"facecolor": colour, "edgecolor": style.paper, "hatch": HATCH}
 
 
-def _outline(path: Path, wide: float) -> list[Point]:
+def _outline(path: Outline, wide: float) -> list[Point]:
     """Return the outline of a band of width `wide` around its centre line, in straight pieces."""
-    pieces, points = round(CURVE_PIECES + wide / 4), []
-    curves: Any = path.iter_bezier()
-    for curve, code in curves:
-        steps = {Path.MOVETO: 0, Path.LINETO: 1}.get(code, pieces)
-        ends = [step / steps for step in range(1, steps + 1)] or [0]
-        points += [curve(end).tolist() for end in ends]
+    points = path.flattened(round(CURVE_PIECES + wide / 4))
     sides: tuple[list[Point], list[Point]] = [], []
     for place, (x, y) in enumerate(points):
         before, after = points[max(place - 1, 0)], points[min(place + 1, len(points) - 1)]

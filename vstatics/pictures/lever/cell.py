@@ -6,8 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.labels import width, wrapped
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.style import SIZE, Style, number
 from vstatics.pictures.drawing.words import quantity, word
 from vstatics.pictures.lever.gear import LeverGear

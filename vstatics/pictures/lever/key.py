@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.core.tables.numbers import certain
-from vstatics.pictures.drawing.labels import Point, width
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.style import WIDE_MARGIN, Style, number
 from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.marks import (

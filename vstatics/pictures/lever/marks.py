@@ -7,13 +7,10 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from matplotlib.patches import PathPatch
-from matplotlib.path import Path
-
 from vstatics.core.model.transmission import HOUSING
+from vstatics.pictures.drawing.canvas import Look, Outline, Point
 from vstatics.pictures.drawing.gear_state import PictureState
-from vstatics.pictures.drawing.labels import Point, Span
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.labels import Span
 from vstatics.pictures.drawing.pen import Pen, corners
 from vstatics.pictures.lever.places import LeverPage
 
@@ -33,7 +30,7 @@ MARK_SIZE = 6.0
 
 
 class LeverSheet(NamedTuple):
-    """Figure of levers; lines and areas of equal style are drawn together."""
+    """Canvas of levers; lines and areas of equal style are drawn together."""
 
     pen: Pen
     page: LeverPage
@@ -43,7 +40,7 @@ class LeverSheet(NamedTuple):
     """Length of an arrow per torque."""
     lines: dict[tuple[str, float, Any], list[Sequence[Point]]]
     """Lines that are drawn together, by colour, width and dashes."""
-    areas: dict[str, list[Path]]
+    areas: dict[str, list[Outline]]
     """Polygons that are drawn together, by colour."""
 
     def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
@@ -56,7 +53,7 @@ class LeverSheet(NamedTuple):
 
     def area(self, *corners: Point, colour: str) -> None:
         """Add a filled polygon."""
-        self.areas.setdefault(colour, []).append(Path([*corners, corners[0]], closed=True))
+        self.areas.setdefault(colour, []).append(Outline.polygon(corners))
 
     def point(self, place: Point, kind: str, colour: str, *, is_over: bool = False) -> None:
         """Add a mark of a kind in `MARKS`, optionally with an outline over other marks."""
@@ -74,8 +71,9 @@ class LeverSheet(NamedTuple):
             over = 2 + width / 10
             self.pen.lines(some, width=width, color=colour, linestyle=dash, zorder=over)
         for colour, polygons in self.areas.items():
-            path = Path.make_compound_path(*polygons)
-            self.pen.add(PathPatch(path, facecolor=colour, edgecolor="none", zorder=2.5))
+            points = [point for polygon in polygons for point in polygon.points]
+            outline = Outline(points, "".join(polygon.steps for polygon in polygons))
+            self.pen.fill(outline, facecolor=colour, zorder=2.5)
 
 
 def mark_of(link: int, state: PictureState, *, stands: bool) -> str:

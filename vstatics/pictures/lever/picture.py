@@ -10,10 +10,9 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.core.errors import CaseError
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.labels import Span, height, title_width, wrapped
 from vstatics.pictures.drawing.pen import blank
 from vstatics.pictures.drawing.style import TITLE, WIDE_MARGIN, Style
@@ -68,7 +67,7 @@ class LeverBlock(NamedTuple):
         return self.above + self.over + self.high - self.low + BELOW_LEVERS
 
 
-def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
     """Yield the levers of a case in all gears, or in selected gears, in a fixed layout.
 
     Raises
@@ -105,7 +104,7 @@ class LeverPaper(NamedTuple):
         """Return the key of gears."""
         return key_of(self.page, gears, self.style, self.wide, self.per_torque)
 
-    def figure(self, blocks: Sequence[LeverBlock]) -> Figure:
+    def figure(self, blocks: Sequence[LeverBlock]) -> Canvas:
         """Return a page with rows of levers, from top to bottom."""
         key = self.key([block.gear for block in blocks])
         high = self.above + sum(block.size for block in blocks) + key.height + WIDE_MARGIN
@@ -118,10 +117,10 @@ class LeverPaper(NamedTuple):
             top -= block.size
         key.put(sheet)
         sheet.put()
-        return pen.figure
+        return pen.canvas
 
 
-def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Figure]:
+def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Canvas]:
     """Return the pages of all gears, with the rows of a gear on a common page if possible."""
     wide = style.width if len(gears) > 1 else page.width + WIDE_MARGIN
     wide = min(max(wide, NARROWEST_FIGURE), style.width)

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Sequence
+from itertools import pairwise
 from xml.etree import ElementTree as ET
 
 from vstatics.core.tables.html import Markup
@@ -23,6 +25,11 @@ _COLOUR_NAMES = {light: name for name, (light, _) in _PAIRS.items()}
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _COLOUR = re.compile("#[0-9a-f]{6}")
 _COLOURED = ("style", "fill", "stroke")
+_PLACES = {"x", "y", "cx", "cy", "transform"}
+_STEP = re.compile(r"([MLQCz])([^MLQCz]*)")
+_DECIMAL = re.compile(r"-?\d+(?:\.\d+)?")
+_MOVED = re.compile(r"translate\((\S+) (\S+)\)")
+_INK = "var(--ink)"
 
 
 def palette(*, dark: bool) -> str:
@@ -40,11 +47,12 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
     --------
     >>> svg = b'<svg xmlns="http://www.w3.org/2000/svg"><g id="a" fill="#1a1a1a"/></svg>'
     >>> inline(svg, "plan", "plan").partition(">")[2]
-    '<g id="plan-a" fill="var(--ink)" /></svg>'
+    '<g id="plan-a" fill="var(--ink)"/></svg>'
     """
     root = ET.fromstring(svg)  # noqa: S314 - written by this program
     if len(root) and root[0].tag.endswith("}title"):  # the caption of the page replaces the title
         del root[0]
+    _fold(root)
     for element in root.iter():
         element.tag = _local(element.tag)
         attributes = sorted(
@@ -53,11 +61,28 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
         element.attrib = {
             _local(key): _rewritten(_local(key), value, prefix) for key, value in attributes
         }
+        moved = _MOVED.fullmatch(element.get("transform", "")) if element.tag == "text" else None
+        if moved:
+            del element.attrib["transform"]
+            element.attrib = {"x": moved[1], "y": moved[2], **element.attrib}
+        if element.tag == "text" and element.get("fill") == _INK:  # as the whole picture
+            del element.attrib["fill"]
     style = f"--width: {root.attrib.get('width', '100%')}"
     for key in ("width", "height", "version", "font-family"):
         root.attrib.pop(key, None)
-    root.attrib |= {"role": "graphics-document", "aria-label": label, "style": style}
-    return Markup(ET.tostring(root, encoding="unicode"))
+    root.attrib |= {"role": "graphics-document", "aria-label": label, "style": style, "fill": _INK}
+    return Markup(ET.tostring(root, encoding="unicode").replace(" />", "/>"))
+
+
+def _fold(parent: ET.Element) -> None:
+    """Move the title of a group with a single shape into the shape."""
+    for place, child in enumerate(parent):
+        _fold(child)
+        kinds = [_local(part.tag) for part in child]
+        if not child.attrib and kinds in (["title", "path"], ["title", "circle"]):
+            title, shape = child
+            shape.insert(0, title)
+            parent[place] = shape
 
 
 def _local(name: str) -> str:
@@ -70,9 +95,68 @@ def _rewritten(key: str, value: str, prefix: str) -> str:
         return f"{prefix}-{value}"
     if key == "href" and value.startswith("#"):
         return f"#{prefix}-{value[1:]}"
+    if key == "d":
+        return short_path(value)
+    if key in _PLACES:
+        return _DECIMAL.sub(lambda number: _tenths(round(10 * float(number[0]))), value)
     if key in _COLOURED:
         value = _COLOUR.sub(_variable, value)
     return _REFERENCE.sub(rf"url(#{prefix}-\1)", value)
+
+
+def short_path(path: str) -> str:
+    """Return a path in relative steps, rounded to tenths of a point.
+
+    Parameters
+    ----------
+    path : str
+        Path with the letters M, L, Q, C and z; each point follows its letter.
+
+    Examples
+    --------
+    >>> short_path("M10 20.04L10 5.5L12.25 5.5L13 6zM1 1C1 2 3 4 5 6")
+    'M10 20v-14.5h2.2l.8.5zM1 1c0 1 2 3 4 5'
+    >>> short_path("M10 20L11.5 18L12 18.5L13.5 19")
+    'M10 20l1.5-2l.5.5l1.5.5'
+    """
+    steps = []
+    at = start = (0, 0)
+    for letter, text in _STEP.findall(path):
+        numbers = [round(10 * float(number)) for number in _DECIMAL.findall(text)]
+        points = [*zip(numbers[::2], numbers[1::2], strict=True)]
+        if letter == "z":
+            steps.append(letter)
+            at = start
+            continue
+        x, y = at
+        flat = [number for across, up in points for number in (across - x, up - y)]
+        at = points[-1]
+        if letter == "M":
+            start = at
+            steps.append(f"M{_joined(numbers)}")
+        elif letter == "L" and not flat[1]:
+            steps.append(f"h{_tenths(flat[0])}")
+        elif letter == "L" and not flat[0]:
+            steps.append(f"v{_tenths(flat[1])}")
+        else:
+            steps.append(f"{letter.lower()}{_joined(flat)}")
+    return "".join(steps)
+
+
+def _joined(numbers: Sequence[int]) -> str:
+    """Return numbers in tenths as text; a minus sign or a leading point needs no blank before."""
+    said = [_tenths(number) for number in numbers]
+    text = said[0]
+    for before, number in pairwise(said):
+        is_apart = number[0] == "-" or (number[0] == "." and "." in before)
+        text += number if is_apart else f" {number}"
+    return text
+
+
+def _tenths(number: int) -> str:
+    whole, part = divmod(abs(number), 10)
+    decimals = f".{part}" if part else ""
+    return f"{'-' * (number < 0)}{whole or '' if part else whole}{decimals}"
 
 
 def _variable(match: re.Match[str]) -> str:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vstatics.core.model.transmission import Transmission
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.head import Meaning
-from vstatics.pictures.drawing.line_styles import Look, striped_look
+from vstatics.pictures.drawing.line_styles import striped_look
 from vstatics.pictures.drawing.pen import AxisScale
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.drawing.words import TURN_TOGETHER

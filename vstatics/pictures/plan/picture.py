@@ -8,11 +8,10 @@ from functools import partial
 from itertools import zip_longest
 from typing import NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import widest
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
@@ -99,7 +98,7 @@ class PlanRow(NamedTuple):
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), motion: PicturedRun | None = None
-) -> list[Figure]:
+) -> list[Canvas]:
     """Draw all plans of a case, or the plans of chosen gears, on pages.
 
     With a run, only plans that the run visits are drawn, with the course of the run. If no plan
@@ -186,7 +185,7 @@ def _pages(rows: Sequence[PlanRow], room: float) -> list[list[PlanRow]]:
     return grouped
 
 
-def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Figure:
+def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Canvas:
     drawn = [plan_drawn for row in rows for plan_drawn in row.plans]
     up = sum(row.size for row in rows) + ABSCISSA_NAME_HEIGHT * bool(rows)
     pen = sheet.head(drawn).over((sheet.size, up), MARGIN, sheet.style)
@@ -208,7 +207,7 @@ def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Figure:
             _name_scales(panel, plan_drawn, sheet, is_lowest=is_lowest, is_last=is_last)
             _draw_run(panel, plan_drawn, row, sheet)
         bottom -= row.below
-    return pen.figure
+    return pen.canvas
 
 
 def _name_scales(

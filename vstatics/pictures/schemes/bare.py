@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.summary.contrast import letters
-from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.coaxial.fitting import laid_out
@@ -57,7 +57,7 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
     >>> from vstatics import Gear, Mechanism, ShiftElement
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
     >>> pen = bare_stick(case, Style(), is_small=True).drawn()
-    >>> sorted(text.get_text() for text in pen.figure.texts)
+    >>> sorted(pen.canvas.texts)
     ['1', '3', 'A', 'D1']
     """
     drawn = scheme_of(case)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import Point, Segment, wrapped
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import Segment, wrapped
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 
 TOOTH, SLEEVE = 0.9, 2.6

@@ -6,8 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
-from vstatics.pictures.drawing.labels import Point
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 from vstatics.pictures.schemes.titles import Titles

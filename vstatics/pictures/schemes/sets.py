@@ -13,7 +13,8 @@ from types import MappingProxyType
 
 from vstatics.core.elements.element import CentralWheel
 from vstatics.core.elements.group import PlanetGroup
-from vstatics.pictures.drawing.labels import Point, Segment, Span, width
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import Segment, Span, width
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.gear_glyphs import (
     ABOVE,

@@ -6,9 +6,8 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from vstatics.core.model.parts import ELEMENT_KINDS
+from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.head import Meaning
-from vstatics.pictures.drawing.labels import Point
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import LINE_WIDTH, Pen, zigzag
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.gear_glyphs import ground
@@ -62,7 +61,7 @@ def draw_coupled(pen: Pen, coupled: Coupled) -> None:
     >>> from vstatics.pictures.drawing.style import Style
     >>> pen = blank(50.0, 50.0, Style())
     >>> draw_coupled(pen, Coupled("brake", (20, 0), (20, 30), "#000000", housing=1))
-    >>> len(pen.figure.artists)
+    >>> len(pen.canvas.parts)
     1
     """
     (x, y), (x2, y2) = coupled.start, coupled.end

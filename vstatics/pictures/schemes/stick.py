@@ -9,12 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from matplotlib.figure import Figure
-
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import CaseError
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.axes.picture import figures as axes_figures
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes, parallel_axes
@@ -23,7 +22,7 @@ from vstatics.pictures.schemes.planetary import as_sets, can_be_set, sections_of
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of
 
 
-def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
     """Yield the stick diagrams of a case with gear sets, or mechanisms that can be planetary sets.
 
     In the picture of a gear, engaged elements and locked-up gear sets are marked, and parts without

@@ -7,16 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from matplotlib.figure import Figure
-
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.boxes import boxes_of
 from vstatics.pictures.schemes.coaxial.picture import coaxial_sheet, figures
 from vstatics.pictures.schemes.scheme import scheme_of
 
 
-def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
     """Yield the figures of the structure, without a gear or with a single gear, in a fixed layout.
 
     In the picture of a gear, engaged shift elements and locked-up components are marked, and parts
@@ -26,8 +25,8 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
-    >>> [[figure]] = each(solve(case), Style(), [()])
-    >>> sorted(text.get_text() for text in figure.texts)
+    >>> [[page]] = each(solve(case), Style(), [()])
+    >>> sorted(page.texts)
     ['1', '2', '3', 'D1', 'Structure', 'T1', 'first', 'second', 'third', 'u = −2']
     """
     scheme = scheme_of(results.case)

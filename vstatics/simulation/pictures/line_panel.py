@@ -8,10 +8,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.ends import LineEnd
 from vstatics.pictures.drawing.head import BETWEEN_SIGNS, SIGN_ROW_HEIGHT, KeySign
 from vstatics.pictures.drawing.labels import height, ticks, wrapped
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, Style
 from vstatics.pictures.runs import short

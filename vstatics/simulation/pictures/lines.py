@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.pictures.drawing.line_styles import Look, link_looks, thing_look
+from vstatics.pictures.drawing.canvas import Look
+from vstatics.pictures.drawing.line_styles import link_looks, thing_look
 from vstatics.pictures.drawing.style import Style
 
 MOST_LINES = 6

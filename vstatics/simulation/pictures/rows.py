@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.head import Meaning
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, Span, height, width, wrapped
-from vstatics.pictures.drawing.line_styles import Look, mixed, thing_look
+from vstatics.pictures.drawing.line_styles import mixed, thing_look
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, SIZE, Style, number
 from vstatics.pictures.runs import event_text, short

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.core.errors import CaseError, printable
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.ends import beside, height_of, width_of
 from vstatics.pictures.drawing.head import SIGN_ROW_HEIGHT, Meaning, sheet_head
 from vstatics.pictures.drawing.labels import height, ticks, widest
@@ -86,7 +86,7 @@ def draw(
     gears: Sequence[int] = (),  # noqa: ARG001 - a run shows all gears
     motion: Motion | None = None,
     others: Sequence[tuple[Results, Motion]] = (),
-) -> list[Figure]:
+) -> list[Canvas]:
     """Draw a run of a case on one or several pages, with common scales for other runs.
 
     Raises
@@ -142,7 +142,7 @@ def _time(motion: Motion) -> AxisScale:
     return AxisScale(float(motion.time[0]), float(motion.time[-1]))
 
 
-def _pages(content: _Content, name: str, style: Style) -> Iterator[Figure]:
+def _pages(content: _Content, name: str, style: Style) -> Iterator[Canvas]:
     shown, rows = content.panels, content.rows
     heights = [content.high(panel, style) for panel in shown]
     start, page = 0, 1
@@ -166,7 +166,7 @@ def _pages(content: _Content, name: str, style: Style) -> Iterator[Figure]:
             draw_rows(upper[0], rows, content.numbers)
         inner = pen.panel((content.left, TIME_SCALE_HEIGHT), (content.wide, high))
         _draw_panels(inner, content, on_page, heights[on_page], upper)
-        yield pen.figure
+        yield pen.canvas
         start, page = start + count, page + 1
 
 

@@ -22,9 +22,8 @@ from vstatics.core.extras import require
 from vstatics.sweep.pictures.columns import DrawnColumns
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from vstatics.core.tables.written_results import WrittenSweep
+    from vstatics.pictures.drawing.canvas import Canvas
     from vstatics.pictures.drawing.files import Format
     from vstatics.pictures.drawing.style import Style
 
@@ -56,24 +55,22 @@ def render_sweep(
     CaseError
         If a column does not exist, nothing can be drawn, or matplotlib is not installed.
     """
-    figures = sweep_figures(sweep, kind, style, selected)
+    drawn = sweep_pages(sweep, kind, style, selected)
     from vstatics.pictures.drawing.files import files_of
 
-    return files_of(figures, form, style, f"sweep: {kind}")
+    return files_of(drawn, form, f"sweep: {kind}")
 
 
-def sweep_figures(
+def sweep_pages(
     sweep: WrittenSweep, kind: str, style: Style, selected: DrawnColumns
-) -> list[Figure]:
-    """Draw a sweep as figures of matplotlib; see `render_sweep`."""
+) -> list[Canvas]:
+    """Draw the pages of a sweep; see `render_sweep`."""
     require("plot", "a picture")
     from vstatics.pictures import module_of
-    from vstatics.pictures.drawing.files import settings_of
 
     if not sweep.variants:
         message = (
             "the sweep has no row, so there is nothing to draw: expected a sweep with variants"
         )
         raise CaseError("E433", f"{message} that its --where leaves")
-    with settings_of(style):
-        return list(module_of(kind).draw(sweep, style, selected))
+    return list(module_of(kind).draw(sweep, style, selected))

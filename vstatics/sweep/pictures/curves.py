@@ -6,15 +6,14 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.tables.written_results import GEAR_NUMBER, WrittenSweep
+from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.ends import LineEnd, beside, height_of, width_of
 from vstatics.pictures.drawing.head import sheet_head
 from vstatics.pictures.drawing.labels import height, ticks, widest, wrapped
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, Style
 from vstatics.pictures.drawing.tolerances import SAME_CURVE
@@ -65,7 +64,7 @@ class Curve(NamedTuple):
         return ", ".join(self.names) if len(others) < 2 else f"{first} … {others[-1]}"
 
 
-def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figure]:
+def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canvas]:
     """Draw a panel for each column of the sweep, stacked on pages.
 
     Raises
@@ -105,7 +104,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
             below = x * (place == some[-1])
             _draw(pen.panel(corner, size, scale), panels[place], names[place], below)
             low += highs[place]
-        figures.append(pen.figure)
+        figures.append(pen.canvas)
     return figures
 
 

@@ -11,14 +11,13 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.written_results import WrittenSweep
+from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.head import headed, sheet_head
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, ticks, widest, wrapped
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, Style, number
 from vstatics.sweep.pictures.columns import DrawnColumns, numbers, pages, results_of, rows_by
@@ -57,7 +56,7 @@ def histogram(name: str, values: Floats) -> Histogram:
     return Histogram(name, statistics(values), edges, counts.tolist())
 
 
-def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figure]:
+def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canvas]:
     """Draw a panel for each column.
 
     Raises
@@ -93,7 +92,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
             for column, item in enumerate(rows[place]):
                 _draw(pen.panel((MARGIN + column * wide, low), (wide, highs[place])), item)
             top = low
-        figures.append(pen.figure)
+        figures.append(pen.canvas)
     return figures
 
 

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import Meaning, NameInKey
 from vstatics.pictures.drawing.style import Style
 from vstatics.sweep.pictures.best_gear import gear_regions, refined
@@ -39,7 +39,7 @@ Names = tuple[str, str, str]
 """Columns of the axes and of the values."""
 
 
-def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figure]:
+def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canvas]:
     """Draw a map for each gear or value of a column, all with equal levels; or of the best gears.
 
     Raises

@@ -9,15 +9,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from contourpy import contour_generator
-from matplotlib.figure import Figure
-from matplotlib.patches import PathPatch
-from matplotlib.path import Path
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.canvas import Canvas, Look, Outline, Point
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
-from vstatics.pictures.drawing.labels import Point, Segment, height, ticks, widest, width
-from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.labels import Segment, height, ticks, widest, width
+from vstatics.pictures.drawing.line_styles import mixed
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, SMALL_NUMBER, Style
 from vstatics.sweep.pictures.best_gear import GearRegion, deepest
@@ -77,7 +75,7 @@ class MapSheet(NamedTuple):
 
 def map_pages(
     sheet: MapSheet, names: tuple[str, str], overlays: Sequence[Overlay], note: str, style: Style
-) -> list[Figure]:
+) -> list[Canvas]:
     """Draw the panels on pages, with common scales.
 
     Parameters
@@ -101,7 +99,7 @@ def map_pages(
     across = columns * pitch + MARGIN + sheet.bar_room
     head = _head(sheet, overlays, note, across, style)
     most = columns * int(min(max(1, (style.height - head.high - MARGIN) // up), len(surfaces)))
-    figures = []
+    pages = []
     for start in range(0, len(surfaces), most):
         shown = range(start, min(start + most, len(surfaces)))
         rows = math.ceil(len(shown) / columns)
@@ -114,8 +112,8 @@ def map_pages(
             overlays[number].draw(panel)
         bar = columns * pitch, (rows - 1) * up + MAP_SCALE_HEIGHT
         _draw_bar(pen.panel(bar, (BAR_WIDTH, size[1])), sheet)
-        figures.append(pen.figure)
-    return figures
+        pages.append(pen.canvas)
+    return pages
 
 
 def _head(
@@ -224,11 +222,11 @@ def _fill(pen: Pen, filled: tuple[Sequence[Any], Sequence[Any]], colour: str) ->
     """Fill the polygons of a band between two levels, without their holes."""
     left, low = pen.corner
     for points, offsets in zip(*filled, strict=True):
-        codes = np.full(len(points), Path.LINETO, dtype=np.uint8)
-        codes[offsets[:-1]] = Path.MOVETO
-        codes[offsets[1:] - 1] = Path.CLOSEPOLY
-        path = Path(points + np.array([left, low]), codes)
-        pen.add(PathPatch(path, facecolor=colour, edgecolor=colour, linewidth=0.2, zorder=0.2))
+        steps = np.full(len(points), "L")
+        steps[offsets[:-1]] = "M"
+        steps[offsets[1:] - 1] = "z"
+        outline = Outline(points + np.array([left, low]), "".join(steps.tolist()))
+        pen.fill(outline, facecolor=colour, edgecolor=colour, width=0.2, zorder=0.2)
 
 
 def _label(

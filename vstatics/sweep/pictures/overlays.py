@@ -11,7 +11,7 @@ import numpy as np
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.si_units import measured
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import Style
 from vstatics.sweep.pictures.map_options import MapOptions

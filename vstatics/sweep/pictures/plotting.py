@@ -20,7 +20,7 @@ from vstatics.pictures import misplaced
 from vstatics.pictures.drawing.lengths import checked_width
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.plotting import format_of_picture
-from vstatics.sweep.pictures import COLUMNS, render_sweep, sweep_figures
+from vstatics.sweep.pictures import COLUMNS, render_sweep, sweep_pages
 from vstatics.sweep.pictures.columns import DrawnColumns, drawn_columns, numbers
 from vstatics.sweep.pictures.map_options import MapOptions, OperatingPoint, checked_levels
 
@@ -48,7 +48,9 @@ class SweepPicture:
     @property
     def figure(self) -> Figure:
         """Figure of matplotlib, for further changes."""
-        return sweep_figures(self._sweep, self._kind, self._style, self._selected)[0]
+        from vstatics.pictures.drawing.files import figures_of
+
+        return figures_of(sweep_pages(self._sweep, self._kind, self._style, self._selected))[0]
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the picture to a file, in a format of `Picture.save`.

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import LABEL_GAP, Point, width
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import LABEL_GAP, width
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import SIZE
 from vstatics.synthesis.boxes.listing import ListedBox

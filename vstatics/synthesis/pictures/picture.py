@@ -6,17 +6,17 @@ from collections.abc import Sequence
 from itertools import accumulate
 from typing import NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import require
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.summary.contrast import letters
 from vstatics.core.texts import Language
-from vstatics.pictures.drawing.files import Format, files_of, settings_of, written
-from vstatics.pictures.drawing.labels import POINTS_PER_INCH, Point, height, wrapped
+from vstatics.pictures.drawing.canvas import Canvas, Point
+from vstatics.pictures.drawing.files import Format, files_of
+from vstatics.pictures.drawing.labels import height, wrapped
 from vstatics.pictures.drawing.pen import Pen, blank
 from vstatics.pictures.drawing.style import MARGIN, SIZE, SMALL_NUMBER, Style, number
+from vstatics.pictures.drawing.svg import written_as_svg
 from vstatics.pictures.schemes.bare import BareStick, bare_stick
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, drawn_boxes
 from vstatics.synthesis.pictures.points import (
@@ -81,9 +81,8 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]
         If the case of a drawn box is not valid.
     """
     require("plot", "a picture")
-    with settings_of(style):
-        figures = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN_DIAGRAMS))
-    return files_of(figures, form, style, "found boxes")
+    drawn = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN_DIAGRAMS))
+    return files_of(drawn, form, "found boxes")
 
 
 def render_points(
@@ -91,12 +90,11 @@ def render_points(
 ) -> bytes:
     """Draw the points alone as SVG, for a page that has the diagrams."""
     style = Style(language, titled=False)
-    with settings_of(style):
-        figure = _page(listing, drawn, 0.0, POINTS_HEIGHT_ALONE, style).figure
-    return written(figure, "svg", style, "found boxes")
+    page = _page(listing, drawn, 0.0, POINTS_HEIGHT_ALONE, style).canvas
+    return written_as_svg(page, "found boxes")
 
 
-def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> list[Figure]:
+def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> list[Canvas]:
     """Draw the points of all boxes above the diagrams of `drawn`, on several pages if necessary.
 
     Raises
@@ -111,8 +109,8 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
     cells = [_cell(box, room, style) for box in drawn]
     rows = [cells[at : at + count] for at in range(0, len(cells), count)]
     high = [max(cell.size[1] for cell in row) for row in rows]
-    over = _page(listing, drawn, 0.0, POINTS_HEIGHT, style).figure.get_figheight() * POINTS_PER_INCH
-    figures: list[Figure] = []
+    over = _page(listing, drawn, 0.0, POINTS_HEIGHT, style).canvas.size[1]
+    figures: list[Canvas] = []
     while rows:
         above = 2 * MARGIN if figures else over
         fit = sum(total + above <= style.height for total in accumulate(high)) or int(bool(figures))
@@ -127,7 +125,7 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
             for column, cell in enumerate(row):
                 cell.draw(page, MARGIN + column * (room + DIAGRAM_GAP), top, room)
             top -= tall
-        figures.append(page.figure)
+        figures.append(page.canvas)
         rows, high = rows[fit:], high[fit:]
     return figures
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.core.tables.numbers import certain
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.labels import (
     LINE_HEIGHT,
@@ -17,7 +18,6 @@ from vstatics.pictures.drawing.labels import (
     widest,
     wrapped,
 )
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import TITLE, Style
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from vstatics.core.model.transmission import Transmission
-from vstatics.pictures.drawing.files import settings_of, written
 from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.svg import written_as_svg
 from vstatics.pictures.schemes.bare import bare_stick
 
 
@@ -24,7 +24,5 @@ def stick_diagram(case: Transmission, title: str | None = None) -> bytes:
     b'<?xml'
     """
     style = Style()
-    with settings_of(style):
-        shown = case.name if title is None else title
-        figure = bare_stick(case, style).drawn(shown).figure
-    return written(figure, "svg", style, shown)
+    shown = case.name if title is None else title
+    return written_as_svg(bare_stick(case, style).drawn(shown).canvas, shown)

@@ -6,14 +6,12 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.core.errors import CaseError, listed
 from vstatics.core.extras import require
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.head import Meaning, headed
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, ticks, widest, wrapped
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import LONG_NAME, MARGIN, Style, number
 from vstatics.pictures.drawing.words import gear_title, title
@@ -65,7 +63,7 @@ class _Limits(NamedTuple):
         )
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
     """Draw the largest torques in all gears of a case, or in some, on pages.
 
     Raises
@@ -98,7 +96,7 @@ def _shown_torques(dumps: Sequence[GearDump]) -> Iterator[float]:
                 yield limit
 
 
-def _figure(results: Results, dumps: Sequence[GearDump], scale: AxisScale, style: Style) -> Figure:
+def _figure(results: Results, dumps: Sequence[GearDump], scale: AxisScale, style: Style) -> Canvas:
     names = [wrapped(gear_title(dump.name, style), LONG_NAME) for dump in dumps]
     left = MARGIN + widest(names) + 8.0
     wide = style.width - left - WORDS_WIDTH - 2 * MARGIN
@@ -125,7 +123,7 @@ def _figure(results: Results, dumps: Sequence[GearDump], scale: AxisScale, style
         happens = f"{dump.made.case}: {style.text(_WORDS[dump.made.case])}"
         words = f"{largest}\n{wrapped(happens, WORDS_WIDTH)}"
         panel.text(wide + MARGIN, middle, words, **look)
-    return pen.figure
+    return pen.canvas
 
 
 def _signs(dumps: Sequence[GearDump], scale: AxisScale, style: Style) -> list[Meaning]:

@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 from vstatics.core.errors import CaseError
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.free import Taken, first_free
 from vstatics.pictures.drawing.head import Meaning, headed
-from vstatics.pictures.drawing.labels import LINE_HEIGHT, Point, ticks, widest, width
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.labels import LINE_HEIGHT, ticks, widest, width
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, Style
 from vstatics.vehicle.case.vehicle import Vehicle

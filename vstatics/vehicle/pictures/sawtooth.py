@@ -7,15 +7,15 @@ from collections.abc import Iterator, Sequence
 from itertools import chain
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.statics.results import Results
 from vstatics.core.summary.design_table import ranges
+from vstatics.pictures.drawing.canvas import Canvas, Look, Point
 from vstatics.pictures.drawing.ends import along
 from vstatics.pictures.drawing.free import Taken, first_free
-from vstatics.pictures.drawing.labels import LEADER, LINE_HEIGHT, Label, Point, width
-from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.labels import LEADER, LINE_HEIGHT, Label, width
+from vstatics.pictures.drawing.line_styles import mixed
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import SIZE, SMALL_NUMBER, Style
 from vstatics.pictures.drawing.words import gear_title, title
@@ -28,7 +28,7 @@ POINTS_OF_CONVERTER = 120
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
-) -> list[Figure]:
+) -> list[Canvas]:
     """Draw the engine speed over road speed in all gears, or in some.
 
     Parameters
@@ -70,7 +70,7 @@ def draw(
         Label(pen.across(KMH * gear.largest_speed), gear.name, style.ink) for gear in vehicle.gears
     ]
     along(pen.panel(pen.corner, (pen.size[0], last)), "top", ends, upright=False)
-    return [pen.figure]
+    return [pen.canvas]
 
 
 def _tooth(style: Style) -> Look:

@@ -6,13 +6,11 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple, cast
 
-from matplotlib.figure import Figure
-
 from vstatics.core.errors import CaseError
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.head import Meaning, sheet_head
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, power_of_ten, ticks, widest, wrapped
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, Style, number
 from vstatics.pictures.drawing.words import title
@@ -46,7 +44,7 @@ class _Sheet(NamedTuple):
         return self.style.text("torque, N·m"), self.style.text(turns)
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
     """Draw a panel for each member with a torque.
 
     Raises
@@ -84,7 +82,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
     rows = [names[start : start + columns] for start in range(0, len(names), columns)]
     room = (style.height - head.high - 2 * MARGIN) / pitch[1]
     on_page = len(rows) if math.isinf(room) else max(1, int(room))
-    figures = []
+    pages = []
     for start in range(0, len(rows), on_page):
         page = rows[start : start + on_page]
         pen = head.over((style.width, len(page) * pitch[1] + MARGIN), MARGIN, style)
@@ -94,8 +92,8 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
                 corner = MARGIN + column * pitch[0] + SPECTRUM_SCALE_WIDTH, low_edge
                 size = pitch[0] - SPECTRUM_SCALE_WIDTH - SIZE, SPECTRUM_SIZE[1]
                 _draw_member(pen.panel(corner, size), name, sheet)
-        figures.append(pen.figure)
-    return figures
+        pages.append(pen.canvas)
+    return pages
 
 
 def _bar(style: Style, *, is_open: bool) -> Look:

@@ -7,15 +7,14 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.core.errors import CaseError
 from vstatics.core.statics.results import Results
 from vstatics.core.summary.design_table import Design, design
+from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.ends import along
 from vstatics.pictures.drawing.head import headed
 from vstatics.pictures.drawing.labels import LEADER, LINE_HEIGHT, Label, across_size, widest, width
-from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.line_styles import mixed
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import FRAME_WIDTH, MARGIN, SIZE, Style, number
 from vstatics.pictures.drawing.words import gear_title, title
@@ -40,7 +39,7 @@ class ForwardGears(NamedTuple):
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
-) -> list[Figure]:
+) -> list[Canvas]:
     """Draw the steps between all forward gears, or between some.
 
     Parameters
@@ -84,7 +83,7 @@ def draw(
         row = pen.panel((left, below), (wide, STEP_ROW_HEIGHT), line)
         _draw_law(row, law)
         _name_row(row, name, is_stacked=is_stacked)
-    return [pen.figure]
+    return [pen.canvas]
 
 
 def _narrowest(every: Sequence[ForwardGears]) -> float:

@@ -6,14 +6,13 @@ import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas, Look, Point
 from vstatics.pictures.drawing.ends import LineEnd, along, beside, width_of
 from vstatics.pictures.drawing.free import Taken
-from vstatics.pictures.drawing.labels import LEADER, Label, Point, height
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.labels import LEADER, Label, height
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import SIZE, Style, number
 from vstatics.pictures.drawing.words import gear_title, title
@@ -39,7 +38,7 @@ NAME_PLACES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
-) -> list[Figure]:
+) -> list[Canvas]:
     """Draw the wheel force at full load in all gears, or in some.
 
     Parameters
@@ -87,7 +86,7 @@ def draw(
     _draw_hyperbola(pen, vehicle, unit)
     for gear in vehicle.gears:
         _draw_gear(pen, vehicle, gear, unit, taken)
-    return [pen.figure]
+    return [pen.canvas]
 
 
 def _highest(vehicle: DrivenVehicle) -> float:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from matplotlib.figure import Figure
-
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import sheet_head
 from vstatics.pictures.drawing.style import WIDE_MARGIN, Style
 from vstatics.pictures.schemes.axes.drawn.links import AxesSheet, draw_ends, draw_links
@@ -31,7 +30,7 @@ def figures(
     axes: ParallelAxes,
     style: Style,
     shown: Iterable[Sequence[int]],
-) -> Iterator[list[Figure]]:
+) -> Iterator[list[Canvas]]:
     """Yield the figures without a gear, or of gears by number from 1, with equal positions.
 
     Raises
@@ -61,7 +60,7 @@ def figures(
         for number, station in enumerate(placing.board.stations):
             (draw_pair if station.kind == "pair" else draw_station)(sheet, number)
         draw_ends(sheet)
-        yield [sheet.pen.figure]
+        yield [sheet.pen.canvas]
 
 
 def _remarks(placing: AxesPlaces, style: Style) -> list[str]:

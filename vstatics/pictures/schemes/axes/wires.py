@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import Point, Segment
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.schemes.axes.contacts import AxisContact
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.stations import Station

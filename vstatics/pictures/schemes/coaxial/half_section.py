@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import Point, height, width
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.schemes.coaxial.layout import Upright
 from vstatics.pictures.schemes.coaxial.places import SIGN_PITCH, SectionPlaces
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme

@@ -7,12 +7,10 @@ from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas, Look, Point
 from vstatics.pictures.drawing.head import sheet_head
-from vstatics.pictures.drawing.labels import Point, title_width
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.labels import title_width
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import WIDE_MARGIN, Style
 from vstatics.pictures.schemes.boxes import BoxText
@@ -109,11 +107,11 @@ def figures(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     shown: Iterable[Sequence[int]],
     subject: str,
     note: str = "",
-) -> Iterator[list[Figure]]:
+) -> Iterator[list[Canvas]]:
     """Yield figures without a gear or with a gear number from 1, in a fixed layout."""
     for gears in shown:
         caption = told_of(results, scheme, style, gears, subject=subject)
-        yield [painted(sheet, style, *caption, note).figure]
+        yield [painted(sheet, style, *caption, note).canvas]
 
 
 def crossings_told(count: int, style: Style) -> list[str]:

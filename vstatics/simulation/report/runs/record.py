@@ -12,7 +12,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.names import written
 from vstatics.core.texts import tr
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.paged.inline import colour_name
 from vstatics.simulation.pictures.elements import states

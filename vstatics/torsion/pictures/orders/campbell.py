@@ -10,13 +10,11 @@ import json
 import math
 from collections.abc import Iterator, Sequence
 
-from matplotlib.figure import Figure
-
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.ends import LineEnd, beside, height_of, width_of
 from vstatics.pictures.drawing.head import Meaning, sheet_head
 from vstatics.pictures.drawing.labels import height, ticks, widest, width
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import MARGIN, Style
 from vstatics.pictures.drawing.words import gear_title, title
@@ -46,7 +44,7 @@ BEFORE_STRIP = 6.0
 """Gap between names of orders and the strip of gears. [pt]"""
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
     """Draw the diagram of all gears of a case, or of some, on pages.
 
     Raises
@@ -80,7 +78,7 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
     ]
 
 
-def _pages(sheet: CampbellSheet) -> Iterator[Figure]:
+def _pages(sheet: CampbellSheet) -> Iterator[Canvas]:
     """Draw the panel with the tables that fit on its page, then pages with the other tables."""
     style, across = sheet.style, sheet.style.width
     text, room = title(sheet.case, style.text("Campbell diagram")), across - 2 * MARGIN
@@ -99,13 +97,13 @@ def _pages(sheet: CampbellSheet) -> Iterator[Figure]:
     pen = head.over((across, first.high + around + high), MARGIN, style)
     _draw_panel(pen, sheet, (first.high + SPEED_SCALE_HEIGHT, high))
     first.draw(pen)
-    yield pen.figure
+    yield pen.canvas
     head = sheet_head(text, "", [], room, style)
     while remaining.parts:
         page, remaining = remaining.fitting(style.height - head.high - MARGIN, least=1)
         pen = head.over((across, page.high), MARGIN, style)
         page.draw(pen)
-        yield pen.figure
+        yield pen.canvas
 
 
 def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> None:

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.ends import LineEnd
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.style import Style, number
 from vstatics.pictures.drawing.words import gear_title
 from vstatics.torsion.pictures.orders.orders_and_speeds import Order, excited_speeds

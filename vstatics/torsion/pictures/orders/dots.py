@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.head import Meaning
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.resonances import Meeting
 

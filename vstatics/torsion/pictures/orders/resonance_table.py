@@ -8,8 +8,8 @@ from itertools import groupby
 from typing import NamedTuple
 
 from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.labels import height, width, wrapped
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, MARGIN, SIZE, Style, number
 from vstatics.torsion.pictures.orders.orders_and_speeds import Order

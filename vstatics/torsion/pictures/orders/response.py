@@ -12,14 +12,13 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.core.errors import CaseError, listed
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, power_of_ten, ticks, width, wrapped
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import MARGIN, Style, number
 from vstatics.pictures.drawing.words import gear_title, title
@@ -84,7 +83,7 @@ class _ResponseSheet(NamedTuple):
         }
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
     """Draw the response in each gear of a case, or in some, on pages.
 
     Raises
@@ -160,7 +159,7 @@ def _figure(
     sheet: _ResponseSheet,
     panels: Sequence[ResponsePanel],
     size: tuple[int, float],
-) -> Figure:
+) -> Canvas:
     """Draw panels; `size` is the number of columns and the height of a panel [pt]."""
     style, (columns, high) = sheet.style, size
     rows = math.ceil(len(panels) / columns)
@@ -189,7 +188,7 @@ def _figure(
         ha="center",
         va="center",
     )
-    return pen.figure
+    return pen.canvas
 
 
 def _order_words(order: Order, style: Style) -> str:

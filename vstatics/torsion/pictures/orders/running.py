@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.head import Meaning
-from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import Style
 

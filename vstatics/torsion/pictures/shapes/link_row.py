@@ -7,16 +7,8 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import (
-    LABEL_GAP,
-    LEADER,
-    Point,
-    height,
-    spread,
-    widest,
-    wrapped,
-)
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
+from vstatics.pictures.drawing.labels import LABEL_GAP, LEADER, height, spread, widest, wrapped
 from vstatics.pictures.drawing.pen import Pen, zigzag
 from vstatics.pictures.drawing.style import LONG_NAME, SMALL_NUMBER, number
 from vstatics.torsion.pictures.shapes.links import ModeDevice, ModeLinks

@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import BELOW, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, widest, width, wrapped
 from vstatics.pictures.drawing.pen import Pen
@@ -151,7 +150,7 @@ def _spaced(parts: str) -> str:
     return parts.replace(" ", PART_GAP).replace(NO_BREAK, " ")
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
     """Draw the natural modes of gears below each other, on pages.
 
     On a single page without a given height, the first gear is drawn by default.
@@ -272,7 +271,7 @@ def _page_head(results: Results, wide: float, style: Style) -> SheetHead:
     return sheet_head(name, "", [], wide - 2 * MARGIN, style)
 
 
-def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> Figure:
+def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> Canvas:
     columns = _columns(parts, style)
     wide = columns.right
     high = sum(_high(part, columns) for part in parts) + GEAR_GAP * (len(parts) - 1) - MODE_GAP
@@ -282,7 +281,7 @@ def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> 
     for part in parts:
         _draw_gear(pen, top, part, columns)
         top -= _high(part, columns) + GEAR_GAP
-    return pen.figure
+    return pen.canvas
 
 
 def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns) -> None:

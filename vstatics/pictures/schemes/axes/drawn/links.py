@@ -1,4 +1,4 @@
-"""Figure of a gearbox with several axes in a state, and drawing of wires, ports and link names."""
+"""Canvas of a gearbox with several axes in a state, and drawing of wires, ports and link names."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from vstatics.pictures.drawing.labels import Point, Segment
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
+from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
@@ -27,7 +27,7 @@ BRIDGE = 3.0
 
 @dataclass(frozen=True)
 class AxesSheet(SchemeInk):
-    """Figure of a scheme in a state, with the positions of all parts."""
+    """Canvas of a scheme in a state, with the positions of all parts."""
 
     placing: AxesPlaces
     labels: Mapping[int, Sequence[DeviceLabel]]

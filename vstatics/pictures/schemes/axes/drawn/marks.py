@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from vstatics.core.model.transmission import HOUSING
 from vstatics.core.tables.numbers import typeset
-from vstatics.pictures.drawing.labels import Point, Segment
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
+from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
@@ -162,7 +162,7 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
             looks.setdefault((LINE_WIDTH, False), []).extend(lines)
     for (thick, dashed), strokes in looks.items():
         said = sheet.said(index) if thick != TOOTH else ""
-        dashes = (0, (2.5, 1.5)) if dashed else "-"
+        dashes = (0, (2.5, 1.5)) if dashed else "solid"
         look: Look = {"linestyle": dashes, "title": said, "solid_capstyle": "projecting"}
         pen.lines(strokes, color=color, width=thick, zorder=4, **look)
     device_sheet.name(index)

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vstatics.pictures.drawing.labels import Point
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
 from vstatics.pictures.schemes.axes.letters.obstacles import CONE, CONE_RIM
 from vstatics.pictures.schemes.axes.recognition import FAR

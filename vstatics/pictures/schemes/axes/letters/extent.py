@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.schemes.axes.letters.labels import DeviceLabel, device_labels
 from vstatics.pictures.schemes.axes.letters.link_names import fixed_names

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.style import SIZE, SMALL
 from vstatics.pictures.schemes.axes.letters.obstacles import (
     BOX,

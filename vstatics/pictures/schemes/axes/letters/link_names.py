@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.schemes.axes.letters.obstacles import Obstacle, Rectangle
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.ink import ARROW

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR

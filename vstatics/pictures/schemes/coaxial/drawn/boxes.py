@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.pictures.drawing.labels import Point, width
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
+from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.pen import corners
 from vstatics.pictures.schemes.boxes import GROUND, LINE, PAD, BoxSection, BoxText
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout

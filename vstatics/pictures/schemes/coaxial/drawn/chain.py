@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import pairwise
 
-from vstatics.pictures.drawing.labels import Point, height, width
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
+from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.schemes.boxes import BoxText
 from vstatics.pictures.schemes.coaxial.chains import CoaxialChain

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.core.model.transmission import HOUSING
-from vstatics.pictures.drawing.labels import Point
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.boxes import BoxSection

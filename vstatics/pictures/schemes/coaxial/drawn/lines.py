@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.groups import grouped
-from vstatics.pictures.drawing.labels import Point, Segment
+from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
 from vstatics.pictures.schemes.coaxial.rooms import BRAKE_LENGTH, ends_of, met_by

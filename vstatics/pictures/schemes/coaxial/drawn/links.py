@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from vstatics.pictures.drawing.labels import Point, Segment, height, width
-from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.canvas import Look, Point
+from vstatics.pictures.drawing.labels import Segment, height, width
 from vstatics.pictures.drawing.pen import Pen, corners
 from vstatics.pictures.schemes.coaxial.drawn.lines import meeting, wires_of
 from vstatics.pictures.schemes.coaxial.drawn.passing import passed

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from vstatics.pictures.drawing.labels import Point, Segment
+from vstatics.pictures.drawing.canvas import Point
+from vstatics.pictures.drawing.labels import Segment
 
 
 def passed(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, ends_of
 from vstatics.pictures.schemes.ink import ARROW, FURTHER, SchemeInk, centred, draw_arrow

@@ -1,0 +1,75 @@
+"""Sizes of letters, from the outlines of the font that comes with matplotlib."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import matplotlib as mpl
+from matplotlib.font_manager import get_font
+from matplotlib.ft2font import LoadFlags
+
+from vstatics.pictures.drawing.style import FONT
+
+POINTS_PER_INCH = 72.0
+"""Points per inch."""
+_SUBPIXELS = 64.0
+"""Fractions of a pixel in which FreeType measures."""
+_FINE = 100.0
+"""Size of letters at which heights are measured, for fine steps. [pt]"""
+ASCENT, DESCENT, LINE_GAP = 1556 / 2048, 492 / 2048, 410 / 2048
+"""Heights of the font from its table OS/2, relative to the size of letters."""
+
+
+class TextExtent(NamedTuple):
+    """Size of a line of letters, in points."""
+
+    wide: float
+    high: float
+    low: float
+    """Depth below the baseline."""
+
+
+def _font(*, bold: bool) -> Any:
+    name = f"{FONT.replace(' ', '')}{'-Bold' * bold}.ttf"
+    return get_font(Path(mpl.get_data_path(), "fonts", "ttf", name))
+
+
+@contextmanager
+def _boxes_for_missing() -> Iterator[None]:
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box is drawn instead
+        yield
+
+
+@cache
+def line_width(line: str, size: float, *, bold: bool = False) -> float:
+    """Return the width of a line of text without hinting [pt]."""
+    font = _font(bold=bold)
+    font.set_size(size, POINTS_PER_INCH)
+    with _boxes_for_missing():
+        font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
+    return float(font.get_width_height()[0] / _SUBPIXELS)
+
+
+@cache
+def _fine_extent(line: str, *, bold: bool) -> TextExtent:
+    font = _font(bold=bold)
+    font.set_size(_FINE, POINTS_PER_INCH)
+    with _boxes_for_missing():
+        font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
+    wide, high = font.get_width_height()
+    return TextExtent(wide / _SUBPIXELS, high / _SUBPIXELS, font.get_descent() / _SUBPIXELS)
+
+
+def line_extent(line: str, size: float, *, bold: bool = False) -> TextExtent:
+    """Return the size of a line of text, all 0 for an empty line."""
+    if not line:
+        return TextExtent(0.0, 0.0, 0.0)
+    wide, high, low = _fine_extent(line, bold=bold)
+    scale = size / _FINE
+    return TextExtent(wide * scale, high * scale, low * scale)
