@@ -67,6 +67,7 @@ WORDS: dict[Rows, str] = {
     "mechanisms": "mechanisms",
     "torques": "components, `Mx`",
     "meshes": "meshes",
+    "converters": "converters",
     "one": "",
 }
 """Rows of a table in the documentation."""

@@ -14,10 +14,11 @@ from tests.commands import CASES, SHIPPED, json_answer
 from tests.pictures.drawn import texts
 from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
-from tests.vehicle.pictures.cars import box, marks
-from vstatics import CaseError, load, solve
+from tests.vehicle.pictures.cars import CAR, box, marks
+from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Style
+from vstatics.vehicle.operation.converter import bare
 from vstatics.vehicle.pictures.laws import geometric, progressive
 
 
@@ -110,6 +111,20 @@ def test_a_shift_at_the_last_speed_leads_to_the_speed_of_the_next_gear() -> None
     assert drops <= {*texts(figure)}
     [saw] = [line for said, line in lines(figure) if '"saw"' in said]
     assert len(saw) == 2 * 3
+
+
+def test_an_engine_with_a_converter_starts_at_its_stall_speed() -> None:
+    """It takes 200 N*m at sqrt(200/0.002) rad/s, of 500; locked up, the ray starts at rest."""
+    car = CAR._replace(engine=[(0.0, 200.0), (500.0, 200.0)])
+    points = ((0.0, 2.0, 0.002), (1.0, 1.0, 0.0))
+    parts = [Mechanism(1, 2, 0, math.nan, kind="converter", points=points, name="TC")]
+    parts.append(Mechanism(2, 3, 0, 3.0))
+    gears = [Gear(name="1"), Gear([1], name="1L")]
+    case = Transmission(3, [ShiftElement(1, 2)], parts, gears, vehicle=car)
+    figure = picture(solve(bare(case))._replace(case=case), "sawtooth", Style())
+    curve, ray = [line for said, line in lines(figure) if "rpm per km/h" in said]
+    height = (curve[0, 1] - ray[0, 1]) / (ray[1, 1] - ray[0, 1])
+    assert height == pytest.approx(math.sqrt(200 / 0.002) / 500, rel=1e-6)
 
 
 def test_rays_start_at_rest_and_end_with_the_engine() -> None:

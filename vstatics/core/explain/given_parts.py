@@ -150,8 +150,13 @@ def mechanisms(case: Transmission, gear: Gear) -> Grid:
 
 
 def _points(mechanism: Mechanism) -> str:
-    points = ", ".join(f"({i:.6g}, {k:.6g})" for i, k, *_ in mechanism.points)
-    return f"({tr('speed ratio')}, K): {points}" if points else ""
+    """Return the points in words, with lambda if the load determines the speed ratio."""
+    count = 3 if mechanism.can_be_open and math.isnan(mechanism.ratio) else 2
+    points = ", ".join(
+        f"({', '.join(f'{x:.6g}' for x in point[:count])})" for point in mechanism.points
+    )
+    words = ", ".join((tr("speed ratio"), "K", "lambda")[:count])
+    return f"({words}): {points}" if points else ""
 
 
 def losses(case: Transmission) -> Grid:

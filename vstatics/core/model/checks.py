@@ -65,7 +65,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         if gear.load:
             yield from of_load(gear.load, path)
     yield from of_missing_ratios(case, open_too=False)
-    if case.depends:
+    if any(gear.balance is not None for gear in case.gears):
         from vstatics.core.model.laws import of_balances  # costs start-up time
 
         yield from of_balances(case)

@@ -464,8 +464,10 @@ class TransmissionFields:
 
     @property
     def depends(self) -> bool:
-        """True if drag or efficiency depends on the operating point, or a gear has a balance."""
-        return bool(self.laws) or any(gear.balance is not None for gear in self.gears)
+        """True if drag, efficiency or a converter depends on the load, or a gear has a balance."""
+        return bool(self.laws) or any(
+            gear.balance is not None or self.sought_converters(gear) for gear in self.gears
+        )
 
     @property
     def devices(self) -> list[str]:

@@ -9,7 +9,7 @@ from typing import Any, Literal, Self
 
 import numpy as np
 
-from vstatics.core.errors import Path, Problem
+from vstatics.core.errors import Path, Problem, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import Gear, Law, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
@@ -284,6 +284,27 @@ def without_loads(case: TransmissionFields) -> Iterator[Problem]:
             )
             yield Problem("E267", f"{message}: expected a `load` with both", path)
         return
+
+
+def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield gears whose load does not determine the speed ratios that their converters lack."""
+    for number, gear in enumerate(case.gears, 1):
+        sought = [case.mechanisms[place].name for place in case.sought_converters(gear)]
+        load = case.gear_load(gear)
+        if len(sought) > 1:
+            message = (
+                f"read {spoken(sought)} without a speed ratio, but a load determines the speed "
+                "ratio of one converter only: give the others under `speed_ratios`, or list them "
+                "under `open`"
+            )
+            yield Problem("E271", message, ("gears", number))
+        elif sought and (load.speed is None or load.torque is None):
+            message = (
+                f"the speed ratio of {sought[0]} depends on the load, but the operating point of "
+                f"the gear has no {'speed' if load.speed is None else 'torque'}: expected a `load` "
+                "with both, or the speed ratio under `speed_ratios`"
+            )
+            yield Problem("E267", message, ("gears", number))
 
 
 def _of_gear(gear: Gear, number: int) -> list[Path]:

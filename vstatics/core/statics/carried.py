@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -89,8 +89,17 @@ def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, spee
     >>> torque_of_pump([(0, 2, 0.01), (1, 1, 0.0)], 0.5, -100.0)
     -50.0
     """
+    return float(pump_factor(points, speed_ratio)) * speed * abs(speed)
+
+
+def pump_factor(points: Sequence[tuple[float, ...]], speed_ratio: Any) -> Any:
+    """Return lambda [N*m*s^2] of a converter at a speed ratio, or at each of an array.
+
+    >>> pump_factor([(0, 2, 0.01), (1, 1, 0.0)], np.array([0.5, 2.0])).tolist()
+    [0.005, 0.0]
+    """
     by_ratio, _, factors = np.transpose(points)
-    return float(np.interp(speed_ratio, by_ratio, factors)) * speed * abs(speed)
+    return np.interp(speed_ratio, by_ratio, factors)
 
 
 def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.core.numerics.tolerances import TIE
-from vstatics.core.numerics.traced import Number, absolute, is_nothing_beside
+from vstatics.core.numerics.traced import Number, absolute, is_nan, is_nothing_beside
 from vstatics.core.statics import matrix
 from vstatics.core.statics.matrix import Column, Variant
 from vstatics.core.statics.speeds import Speeds
@@ -71,7 +71,7 @@ def direction_of(case: Transmission, gear: Gear) -> int:
 def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) -> list[str]:
     """Return the names of converters that would give more power than they take.
 
-    Such a state is impossible.
+    Such a state is impossible. A converter whose speed ratio is unknown (NaN) counts as well.
     """
     mechanisms = enumerate(variant.case.mechanisms)
     return [
@@ -84,6 +84,8 @@ def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) 
 def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direction: int) -> bool:
     if variant.case.mechanisms[place].kind != "converter":
         return False
+    if is_nan(variant.ratios[place]):
+        return True
     entering = times(
         torques.on_first_link[len(variant.case.shift_elements) + place],
         speeds.relative_speeds[place],

@@ -79,10 +79,13 @@ class OperatingPoints(NamedTuple):
     """State of each gear, (variants, gears): 0 for a unique solution.
 
     1 and 2 mark no solution or several solutions for efficiencies that depend on torque; 3 and 4 do
-    so for the torque that balances a battery.
+    so for the torque that balances a battery. 6 marks a load that no speed ratio of a converter
+    agrees with, 7 a gear without torques at any speed ratio.
     """
     outside: Outside = NOWHERE
     """Laws evaluated outside the given points."""
+    other_ratios: Mapping[int, Sequence[float]] = MappingProxyType({})
+    """Smaller speed ratios at which a converter agrees with the load of a single point, by gear."""
 
 
 class ResultFields(_NamedFields):
@@ -106,6 +109,8 @@ class ResultFields(_NamedFields):
     """Speed of the first link minus the second, ``(..., gears, shift elements)``. [-]"""
     ratio: Floats
     """Ratio ``w_input/w_output``, ``(..., gears)``. [-]"""
+    speed_ratio: Floats
+    """Speed ratios of converters, NaN if bypassed or open, ``(..., gears, converters)``. [-]"""
 
     torques: Floats
     """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]
@@ -194,13 +199,23 @@ class ResultFields(_NamedFields):
         return self.lossy_torques[..., -1]
 
 
-Rows = Literal["links", "planets", "elements", "devices", "mechanisms", "torques", "meshes", "one"]
+Rows = Literal[
+    "links",
+    "planets",
+    "elements",
+    "devices",
+    "mechanisms",
+    "torques",
+    "meshes",
+    "converters",
+    "one",
+]
 """Meaning of the rows of an array or a table.
 
 `elements` are shift elements; `devices` are mechanisms and drawn gear sets with the names of the
 case; `mechanisms` are the mechanisms of the solver; `torques` are shift elements, mechanisms or
 members of drawn gear sets, springs, and the output; `meshes` are the meshes of drawn gear sets;
-`one` is a single value for the gear.
+`converters` are mechanisms of this kind; `one` is a single value for the gear.
 """
 
 
@@ -249,6 +264,7 @@ ARRAYS: Mapping[str, GearArray] = {
     "planet_speeds": GearArray("planets"),
     "slip_speeds": GearArray("elements"),
     "ratio": GearArray("one"),
+    "speed_ratio": GearArray("converters"),
     "torques": GearArray("torques"),
     "holding_torques": GearArray("links"),
     "lossy_torques": GearArray("torques"),
@@ -339,6 +355,7 @@ def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
         "mechanisms": mechanisms,
         "torques": [*elements, *members, *(spring.name for spring in case.springs), OUTPUT],
         "meshes": meshes,
+        "converters": [part.name for part in case.mechanisms if part.kind == "converter"],
         "one": [],
     }
 

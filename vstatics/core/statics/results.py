@@ -259,6 +259,7 @@ class Results(PhysicalResults):
             dragged=bool(self.dragged[index]),
             locked=bool(self.locked[index]),
             undecided=bool(self.undecided[index]),
+            missing=int(self.missing[index]),
         )
         return all_statuses[0] if all_statuses else OK
 

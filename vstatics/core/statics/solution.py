@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 from vstatics.core.errors import CaseError, Problem
-from vstatics.core.model.part_checks import of_missing_ratios
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics import diagnosis
@@ -33,12 +32,13 @@ def solution(  # noqa: PLR0913
     vary: Mapping[str, ArrayLike] | None = None,
 ) -> Results:
     """Return the results of `solve`, whose arguments are not checked for their types here."""
-    if problems := list(of_missing_ratios(case, open_too=True)):
-        raise CaseError(problems)
     if case.depends:
-        from vstatics.core.model.laws import without_loads  # the import costs start-up time
+        from vstatics.core.model.laws import (
+            of_sought_ratios,
+            without_loads,
+        )  # the import costs start-up time
 
-        if problems := list(without_loads(case)):
+        if problems := [*without_loads(case), *of_sought_ratios(case)]:
             raise CaseError(problems)
     case = case.with_coast(coast)
     if idle not in (None, case.idle):

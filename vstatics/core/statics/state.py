@@ -184,6 +184,7 @@ class GearState(NamedTuple):
             dragged=self.search.dragged,
             locked=self.search.locked,
             undecided=self.search.undecided,
+            missing=self.ideal.speeds.missing,
         )
 
     @property
@@ -296,6 +297,7 @@ def values_of(state: GearState) -> Values:
         "planet_speeds": list(_planet_speeds(state)),
         "slip_speeds": speeds.slips,
         "ratio": state.ratio,
+        "speed_ratio": list(_speed_ratios(state)),
         "torques": _torques(state, lossy=False),
         "holding_torques": _by_link(links, state.torques.holding),
         "lossy_torques": _torques(state, lossy=True),
@@ -329,6 +331,13 @@ def values_of(state: GearState) -> Values:
             lossy.losses[index] for device in devices for index, _ in device.meshes_by_index
         ],
     }
+
+
+def _speed_ratios(state: GearState) -> Iterator[Number]:
+    unloaded = state.case.unloaded_converters(state.gear)
+    for place, mechanism in enumerate(state.case.mechanisms):
+        if mechanism.kind == "converter":
+            yield math.nan if place in unloaded else state.ideal.variant.ratios[place]
 
 
 def _planet_speeds(state: GearState) -> Iterator[Number | Residual]:

@@ -83,6 +83,7 @@ def statuses(  # noqa: PLR0913
     locked: bool,
     undecided: bool,
     dragged: bool = False,
+    missing: int = 1,
 ) -> list[Status]:
     """Return the statuses of a gear, causes before their effects; names as in `Results`.
 
@@ -90,6 +91,9 @@ def statuses(  # noqa: PLR0913
     ----------
     output_speed : Number
         Speed of the output link. [-]
+    missing : int
+        Constraints that the speeds lack. If none is missing, an unknown speed ratio of a converter
+        leaves the speed of the output open, and the gear is not neutral.
 
     Examples
     --------
@@ -101,7 +105,7 @@ def statuses(  # noqa: PLR0913
         TIED_UP: tied_up,
         CONFLICT: conflict,
         OUTPUT_STANDS: output_speed == 0,
-        NEUTRAL: not absolute(output_speed) >= 0,
+        NEUTRAL: bool(missing) and not absolute(output_speed) >= 0,
         NO_TORQUES: not balanced,
         LOCKED: locked,
         DRAGGED: dragged,

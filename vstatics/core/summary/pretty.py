@@ -11,7 +11,7 @@ from rich.console import Group
 from rich.text import Text
 
 from vstatics.core.numerics.tolerances import ROUNDED_NUMBER, SAME_RATIO
-from vstatics.core.statics.result_arrays import OUTPUT
+from vstatics.core.statics.result_arrays import OUTPUT, row_names
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
 from vstatics.core.statics.status import STATUSES
@@ -90,6 +90,8 @@ def view(
         key = [Text(line, style="dim") for line in _numbers(names, width)]
     parts = [gears] if terminal.whole_width(gears) <= width else [*_split(gears)]
     lines = [*_legend(results, gears, marks), *_inverses(results, digits)]
+    if converters := _converters(results):
+        lines.append(f"{', '.join(converters)}: {tr('speed ratio of a converter')}")
     legend = (Text(line, style="dim") for line in lines)
     ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
     tables = (table for part in parts for table in terminal.tables(part, width))
@@ -122,6 +124,7 @@ def gears_grid(
     columns = [
         text("gear"),
         *(Column(heading, is_sign=True, is_name=True) for heading in headings),
+        *(Column(heading, is_name=True) for heading in _converters(results)),
         *map(Column, ("ratio", "step", "eff.")),
         text(headed(speed_heading, "rpm" if rpm else "")),
         text(headed("largest torque", "Nm" if torque else "")),
@@ -132,6 +135,7 @@ def gears_grid(
         [
             Cell(line.gear),
             *element_signs(results, index, marks),
+            *(exact(ratio, digits=digits) for ratio in _speed_ratios(results, index)),
             *_figures(line, digits),
             _largest(speeds(index), 0 if rpm else 2, digits),
             _largest(_torques(by_name, index), 0 if torque else 2, digits)
@@ -143,6 +147,18 @@ def gears_grid(
         for index, line in enumerate(design(results).gears)
     ]
     return Grid(results.case.name, columns, rows)
+
+
+def _converters(results: Results) -> list[str]:
+    """Return headings for the speed ratios of converters, if a load determines any of them."""
+    case = results.case
+    if not any(map(case.sought_converters, case.gears)):
+        return []
+    return [f"i {name}" for name in row_names(case, "converters")]
+
+
+def _speed_ratios(results: Results, number: int) -> list[float]:
+    return results.speed_ratio[number].tolist() if _converters(results) else []
 
 
 def _ports(results: Results) -> Grid:

@@ -23,6 +23,7 @@ DIMENSIONS: Mapping[Rows, str] = {
     "devices": "mechanism",
     "mechanisms": "three_link_mechanism",
     "meshes": "mesh",
+    "converters": "converter",
 }
 """Names of dimensions by the kind of rows of a table, as in `docs/expressions.md`."""
 

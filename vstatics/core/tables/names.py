@@ -188,6 +188,7 @@ ROWS: Mapping[Rows, RowWords] = {
     "mechanisms": RowWords("mechanism", "mechanisms", "KG"),
     "torques": RowWords("component", "shift elements, then mechanisms, then the output", "KLG1"),
     "meshes": RowWords("mesh", "meshes", "KM"),
+    "converters": RowWords("converter", "converters", "KT"),
     "one": RowWords("gear", "gears", "NP"),
 }
 """Words for each kind of row."""

@@ -343,6 +343,7 @@ _ASKED = (
         decimals=4,
         with_load="kW",
     ),
+    Quantity("speed_ratio", "TCRATIO", "Speed ratios of converters, turbine to pump"),
     Quantity("undecided", "UNDECIDED", "Search for directions of power was cut short"),
     Quantity("turned", "TURNED", "Losses turn the flow round"),
     Quantity("choices", "CHOICES", "Sets of signs that agree with their flow"),

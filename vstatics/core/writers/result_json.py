@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
 
@@ -54,8 +54,28 @@ def document(results: Results) -> dict[str, Any]:
             for row in table.values.tolist()
         ]
         result[quantity.name] = rows[0] if quantity.rows == "one" else rows
+    if any(map(case.sought_converters, case.gears)):
+        result["converters"] = [dict(_converters(results, n)) for n in range(len(case.gears))]
     result["messages"] = [str(message) for message in results.messages]
     return result
+
+
+def _converters(results: Results, number: int) -> Iterator[tuple[str, Any]]:
+    """Yield the speed ratio of each converter of a gear, and others that agree with the load.
+
+    The value is None for a converter that is bypassed or open.
+    """
+    case, points = results.case, results.points
+    others = points.other_ratios.get(number, ()) if points else ()
+    sought = case.sought_converters(case.gears[number])
+    unloaded = case.unloaded_converters(results.gear_at(number).gear)
+    ratios = iter(results.speed_ratio[number].tolist())
+    for place, mechanism in enumerate(case.mechanisms):
+        if mechanism.kind == "converter":
+            ratio = next(ratios)
+            known = None if math.isnan(ratio) else ratio
+            found = {"speed_ratio": known, "others": list(others) if place in sought else []}
+            yield mechanism.name, None if place in unloaded else found
 
 
 def to_json(results: Results, file: str = "") -> str:

@@ -3,8 +3,9 @@
 `paths` finds the numbers that a path names. `parts` groups points by numbers that require a new
 case, such as tooth numbers, and `relative` by the signs of loads, and relates numbers to the loads.
 `laws` calculates drag torques, efficiencies and losses of gears (`gear_loss`) that depend on speed
-and torque. `balance` finds the torque that balances `machines` with a battery, and `unsolved`
-states where there is no such solution.
+and torque. `roots` searches for an unknown number of each gear: `balance` for the torque that
+balances `machines` with a battery, `converters` for the speed ratio at which a pump takes the
+torque of its gear. `unsolved` states where there is no such solution.
 """
 
 from __future__ import annotations
@@ -16,11 +17,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vstatics.core.errors import not_allowed
-from vstatics.core.model.transmission import Transmission
+from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics import diagnosis
 from vstatics.core.statics.efficiency import Efficiency
 from vstatics.core.statics.points.balance import balanced, settled_gear, without_balances
+from vstatics.core.statics.points.converters import (
+    NO_RATIO,
+    NO_TORQUE,
+    unknown_ratio,
+    with_found_ratios,
+    without_sought,
+)
 from vstatics.core.statics.points.laws import Followed, follow_laws
 from vstatics.core.statics.points.parts import cases_of_points, joined
 from vstatics.core.statics.points.paths import CaseNumber, Columns, columns_of, numbers_of, together
@@ -34,7 +42,7 @@ if TYPE_CHECKING:
 
 
 CONSEQUENCES = frozenset({"W418", "W420", "W423", "W424"})
-"""Ids of messages about missing torques, omitted if W426, W427 or W433 states the cause."""
+"""Ids of messages about missing torques, omitted if W426, W427, W431 or W433 states the cause."""
 
 
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
@@ -65,6 +73,10 @@ def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
 
 
 def _followed(case: Transmission, columns: Columns, variants: int) -> Followed:
+    case, sought = without_sought(case, columns)
+    if sought:
+        follow = partial(_followed, case)
+        return with_found_ratios(case, sought, columns, variants, follow)
     if not any(gear.balance for gear in case.gears):
         return follow_laws(case, columns, variants)
     plain, balances = without_balances(case)
@@ -116,23 +128,31 @@ def _single(case: Transmission, answer: Followed) -> Results:
     results, points = answer.results, answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     settled = with_numbers(results.case, answer.columns)
+    others = {gear: ratios[0][np.isfinite(ratios[0])] for gear, ratios in answer.others.items()}
     points = points._replace(open=answer.open, outside=answer.outside)
     points = _with_arrays(points, lambda array: array[0])._replace(
-        gears=[
-            *map(settled_gear, [case] * len(case.gears), settled.gears, answer.open[0].tolist())
-        ],
+        gears=[*map(partial(_settled, case), settled.gears, answer.open[0].tolist())],
         efficiencies=[_efficiencies(settled, answer.columns, n) for n in range(len(case.gears))],
+        other_ratios={gear: ratios.tolist() for gear, ratios in others.items()},
     )
     arrays = {name: results.in_own_unit(name)[0] for name in ARRAYS}
     at_point = results._replace(case=settled, points=points, **arrays)
-    unknown = [gear.name for gear, state in zip(case.gears, answer.open[0], strict=True) if state]
+    states = zip(case.gears, answer.open[0].tolist(), strict=True)
+    unknown = [gear.name for gear, state in states if state not in (0, NO_TORQUE)]
     said = [
         message
         for message in diagnosis.messages(at_point)
         if not (message.gear in unknown and message.id in CONSEQUENCES)
     ]
-    said += not_allowed(unsolved_messages(case, points.gears, answer), case.untold)
+    said += not_allowed(unsolved_messages(case, points, answer), case.untold)
     return at_point._replace(case=case, messages=tuple(said))
+
+
+def _settled(case: Transmission, gear: Gear, state: int) -> Gear:
+    """Return a gear with NaN for an unknown torque or speed ratio without a single solution."""
+    if state in (NO_RATIO, NO_TORQUE):
+        return unknown_ratio(case, gear)
+    return settled_gear(case, gear, state)
 
 
 def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]:

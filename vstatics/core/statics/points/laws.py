@@ -11,6 +11,7 @@ A solution is accepted only if it is the only one.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -70,10 +71,15 @@ class Followed(NamedTuple):
     """Points outside the range of laws, by the name of the part."""
     wrong: Outside = NOWHERE
     """Points at which a formula gives no efficiency, by the name of the part."""
+    others: Mapping[int, Floats] = MappingProxyType({})
+    """Smaller speed ratios at which a converter agrees with the load, by gear, (points, ratios)."""
 
 
 def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
     """Solve all points with drag torques, efficiencies and losses by laws."""
+    if not case.laws:
+        settled = np.zeros((variants, len(case.gears)), np.int8)
+        return Followed(solve_points(case, given, variants), given, settled, NOWHERE)
     laws = {number: law for number, law in laws_of(case).items() if number not in given}
     plain = without_laws(case)
     sought = {n: law for n, law in laws.items() if _is_efficiency(n) and law.over != "speed"}

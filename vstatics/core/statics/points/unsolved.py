@@ -1,29 +1,30 @@
-"""Messages about gears whose losses or battery balance have no single solution."""
+"""Messages about gears whose losses, battery balance or converter have no single solution."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from vstatics.core.errors import spoken
+from vstatics.core.errors import plural, spoken
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.points.balance import NO_BALANCE, TWO_BALANCES, sought_link
+from vstatics.core.statics.points.converters import NO_RATIO
 from vstatics.core.statics.points.laws import NO_EFFICIENCY, NONE, SEVERAL, Followed
-from vstatics.core.statics.result_arrays import Message
+from vstatics.core.statics.result_arrays import Message, OperatingPoints
 
 
 def unsolved_messages(
-    case: Transmission, settled: Sequence[Gear], answer: Followed
+    case: Transmission, points: OperatingPoints, answer: Followed
 ) -> Iterator[Message]:
     """Yield messages about gears without torques with losses.
 
     Parameters
     ----------
-    settled : sequence of Gear
-        Gears with the torques found.
+    points : OperatingPoints
+        Single point, with the numbers found.
     answer : Followed
         Solution at a single point.
     """
-    states = zip(case.gears, settled, answer.open[0].tolist(), strict=True)
+    states = zip(case.gears, points.gears, answer.open[0].tolist(), strict=True)
     for number, (gear, with_torques, state) in enumerate(states):
         if state == NO_EFFICIENCY:
             names = spoken(name for name, where in answer.wrong.items() if where[0, number])
@@ -40,3 +41,22 @@ def unsolved_messages(
             words = (none if state == NO_BALANCE else two).format(case.link_name(link))
             text = f"balance: {words} the battery balance, so the torques are unknown"
             yield Message("W427", text, gear.name)
+        if state == NO_RATIO:
+            yield Message("W431", _no_ratio(case, gear), gear.name)
+        if smaller := [f"{ratio:.4g}" for ratio in points.other_ratios.get(number, ())]:
+            name = case.mechanisms[case.sought_converters(gear)[0]].name
+            ratios = f"the speed {plural('ratio', len(smaller))} {spoken(smaller)}"
+            text = f"{name} takes the torque of the load at {ratios}, too; the largest is used"
+            yield Message("N421", text, gear.name)
+
+
+def _no_ratio(case: Transmission, gear: Gear) -> str:
+    converter = case.mechanisms[case.sought_converters(gear)[0]]
+    first, last = converter.points[0], converter.points[-1]
+    text = (
+        f"at no speed ratio from {first[0]:g} to {last[0]:g} does the pump of {converter.name} "
+        "take the torque of the load, so the torques are unknown"
+    )
+    if case.coasts(gear) and last[2] >= 0:
+        text += "; to coast it needs points beyond i = 1 with lambda below 0"
+    return text

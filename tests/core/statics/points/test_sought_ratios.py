@@ -1,0 +1,97 @@
+"""Converters without a speed ratio in files and commands: messages, answers, wrong inputs."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+
+from tests.commands import vstatics
+from vstatics import CaseError, solve
+from vstatics.core.readers import loads
+from vstatics.core.writers.deck_limits import check_deck
+from vstatics.core.writers.named import write_json, write_yaml
+
+CASE = """links: [engine, turbine, output]
+load: {speed: 200 rad/s, torque: 100 N*m}
+shift_elements: {L: [engine, turbine]}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine, points: [[0, 2, 0.002], [1, 1, 0]]}
+  pair: {first: turbine, second: output, ratio: -3}
+gears: {"1": {}, "2": {engaged: [L]}, "3": {load: {torque: 90 N*m}}}
+"""
+"""The pump takes T at i = 1 - T/80 N*m, as lambda = T/200^2."""
+
+
+def test_a_load_beyond_the_points_leaves_the_gear_without_torques() -> None:
+    """80 N*m are taken at stall; the speeds of engine and pump stay known."""
+    results = solve(loads(CASE))
+    assert [said.id for said in results.messages] == ["W431", "W431"]
+    assert results.speeds[0, 0] == 1
+    for array in (results.speeds[0, 1:], results.lossy_torques[0, 1:], results.ratio[[0, 2]]):
+        assert all(map(math.isnan, array))
+    assert results.status(1).name == results.gear(1).status.name == "no torques"
+    assert (results.ratio[1], results.status(2).name) == (-3, "")
+    at_stall = solve(loads(CASE.replace("100 N", "80 N")))
+    assert (at_stall.speed_ratio[0, 0], at_stall.lossy_output_torque[0]) == (0, -6)
+
+
+def test_json_has_the_ratio_of_each_gear_and_null_where_it_transmits_nothing(folder: Path) -> None:
+    text = CASE.replace("100 N", "20 N").replace('"3": {', '"3": {open: [TC], ')
+    (folder / "box.yaml").write_text(text)
+    answer = json.loads(vstatics("run", "box.yaml", "-f", "json").out)
+    found = {"TC": {"speed_ratio": pytest.approx(0.75), "others": []}}
+    assert answer["converters"] == [found, {"TC": None}, {"TC": None}]
+    given = text.replace("second: turbine,", "second: turbine, speed_ratio: 0.75,")
+    (folder / "box.yaml").write_text(given)
+    assert "converters" not in json.loads(vstatics("run", "box.yaml", "-f", "json").out)
+
+
+def test_it_is_written_as_it_was_read_and_no_deck_has_it() -> None:
+    case = loads(CASE)
+    assert loads(write_yaml(case)) == loads(write_json(case)) == case
+    with pytest.raises(CaseError, match="TC"):
+        check_deck(case)
+
+
+def test_a_given_ratio_stays_and_a_varied_one_too() -> None:
+    case = loads(CASE.replace('"1": {}', '"1": {speed_ratios: {TC: 0.5}}'))
+    assert solve(case).speed_ratio[0, 0] == 0.5
+    varied = solve(loads(CASE), vary={"TC.speed_ratio": [0.25, 0.5]})
+    assert varied.speed_ratio[:, 0, 0].tolist() == [0.25, 0.5]
+
+
+def test_the_sheet_of_a_gear_has_the_equation(folder: Path) -> None:
+    (folder / "box.yaml").write_text(CASE.replace("100 N", "20 N"))
+    sheet = " ".join(vstatics("explain", "box.yaml", "--worksheet", "--gear", "1").out.split())
+    assert "M = lambda(i) w |w|" in sheet
+    assert "TC: i = 0.75, lambda = 0.0005 N*m*s^2, w = 200 rad/s, M = 20 N*m." in sheet
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (", 0.002], [1, 1, 0]", "], [1, 1]", "`speed_ratio` of converter TC is missing"),
+        ("load: {speed: 200 rad/s, torque: 100 N*m}", "", "gears.1: the speed ratio of TC"),
+        (", torque: 100 N*m", "", "has no torque: expected a `load` with both"),
+        ("pair: {", "TD: {kind: converter, points: [[0, 2, 1], [1, 1, 0]], ", "TC and TD"),
+        ("[0, 2, 0.002], [1, 1, 0]", "[1, 1, 0], [0, 2, 0.002]", "points must ascend"),
+        ("[0, 2, 0.002]", "[0, 2, -0.002]", "a lambda of 0 or more"),
+        ("[0, 2, 0.002]", "[0, 2, 0]", "at no speed ratio from 0 to 1"),
+        ("torque: 100 N*m", "torque: -20 N*m", "needs points beyond i = 1"),
+    ],
+)
+def test_inputs_without_a_ratio_are_reported(
+    old: str, new: str, message: str, folder: Path
+) -> None:
+    text = CASE.replace(old, new)
+    if "TD" in new:
+        text = text.replace(", ratio: -3", "")
+    if not new:
+        text = text.replace("load: {torque: 90 N*m}", "")
+    (folder / "box.yaml").write_text(text)
+    said = vstatics("run", "box.yaml")
+    assert said.status == (0 if "i = 1" in message or "ratio from" in message else 1)
+    assert message in said.err

@@ -1,0 +1,358 @@
+"""Search for the speed ratio at which the pump of a converter takes the torque of its gear.
+
+The torque ``M`` that the gear gives to the pump with all losses, and the speed ``w`` of the pump,
+depend on the speed ratio i. At the working point ``M = lambda(i) w |w|``, equation (1.38) of
+Tsitovich and Algin, 1981. The module `roots` finds all such speed ratios from the first to the last
+point of the converter. Of several, the largest is used.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from vstatics.core.model.bodies import join
+from vstatics.core.model.parts import HOUSING, RAD_PER_RPM, Mechanism
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.tolerances import EPSILON, SAME_SOLUTION, TIE
+from vstatics.core.statics.carried import pump_factor
+from vstatics.core.statics.matrix import torque_ratio_of
+from vstatics.core.statics.physical import RELATIVE_TO_INPUT
+from vstatics.core.statics.points.laws import Followed
+from vstatics.core.statics.points.paths import CaseNumber, Columns
+from vstatics.core.statics.points.roots import Follow, Roots, find_roots
+from vstatics.core.statics.result_arrays import first_rows, row_names
+from vstatics.core.statics.results import Results
+
+LEAST_TRIALS = 65
+"""Least number of speed ratios in the grid."""
+MOST_RATIOS = 16
+"""Largest number of sign changes searched for speed ratios."""
+AGREED = 1e-12
+"""Largest difference of the torques on a pump that counts as equal.
+
+It is relative to the torque of the gear, and to the largest torque that the pump takes.
+"""
+CLOSE = 1e-14
+"""Difference of the torques on a pump at which the search ends, relative as `AGREED`."""
+ROUNDED = 16 * EPSILON
+"""Relative difference of the torques on a pump that comes from rounding alone."""
+SLOW = 0.01
+"""Speed ratio at which any real converter loses power. [-]"""
+TRIALS = 0.382, 0.618
+"""Parts of the range of speed ratios at which gears without a solution are calculated."""
+NO_RATIO, NO_TORQUE = 6, 7
+"""States of a gear: no speed ratio agrees with the load, or no speed ratio gives torques."""
+OF_SPEEDS = ("speeds", "planet_speeds", "slip_speeds", "ratio", "speed_ratio")
+"""Names of arrays that can depend on the speed ratio of a converter."""
+
+
+@dataclass(frozen=True, eq=False)
+class SoughtRatio:
+    """Speed ratio of a converter that the load of a gear determines."""
+
+    gear: int
+    owner: int
+    """Number of the converter among the mechanisms that the case gives."""
+    converter: Mechanism
+    rows: tuple[int, int]
+    """Rows of the converter in the arrays `torques` and `speed_ratio`."""
+    is_alone: bool
+    """True if nothing but the converter connects the two sides, so that the speed ratio does not
+    change the speed of the pump nor the torque of the gear on it."""
+
+    @property
+    def number(self) -> CaseNumber:
+        """Key of the speed ratio in the columns of varied numbers."""
+        return CaseNumber(self.gear, "speed_ratios", self.owner)
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """First and last speed ratio of the points [-]."""
+        return self.converter.points[0][0], self.converter.points[-1][0]
+
+    @property
+    def grid(self) -> Floats:
+        """Trial speed ratios in descending order, which contain the points [-].
+
+        Around a speed ratio at which the converter loses no power, they are close together, because
+        beyond it there are no torques.
+        """
+        by_ratio = [point[0] for point in self.converter.points]
+        pieces = math.ceil((LEAST_TRIALS - 1) / max(len(by_ratio) - 1, 1))
+        parts = [np.linspace(*ends, pieces, endpoint=False) for ends in pairwise(by_ratio)]
+        lossless = np.outer(_lossless(self.converter), [1 - ROUNDED, 1, 1 + ROUNDED]).ravel()
+        trials = np.concatenate([*parts, by_ratio[-1:], lossless])
+        return np.unique(trials[(trials >= by_ratio[0]) & (trials <= by_ratio[-1])])[::-1]
+
+    def at(self, points: Integers) -> SoughtRatio:  # noqa: ARG002 - nothing differs from point to point
+        """Return the speed ratio at chosen points."""
+        return self
+
+    def surplus(self, results: Results) -> Floats:
+        """Return the torque that the gear gives to the pump less the torque that it takes [N*m].
+
+        It is 0 where a freewheel locks up the converter.
+        """
+        ratio = self._ratio(results)
+        brought, speed = self.on_pump(results)
+        taken = pump_factor(self.converter.points, ratio) * speed * np.abs(speed)
+        left: Floats = brought - taken
+        agrees = np.abs(left) <= ROUNDED * np.maximum(np.abs(brought), np.abs(taken))
+        agrees |= np.isnan(ratio) & results.consistent[:, self.gear]
+        return np.where(agrees, 0.0, left)
+
+    def size(self, results: Results) -> Floats:
+        """Return the larger of the torque of the gear and the largest torque of the pump [N*m]."""
+        brought, speed = self.on_pump(results)
+        most = max(abs(point[2]) for point in self.converter.points)
+        size: Floats = np.maximum(np.abs(brought), most * speed**2)
+        return np.where(size > 0, size, 1.0)
+
+    @property
+    def slow(self) -> float:
+        """Speed ratio at which a driven pump loses power [-]."""
+        return min(self.ends[1], SLOW)
+
+    @property
+    def fast(self) -> float:
+        """Speed ratio at which a driven turbine loses power [-]."""
+        last, torque_ratio = self.converter.points[-1][:2]
+        return 2 * max(last, 1.0, 1 / torque_ratio if torque_ratio else 0.0)
+
+    def _ratio(self, results: Results) -> Floats:
+        return results.speed_ratio[:, self.gear, self.rows[1]]
+
+    def on_pump(self, results: Results) -> tuple[Floats, Floats]:
+        """Return the torque that the gear gives to the pump [N*m], and its speed [rad/s]."""
+        speeds = results.speeds_rpm[:, self.gear, self.converter.first - 1]
+        return results.lossy_torques_Nm[:, self.gear, self.rows[0]], speeds * RAD_PER_RPM
+
+
+def _lossless(converter: Mechanism) -> list[float]:
+    """Return the speed ratios between the points at which the torque ratio is 1/i."""
+    ratios = []
+    for (left, before, _), (right, after, _) in pairwise(converter.points):
+        slope = (after - before) / (right - left)
+        roots = np.roots([slope, before - slope * left, -1])
+        ratios += [float(root.real) for root in roots if abs(root.imag) < TIE]
+    return [ratio for ratio in ratios if ratio > 0]
+
+
+def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, list[SoughtRatio]]:
+    """Separate a case into a case with trial speed ratios and the speed ratios that are sought.
+
+    Parameters
+    ----------
+    given : mapping
+        Varied numbers, among which speed ratios are not sought.
+    """
+    gears, sought = list(case.gears), list[SoughtRatio]()
+    torques, ratios = row_names(case, "torques"), row_names(case, "converters")
+    for index, gear in enumerate(case.gears):
+        for place in case.sought_converters(gear):
+            owner = place - case.own_mechanisms.start + 1
+            numbers = CaseNumber(index, "speed_ratios", owner), CaseNumber(index, "ratio", place)
+            if any(number in given for number in numbers):
+                continue
+            part = case.mechanisms[place]
+            rows = torques.index(first_rows(case)[place]), ratios.index(part.name)
+            ratio = SoughtRatio(index, owner, part, rows, _is_alone(case, gear, place))
+            sought.append(ratio)
+            gears[index] = _with_ratio(gear, owner, _trial(ratio, TRIALS[0]))
+    return (case.replace(gears=gears) if sought else case), sought
+
+
+def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
+    """Return whether only a converter connects the input with the other side of a gear."""
+    bodies = list(range(case.links + 1))
+    elements = enumerate(case.shift_elements, 1)
+    drag, freewheels = case.gear_open_drag(gear), case.freewheels
+    joining: list[Iterable[int]] = [
+        (element.first, element.second)
+        for number, element in elements
+        if number in gear.engaged or number in freewheels or drag[number]
+    ]
+    joining += [part.links for n, part in enumerate(case.mechanisms) if n != place]
+    joining += [spring.form for spring in case.springs]
+    for links in joining:
+        join(bodies, *(link for link in links if link != HOUSING))
+    pump, turbine = (bodies[link] for link in case.mechanisms[place].links[:2])
+    is_given = gear.speeds or gear.balance is not None
+    return pump == bodies[case.gear_input(gear)] != turbine and not is_given
+
+
+def _with_ratio(gear: Gear, owner: int, ratio: float) -> Gear:
+    return gear._replace(speed_ratios={**gear.speed_ratios, owner: ratio})
+
+
+def _trial(ratio: SoughtRatio, part: float) -> float:
+    first, last = ratio.ends
+    return first + part * (last - first)
+
+
+def with_found_ratios(
+    case: Transmission,
+    sought: Sequence[SoughtRatio],
+    given: Columns,
+    variants: int,
+    follow: Follow,
+) -> Followed:
+    """Solve all points, with the speed ratios at which the pumps take the torques of the gears.
+
+    Parameters
+    ----------
+    case : Transmission
+        Case with trial speed ratios.
+    sought : sequence of SoughtRatio
+        Speed ratios that are sought, in different gears.
+    given : mapping
+        Columns of varied numbers.
+    variants : int
+        Number of points.
+    follow : callable
+        Function that solves points with given speed ratios.
+    """
+    trials = [
+        {ratio.number: np.full(variants, _trial(ratio, part)) for ratio in sought}
+        for part in TRIALS
+    ]
+    columns = {**given, **trials[0]}
+    roots = _roots(sought, columns, variants, follow)
+    state = np.zeros((variants, len(case.gears)), np.int8)
+    others: dict[int, Floats] = {}
+    for ratio in sought:
+        found = -np.sort(-roots[ratio].values, axis=0)
+        lacks = np.isnan(found[0])
+        columns[ratio.number] = np.where(lacks, columns[ratio.number], found[0])
+        others[ratio.gear] = _apart(found)
+        state[lacks, ratio.gear] = NO_TORQUE
+        state[lacks & roots[ratio].has_surplus, ratio.gear] = NO_RATIO
+    solution = follow(columns, variants)
+    results = solution.results
+    if state.any():
+        _mark_gaining(sought, columns, variants, follow, state)
+        other = follow({**columns, **trials[1]}, variants).results
+        results = _without_ratios(results, other, state)
+    return solution._replace(
+        results=results, open=np.where(state, state, solution.open), others=others
+    )
+
+
+def _roots(
+    sought: Sequence[SoughtRatio], columns: Columns, variants: int, follow: Follow
+) -> dict[SoughtRatio, Roots]:
+    """Return the speed ratios that agree with the load, without a search where possible."""
+    alone = [ratio for ratio in sought if ratio.is_alone]
+    others = [ratio for ratio in sought if not ratio.is_alone]
+    roots: dict[SoughtRatio, Roots] = {}
+    if alone:
+        trials = [{ratio.number: np.full(variants, ratio.slow) for ratio in alone}]
+        trials.append({ratio.number: np.full(variants, ratio.fast) for ratio in alone})
+        tried = [follow({**columns, **trial}, variants).results for trial in trials]
+        roots = {ratio: _roots_alone(ratio, *tried) for ratio in alone}
+    if not others:
+        return roots
+    longest = max(len(ratio.grid) for ratio in others)
+    grids = {
+        ratio: np.repeat(_extended(ratio.grid, longest)[:, None], variants, axis=1)
+        for ratio in others
+    }
+    found = find_roots(grids, columns, follow, most=MOST_RATIOS, agreed=AGREED, enough=CLOSE)
+    return roots | found
+
+
+def _roots_alone(ratio: SoughtRatio, slow: Results, fast: Results) -> Roots:
+    """Return the roots of a converter that alone connects two sides, from two trials.
+
+    The torque of the gear and the speed of the pump are equal at all speed ratios at which torques
+    exist, and lambda is linear between the points.
+    """
+    brought, speed = (
+        np.fmax(*pair) for pair in zip(*map(ratio.on_pump, (slow, fast)), strict=True)
+    )
+    with np.errstate(all="ignore"):
+        factor = brought / (speed * np.abs(speed))
+    found = []
+    for (left, _, before), (right, _, after) in pairwise(ratio.converter.points):
+        near = ROUNDED * np.maximum(np.abs(factor), max(abs(before), abs(after)))
+        inside = (min(before, after) - near <= factor) & (factor <= max(before, after) + near)
+        part = np.ones_like(factor) if before == after else (factor - before) / (after - before)
+        root = left + np.clip(part, 0.0, 1.0) * (right - left)
+        lost = brought * speed * (1 - torque_ratio_of(ratio.converter, root) * root)
+        gains = lost < -ROUNDED * np.abs(brought * speed)
+        found.append(np.where(inside & ~gains, root, np.nan))
+    return Roots(np.array([*found, np.full_like(factor, np.nan)]), np.isfinite(brought))
+
+
+def _extended(grid: Floats, length: int) -> Floats:
+    return np.concatenate([grid, np.repeat(grid[-1:], length - len(grid))])
+
+
+def _apart(found: Floats) -> Floats:
+    """Return the speed ratios below the largest, shape (points, ratios); NaN for equal ones."""
+    others = found[1:].copy()
+    others[found[:-1] - found[1:] <= SAME_SOLUTION] = np.nan
+    return others.T
+
+
+def _mark_gaining(
+    sought: Sequence[SoughtRatio],
+    columns: Columns,
+    variants: int,
+    follow: Follow,
+    state: Integers,
+) -> None:
+    """Mark gears without torques for which only their converter is the cause.
+
+    It would gain power at every speed ratio of its points, as in a gear that coasts. At a larger
+    speed ratio it would lose power, and the gear would have torques.
+    """
+    if not (state == NO_TORQUE).any():
+        return
+    beyond = {ratio.number: np.full(variants, ratio.fast) for ratio in sought}
+    results = follow({**columns, **beyond}, variants).results
+    for ratio in sought:
+        exists = np.isfinite(ratio.surplus(results))
+        state[exists & (state[:, ratio.gear] == NO_TORQUE), ratio.gear] = NO_RATIO
+
+
+def _without_ratios(results: Results, other: Results, state: Integers) -> Results:
+    """Return results without torques in gears whose speed ratio is unknown.
+
+    Speeds that differ between two trial speed ratios are unknown, too.
+    """
+    changed: dict[str, Any] = {}
+    lacks = state != 0
+    for name in (*OF_SPEEDS, *RELATIVE_TO_INPUT, "power_sign"):
+        array = results.in_own_unit(name)
+        where: Booleans = lacks.reshape(*lacks.shape, *[1] * (array.ndim - lacks.ndim))
+        if name in OF_SPEEDS:
+            same = np.isclose(array, other.in_own_unit(name), rtol=TIE, atol=TIE, equal_nan=True)
+            where = where & ~same
+        changed[name] = np.where(where, np.nan, array)
+    for name in ("consistent", "balanced", "locked", "dragged"):
+        changed[name] = getattr(results, name) & ~lacks
+    turned = results.turned & ~lacks[..., np.newaxis]
+    return results._replace(
+        **changed, turned=turned, undecided=results.undecided | (state == NO_RATIO)
+    )
+
+
+def unknown_ratio(case: Transmission, gear: Gear) -> Gear:
+    """Return a gear with NaN for the speed ratio that its load does not determine.
+
+    Parameters
+    ----------
+    gear : Gear
+        Gear with a trial speed ratio.
+    """
+    given = case.gears[case.gear_number(gear.name) - 1]
+    owners = gear.speed_ratios.keys() - given.speed_ratios.keys()
+    return gear._replace(speed_ratios={**gear.speed_ratios, **dict.fromkeys(owners, math.nan)})

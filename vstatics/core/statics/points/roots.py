@@ -1,0 +1,272 @@
+"""Search for an unknown number of each gear at which a surplus vanishes, at all points at once.
+
+The unknown is a torque that balances a battery, or the speed ratio of a converter; the surplus is a
+piecewise nearly linear function of it. It is calculated on a grid of trial numbers. In the first
+intervals in which its sign changes, roots are searched for by the Illinois rule (Dowell, Jarratt
+1971) and bisection.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import NamedTuple, Protocol, Self, TypeVar
+
+import numpy as np
+
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.tolerances import EPSILON
+from vstatics.core.statics.points.laws import Followed
+from vstatics.core.statics.points.paths import CaseNumber, Columns
+from vstatics.core.statics.results import Results
+
+NARROW = 1e-12
+"""Relative distance of neighbouring trials between which no edge is searched for."""
+EDGE_STEPS = 50
+"""Number of bisections to find the number at which the torques begin to be missing."""
+MOST_ROOT_STEPS = 100
+"""Largest number of iterations for a root."""
+MOST_POINTS_AT_ONCE = 100_000
+"""Largest number of points calculated at once, to limit memory."""
+
+Follow = Callable[[Columns, int], Followed]
+"""Function that solves points, including laws."""
+
+
+class Unknown(Protocol):
+    """Unknown number of a gear."""
+
+    @property
+    def gear(self) -> int:
+        """Index of the gear."""
+
+    @property
+    def number(self) -> CaseNumber:
+        """Key of the unknown number in the columns of varied numbers."""
+
+    def surplus(self, results: Results) -> Floats:
+        """Return the quantity that vanishes at a root, shape (points,); NaN without torques."""
+
+    def size(self, results: Results) -> Floats:
+        """Return the magnitude to which the surplus is relative, shape (points,)."""
+
+    def at(self, points: Integers) -> Self:
+        """Return the unknown at chosen points, by their indices."""
+
+
+U = TypeVar("U", bound=Unknown)
+
+
+class Roots(NamedTuple):
+    """Roots of an unknown number."""
+
+    values: Floats
+    """Roots in the order of the grid, shape (roots, points); NaN where there are fewer."""
+    has_surplus: Booleans
+    """Points at which the surplus exists for any trial number, shape (points,)."""
+
+    @property
+    def first(self) -> Floats:
+        """First root at each point; NaN without roots."""
+        place = np.argmax(np.isfinite(self.values), axis=0)
+        first: Floats = np.take_along_axis(self.values, place[None], axis=0)[0]
+        return first
+
+    @property
+    def number(self) -> Integers:
+        """Number of roots at each point."""
+        number: Integers = np.isfinite(self.values).sum(axis=0)
+        return number
+
+
+def find_roots(  # noqa: PLR0913
+    grids: Mapping[U, Floats],
+    columns: Columns,
+    follow: Follow,
+    *,
+    most: int,
+    agreed: float,
+    enough: float = 2 * EPSILON,
+) -> dict[U, Roots]:
+    """Return the roots of each unknown number.
+
+    Parameters
+    ----------
+    grids : mapping of Unknown to ndarray, shape (trials, points)
+        Trial numbers in ascending or descending order, equally many for all unknowns.
+    columns : mapping
+        Varied numbers.
+    follow : callable
+        Function that solves points with given numbers.
+    most : int
+        Largest number of sign changes searched for roots.
+    agreed : float
+        Largest relative surplus that counts as a root, not as a jump. [-]
+    enough : float
+        Relative surplus at which the search for a root ends. [-]
+    """
+    surplus = _surpluses(grids, columns, follow)
+    tried = {
+        unknown: _with_edges(unknown, columns, grid, surplus[unknown], follow)
+        for unknown, grid in grids.items()
+    }
+    found: dict[U, list[Floats]] = {unknown: [] for unknown in grids}
+    for turn in range(most):
+        searches = {unknown: _RootSearch(*_ends(*tried[unknown], turn)) for unknown in grids}
+        if turn and not any(search.is_there.any() for search in searches.values()):
+            break
+        while any(search.is_there.any() for search in searches.values()):
+            _iterate(searches, columns, follow, enough)
+            for unknown, search in searches.items():
+                found[unknown].append(np.where(search.stands(agreed), search.best, np.nan))
+            searches = {unknown: search.beyond_gap() for unknown, search in searches.items()}
+    return {
+        unknown: Roots(
+            np.array([*roots, np.full(grids[unknown].shape[1], np.nan)]),
+            np.asarray(np.isfinite(surplus[unknown]).any(axis=0)),
+        )
+        for unknown, roots in found.items()
+    }
+
+
+def _surpluses(grids: Mapping[U, Floats], columns: Columns, follow: Follow) -> dict[U, Floats]:
+    """Return the surplus of each unknown at all trials, shape (trials, points)."""
+    trials, variants = next(iter(grids.values())).shape
+    at_once = max(1, MOST_POINTS_AT_ONCE // variants)
+    surpluses: dict[U, list[Floats]] = {unknown: [] for unknown in grids}
+    for start in range(0, trials, at_once):
+        parts = {unknown: grid[start : start + at_once] for unknown, grid in grids.items()}
+        count = len(next(iter(parts.values())))
+        many = {number: np.tile(column, count) for number, column in columns.items()}
+        many |= {unknown.number: part.ravel() for unknown, part in parts.items()}
+        results = follow(many, variants * count).results
+        points = np.tile(np.arange(variants), count)
+        for unknown in grids:
+            left = unknown.at(points).surplus(results)
+            surpluses[unknown].append(left.reshape(count, variants))
+    return {unknown: np.concatenate(parts) for unknown, parts in surpluses.items()}
+
+
+def _with_edges(
+    unknown: Unknown, columns: Columns, trials: Floats, surplus: Floats, follow: Follow
+) -> tuple[Floats, Floats]:
+    """Insert a row between all rows of trials and surplus, both of shape (trials, points).
+
+    If only one of two neighbouring trials has torques, because friction locks the gear at the
+    other, the new row has the last number with torques, found by bisection, so that a sign change
+    before it is not missed. Otherwise the new row repeats the first of the two.
+    """
+    lacks = np.isnan(surplus)
+    wide = np.abs(trials[1:] - trials[:-1]) > NARROW * np.abs(trials[1:])
+    cell, point = np.nonzero((lacks[1:] != lacks[:-1]) & wide)
+    is_second = lacks[cell, point]
+    known, beyond = trials[cell + is_second, point], trials[cell + ~is_second, point]
+    last = surplus[cell + is_second, point]
+    at_points = {number: column[point] for number, column in columns.items()}
+    there = unknown.at(point)
+    for _ in range(EDGE_STEPS if len(cell) else 0):
+        middle = (known + beyond) / 2
+        surplus_there = there.surplus(
+            follow({**at_points, unknown.number: middle}, len(cell)).results
+        )
+        known, last = np.where(np.isnan(surplus_there), (known, last), (middle, surplus_there))
+        beyond = np.where(np.isnan(surplus_there), middle, beyond)
+    trials, surplus = (np.repeat(array, 2, axis=0)[:-1] for array in (trials, surplus))
+    trials[2 * cell + 1, point], surplus[2 * cell + 1, point] = known, last
+    return trials, surplus
+
+
+def _ends(
+    trials: Floats, surplus: Floats, turn: int
+) -> tuple[Floats, Floats, Floats, Floats, Booleans]:
+    """Return trials and surplus at both ends of a sign change, and flags of existence.
+
+    `turn` is the number of the sign change at each point, from 0.
+    """
+    signs = np.sign(surplus)
+    change = (signs[1:] * signs[:-1] < 0) | ((signs[1:] == 0) & (signs[:-1] != 0))
+    change[0] |= signs[0] == 0
+    place = np.argmax(np.cumsum(change, axis=0) == turn + 1, axis=0)
+    is_there = change.sum(axis=0) > turn
+    at = np.arange(surplus.shape[1])
+    low, high = trials[place, at], trials[place + 1, at]
+    return low, high, surplus[place, at], surplus[place + 1, at], is_there
+
+
+def _iterate(
+    searches: Mapping[U, _RootSearch], columns: Columns, follow: Follow, enough: float
+) -> None:
+    for step in range(MOST_ROOT_STEPS):
+        guess = {unknown: search.guess(halve=step % 4 == 3) for unknown, search in searches.items()}
+        tried = {**columns, **{unknown.number: trial for unknown, trial in guess.items()}}
+        results = follow(tried, len(next(iter(guess.values())))).results
+        for unknown, trial in guess.items():
+            searches[unknown].take(trial, unknown.surplus(results), unknown.size(results))
+        if all(search.done(enough) for search in searches.values()):
+            break
+
+
+class _RootSearch:
+    """Search for roots between two ends, at all points at once.
+
+    The Illinois rule (regula falsi with halved values of an end that stays) alternates with
+    bisection. Numbers without torques have no surplus: they count as beyond the root if `beyond`,
+    else as before the root.
+    """
+
+    def __init__(  # noqa: PLR0913
+        self,
+        low: Floats,
+        high: Floats,
+        at_low: Floats,
+        at_high: Floats,
+        is_there: Booleans,
+        *,
+        beyond: bool = True,
+    ) -> None:
+        self.ends = low, high, at_low, at_high
+        self.beyond, self.gap = beyond, np.zeros(low.shape, np.bool_)
+        self.low, self.high = low, high
+        self.at_low, self.at_high = at_low, at_high
+        self.is_there = is_there
+        self.best, self.left = low, np.full(low.shape, np.inf)
+        self.sign = np.sign(at_low)
+        self.side = np.zeros(low.shape, np.int8)
+        """End that was moved last: 1 low, -1 high."""
+
+    def guess(self, *, halve: bool) -> Floats:
+        """Return a number between the ends."""
+        halves: Floats = (self.low + self.high) / 2
+        if halve:
+            return halves
+        straight = self.low - self.at_low * (self.high - self.low) / (self.at_high - self.at_low)
+        inside = (straight >= self.low) & (straight <= self.high)
+        trial: Floats = np.where(inside, straight, halves)
+        return trial
+
+    def take(self, trial: Floats, surplus: Floats, size: Floats) -> None:
+        """Move an end to a trial; halve the value of an end that stays twice."""
+        left = np.nan_to_num(np.abs(surplus / size), nan=np.inf)
+        self.best = np.where(left < self.left, trial, self.best)
+        self.left = np.minimum(left, self.left)
+        locked = np.isnan(surplus)
+        self.gap |= locked
+        same = np.where(locked, not self.beyond, np.sign(surplus) == self.sign)
+        self.at_high = np.where(same, self.at_high / np.where(self.side > 0, 2, 1), surplus)
+        self.at_low = np.where(same, surplus, self.at_low / np.where(self.side < 0, 2, 1))
+        self.low, self.high = np.where(same, trial, self.low), np.where(same, self.high, trial)
+        self.side = np.where(same, 1, -1).astype(np.int8)
+
+    def done(self, enough: float) -> bool:
+        """Return whether no root can be approached further, or all are close enough."""
+        width = np.abs(self.high - self.low)
+        narrow = width <= 4 * EPSILON * np.maximum(np.abs(self.low), np.abs(self.high))
+        return bool((~self.is_there | narrow | (self.left <= enough)).all())
+
+    def beyond_gap(self) -> _RootSearch:
+        """Return the search for roots beyond the numbers without torques."""
+        return _RootSearch(*self.ends, self.is_there & self.gap & self.beyond, beyond=False)
+
+    def stands(self, agreed: float) -> Booleans:
+        """Return flags of points with a root, not a jump, at `best`."""
+        is_root: Booleans = self.is_there & (self.left <= agreed)
+        return is_root
