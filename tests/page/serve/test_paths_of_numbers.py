@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from hypothesis import Phase, event, given, settings
+from hypothesis import Phase, assume, event, given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
@@ -68,6 +68,12 @@ def test_sweeps_of_cases_and_scenarios_read_each_number_where_the_document_has_i
 def test_a_path_of_the_page_is_that_of_sweep_solve_and_compare(
     data: st.DataObject, case: Transmission
 ) -> None:
+    # paths of a sweep do not tell these apart: one name of two parts, a name in brackets from a unit
+    names = [one.name for one in case.shift_elements]
+    names += [one.name for one in case.mechanisms]
+    assume(
+        len({*names}) == len(names) and not any("[" in name for name in (*names, *case.link_names))
+    )
     text = write_yaml(case).encode()
     case = readers.read(text, "box.yaml").case
     documents = documents_of({"box.yaml": text}, case)
