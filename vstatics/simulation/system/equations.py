@@ -25,11 +25,11 @@ from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.curves import slope_ahead
 from vstatics.simulation.system.matrices import MotionSystem, MovingVariator, RigidMechanism
-from vstatics.simulation.system.varying_losses import VaryingLosses
 from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure, null
 from vstatics.simulation.system.values import ValueChanges
 from vstatics.simulation.system.variators import VariatorTorques
+from vstatics.simulation.system.varying_losses import VaryingLosses
 from vstatics.simulation.tolerances import (
     AHEAD,
     DIFFERENCE_STEP,
