@@ -24,6 +24,7 @@ from vstatics.simulation.events.start import (
     with_fixed_ratios,
 )
 from vstatics.simulation.record.asked import rows_of_tables
+from vstatics.simulation.record.dynamic_factors import dynamic_factors, static_torques
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.scenario.checks import check_scenario
@@ -94,6 +95,7 @@ def simulate(  # noqa: PLR0913 - all but the first by name
     if step is not None and not 0 <= step < math.inf:
         raise ValueError(f"step is {step:g}, expected a number of seconds")
     check_scenario(scenario)
+    static = static_torques(scenario)
     with np.errstate(all="ignore"):  # invalid numbers are reported where they matter
         if method == "tarasik":
             from vstatics.simulation.published.tarasik import tarasik
@@ -102,7 +104,8 @@ def simulate(  # noqa: PLR0913 - all but the first by name
         else:
             run = begun(scenario, step=step, rtol=rtol, watch=watch, columns=columns)
             motion = _to_its_end(run)
-    return motion._replace(case=scenario.case)
+    factors = dynamic_factors(static, motion.peaks)
+    return motion._replace(case=scenario.case, dynamic_factors=factors)
 
 
 def begun(

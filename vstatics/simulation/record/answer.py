@@ -48,6 +48,8 @@ class MotionAnswer(NamedTuple):
     events: Sequence[Event]
     energy: Energy
     peaks: Mapping[str, Peak]
+    dynamic_factors: Sometimes[Mapping[str, float | None]]
+    """Largest torques divided by those of statics, if the scenario has `static`."""
     damage: Sometimes[Annotated[object, Provided("Damages")]]
     """Fatigue damage by component, if asked for."""
     targets: Sometimes[Sequence[Reached]]
@@ -85,6 +87,7 @@ def motion_answer(
         motion.events,
         motion.energy,
         motion.peaks,
+        motion.dynamic_factors or None,
         motion.damage if damage else None,
         motion.reached if targets else None,
         motion.messages,

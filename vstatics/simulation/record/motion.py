@@ -128,6 +128,9 @@ class Motion(NamedTuple):
         Tables for pictures and the report; empty for the method `tarasik`.
     case : Transmission
         Case of the scenario.
+    dynamic_factors : mapping of str to float or None
+        Largest torque of each component divided by the torque in statics, if the scenario has
+        `static`; None where that is 0.
 
     Examples
     --------
@@ -159,6 +162,7 @@ class Motion(NamedTuple):
     damage: Mapping[str, Damage] = MappingProxyType({})
     beside: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
     case: Transmission | None = None
+    dynamic_factors: Mapping[str, float | None] = MappingProxyType({})
 
     def __repr__(self) -> str:
         """Return the case, the duration and the number of events."""

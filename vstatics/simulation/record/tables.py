@@ -23,13 +23,17 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
     yield _energy(motion)
     torques = _of_kind(peak.torque for peak in motion.peaks.values())
     rows = [
-        (name, torques(peak.torque), exact(peak.time, digits=6))
+        (name, torques(peak.torque), exact(peak.time, digits=6), motion.dynamic_factors.get(name))
         for name, peak in motion.peaks.items()
         if peak.torque
     ]
     if rows:
         yield grid_of(
-            "Largest torques", ["component", "torque [N*m]", "time [s]"], rows, key="peaks"
+            "Largest torques",
+            ["component", "torque [N*m]", "time [s]", "dynamic factor"],
+            rows,
+            key="peaks",
+            optional=["dynamic factor"],
         )
     if motion.reached:
         targets = (

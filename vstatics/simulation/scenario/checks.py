@@ -94,6 +94,11 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
             yield from of_range(step.shift.overlap, "a time", (*path, "shift", "overlap"))
     yield from _of_formulas(scenario)
     yield from _of_speeds(scenario.targets, scenario.case, "targets")
+    if scenario.static is not None:
+        yield from _of_gear(scenario.static.gear, scenario.case, ("static", "gear"))
+        if not 0 < abs(scenario.static.torque) < math.inf:
+            message = f"read {scenario.static.torque:g}, expected a torque other than 0"
+            yield Problem("E640", message, ("static", "torque"))
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:

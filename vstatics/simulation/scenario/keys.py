@@ -423,6 +423,20 @@ _EVALUATION_KEYS = (
         examples=({"vehicle": [8.3, 27.8]},),
     ),
     KeyShape(
+        "static",
+        ByKey(
+            "Static",
+            "A gear and an input torque, to whose torques in statics, with losses, the largest "
+            "torques of the run are compared: their quotients are dynamic factors.",
+            (
+                KeyShape("gear", TEXT, "Name of a gear.", required=True, examples=("1",)),
+                KeyShape("torque", _TORQUE, "Input torque, in N*m.", required=True),
+            ),
+        ),
+        "Gear and input torque of statics, for dynamic factors.",
+        examples=({"gear": "1", "torque": 150},),
+    ),
+    KeyShape(
         "samples",
         ByName("number", SAMPLES),
         "Distributions of numbers of this scenario or its case, by their paths.",

@@ -150,6 +150,14 @@ class StepSequence(NamedTuple):
     """True for a sequence that begins again after the last step."""
 
 
+class StaticTorque(NamedTuple):
+    """Gear and input torque to whose statics the largest torques of a run are compared."""
+
+    gear: str
+    torque: float
+    """Input torque. [N*m]"""
+
+
 class Scenario(NamedTuple):
     """Inputs of a case over time.
 
@@ -180,6 +188,8 @@ class Scenario(NamedTuple):
         or a formula of t. [-]
     limits : mapping of int to Curve
         Number of a spring -> limit of its torque, instead of the `limit` of the case. [N*m]
+    static : StaticTorque, optional
+        Gear and input torque for dynamic factors.
 
     Examples
     --------
@@ -207,6 +217,7 @@ class Scenario(NamedTuple):
     speeds: Mapping[int, Curve] = MappingProxyType({})
     speed_ratios: Mapping[int, Curve] = MappingProxyType({})
     limits: Mapping[int, Curve] = MappingProxyType({})
+    static: StaticTorque | None = None
 
     @property
     def value_names(self) -> list[str]:

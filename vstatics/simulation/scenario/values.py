@@ -38,6 +38,7 @@ from vstatics.simulation.scenario.parts import (
     SequenceStep,
     Shift,
     Start,
+    StaticTorque,
     StepSequence,
 )
 from vstatics.simulation.scenario.words import elastic_names
@@ -91,6 +92,7 @@ class ScenarioValues:
                 number: self._curve(limit, self._limit_measure(number), ("limits", number))
                 for number, limit in values.get("limits", {}).items()
             },
+            static=_static(values.get("static")),
             speed_ratios={
                 number: _ratios(ratio) for number, ratio in values.get("speed_ratios", {}).items()
             },
@@ -333,6 +335,10 @@ def _state(name: str, given: Mapping[str, Any]) -> ControlState:
         _limit(given.get("min"), -math.inf),
         _limit(given.get("max"), math.inf),
     )
+
+
+def _static(given: Mapping[str, Any] | None) -> StaticTorque | None:
+    return StaticTorque(given["gear"], float(given["torque"] or 0.0)) if given else None
 
 
 def _shift(given: Mapping[str, Any], at: float) -> Shift:

@@ -54,6 +54,11 @@ def _damage(motion: Motion, row: str, _: int) -> float:
     return motion.damage[row].damage if row in motion.damage else math.nan
 
 
+def _dynamic_factor(motion: Motion, row: str, _: int) -> float:
+    factor = motion.dynamic_factors.get(row)
+    return math.nan if factor is None else factor
+
+
 def _step(motion: Motion, row: str, _: int) -> float:
     """Return the time at which a step was done for the first time."""
     done = (event.time for event in motion.events if f"{event.element},{event.step}" == row)
@@ -79,6 +84,7 @@ TABLES = {
     "losses": MotionTable("loss", "J", partial(_energy, "losses", 0.0)),
     "peaks": MotionTable("device", "N*m", partial(_peak, "torque")),
     "peak_times": MotionTable("device", "s", partial(_peak, "time")),
+    "dynamic_factor": MotionTable("device", "", _dynamic_factor),
     "locks": MotionTable("friction", "s", partial(_event_time, "locks", 0)),
     "last_locks": MotionTable("friction", "s", partial(_event_time, "locks", -1)),
     "breaks": MotionTable("friction", "s", partial(_event_time, "slips", 0)),

@@ -1,0 +1,66 @@
+"""Dynamic factors: largest torques of a run relative to the torques of statics."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.statics.result_arrays import first_rows, row_names
+from vstatics.core.statics.solve import solve
+from vstatics.simulation.record.motion import Peak
+from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.tolerances import PRINTED
+
+
+def static_torques(scenario: Scenario) -> dict[str, float]:
+    """Return the torques of components by statics, with losses, as magnitudes [N*m].
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Scenario with `static`; without it, the result is empty. The speed, which losses can depend
+        on, is that of the `load` of the gear, or else that of the start.
+
+    Raises
+    ------
+    CaseError
+        If statics cannot calculate the gear.
+    """
+    if scenario.static is None:
+        return {}
+    case, torque = scenario.case, scenario.static.torque
+    gear = case.gears[case.gear_number(scenario.static.gear) - 1]
+    load = case.gear_load(gear)
+    speed = scenario.start.speed / RAD_PER_RPM if load.speed is None else load.speed
+    gear = gear._replace(load=load._replace(speed=speed, torque=torque, power=None))
+    try:
+        results = solve(replace(case, gears=[gear], coast=None))
+    except CaseError as error:
+        problems = [problem._replace(path=("static",), place=None) for problem in error.problems]
+        raise CaseError(problems) from None
+    rows = np.abs(results.lossy_torques[0] * torque).tolist()
+    by_row = dict(zip(row_names(case, "torques"), rows, strict=True))
+    parts = case.devices[len(case.shift_elements) :]
+    return by_row | {parts[index]: by_row[row] for index, row in first_rows(case).items()}
+
+
+def dynamic_factors(
+    static: Mapping[str, float], peaks: Mapping[str, Peak]
+) -> dict[str, float | None]:
+    """Return the largest torques divided by those of statics, None where these are 0.
+
+    >>> dynamic_factors({"C": 50.0, "B": 0.0}, {"C": Peak(-91.5, 0.2), "B": Peak(3.0, 0.1)})
+    {'C': 1.83, 'B': None}
+    >>> dynamic_factors({}, {"C": Peak(-91.5, 0.2)})
+    {}
+    """
+    least = PRINTED * max(static.values(), default=0.0)
+    return {
+        name: abs(peak.torque) / static[name] if static.get(name, 0.0) > least else None
+        for name, peak in peaks.items()
+        if static
+    }
