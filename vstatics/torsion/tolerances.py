@@ -74,3 +74,7 @@ SPEED_RATIO_STEP = 1e-15
 """Accuracy of the speed ratio of a converter at its working point. [-]"""
 SECANT_STEP = 1e-6
 """Relative distance of the first two points of the secant method."""
+SETTLED_FRICTION = 1e-12
+"""Relative change of a torque of dry friction below which the iteration has settled. [-]"""
+STUCK_TORQUE = 1e-9
+"""Relative amount by which a torque must be below the dry friction to count as stuck. [-]"""

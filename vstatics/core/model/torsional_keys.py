@@ -210,7 +210,7 @@ SPRING = ByKey(
         KeyShape(
             "friction",
             Leaf("si_torque", straight=True),
-            "Dry friction in parallel, in N*m, in a scenario.",
+            "Dry friction in parallel, in N*m, in a scenario and in `torsion response`.",
             default=0,
             limits={"minimum": 0},
             examples=("14 N*m",),

@@ -185,9 +185,23 @@ def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
     return _slope_notes(reading, [mean_gear(reading.case, by_name[name]) for name in gears])
 
 
-def working_notes(reading: Reading, gears: Iterable[WorkingGear]) -> list[Problem]:
-    """Return notes about slopes of springs and about neglected friction."""
-    return [*_slope_notes(reading, list(gears)), *_friction_notes(reading)]
+def working_notes(
+    reading: Reading, gears: Iterable[WorkingGear], *, friction: bool = False
+) -> list[Problem]:
+    """Return notes about slopes of springs, and about friction that is neglected or linearised."""
+    notes = _damper_notes(reading) if friction else _friction_notes(reading)
+    return [*_slope_notes(reading, list(gears)), *notes]
+
+
+def _damper_notes(reading: Reading) -> Iterator[Problem]:
+    for number, spring in enumerate(reading.case.springs, 1):
+        if spring.friction:
+            text = (
+                f"the dry friction M of {spring.name}, {spring.friction:g} N*m, counts as the "
+                "damper 4 M/(pi A w) at the amplitude A of its twist, for each order alone; a "
+                "torque on it below 4 M/pi does not move it"
+            )
+            yield reading.locate(Problem("N508", text, ("springs", number, "friction")))
 
 
 def _friction_notes(reading: Reading) -> Iterator[Problem]:

@@ -12,7 +12,7 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.values import numbers, told, value
-from vstatics.core.errors import listed, plural
+from vstatics.core.errors import listed, plural, spoken
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
     CASE_OPTIONS,
@@ -25,6 +25,7 @@ from vstatics.torsion.cli.case import (
 )
 
 if TYPE_CHECKING:
+    from vstatics.core.model.transmission import Transmission
     from vstatics.core.numerics.arrays import Floats
     from vstatics.pictures.drawing.style import PictureFiles
     from vstatics.torsion.forced.harmonic_torques import GearResponse, Harmonic
@@ -131,6 +132,25 @@ def _unbounded(gear: GearResponse) -> str:
     )
 
 
+def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
+    """Return a note about springs that are stuck in a response, or an empty text.
+
+    The torque of a spring that slides is at least that of its friction, ``4 M/pi``.
+    """
+    import numpy as np
+
+    from vstatics.torsion.tolerances import STUCK_TORQUE
+
+    notes = []
+    for order in gear.orders:
+        for spring in case.springs:
+            torques = np.abs(order.torques.get(spring.name, np.zeros(0)))
+            limit = 4 / math.pi * spring.friction * (1 - STUCK_TORQUE)
+            if count := int((torques < limit).sum()):
+                notes.append(f"{spring.name} in order {order.order:g} at {count} of {len(torques)}")
+    return f"stuck by dry friction, with amplitude 0: {spoken(notes)} speeds" if notes else ""
+
+
 @command
 @click.option(
     "--at",
@@ -185,6 +205,9 @@ def response_command(
     coincides with a natural frequency of LINK are added. Springs with `points` and
     converters have their slopes at the operating point of CASE.
 
+    Dry friction M of a spring counts as the damper 4 M/(pi A w) at the amplitude A of its
+    twist; a smaller torque does not move it.
+
     Text shows the largest values; CSV, XLSX and JSON contain all values. An undamped system
     has no value exactly at its natural frequency.
 
@@ -215,7 +238,10 @@ def response_command(
         gears = calculate_response(case, link, harmonics, speed, names, speed_ratios=chosen.ratios)
         if with_sum:
             gears = [gear.with_sum() for gear in gears]
-        notes = working_notes(reading, working)
+        notes = [
+            *working_notes(reading, working, friction=True),
+            *located(reading, ((gear.name, _stuck_springs(case, gear)) for gear in gears), "N509"),
+        ]
         unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in gears), "N630")
         grids = speed_grids if to.form == "xlsx" else largest_grids
         return gears_answer(

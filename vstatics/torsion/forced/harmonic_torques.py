@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import partial
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -17,6 +18,7 @@ from vstatics.core.numerics.arrays import Booleans, Complex, Floats
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.tables.answer import Failure, Sometimes, json_keys
 from vstatics.torsion.forced.cycle import Sum, summed
+from vstatics.torsion.forced.dry_friction import DryFriction
 from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem
@@ -134,7 +136,9 @@ def response(  # noqa: PLR0913 - all but the first by name
 
     The equation is ``(K + i omega D + i sgn(omega) H - omega^2 M) q = Q``, with stiffness K,
     viscous damping D, hysteretic damping H (loss factor times stiffness, at any frequency), inertia
-    M, the amplitudes q and the exciting torque Q.
+    M, the amplitudes q and the exciting torque Q. The dry friction M of a spring is the damper
+    ``4 M/(pi A omega)`` at the amplitude A of its twist, for each order alone; a smaller torque
+    does not move the spring.
 
     Parameters
     ----------
@@ -211,12 +215,18 @@ def _gear_response(
     ]
     speeds = _with_peaks(speeds, [resonance.speed for resonance in resonances if resonance.damped])
     orders = []
+    friction = DryFriction.of(case, system)
     for harmonic in harmonics:
         with np.errstate(over="ignore", invalid="ignore"):  # absurd speeds give NaN
             omegas = harmonic.order * RAD_PER_RPM * speeds
-            amplitudes = _amplitudes(system, split, at, omegas, natural.omegas[undamped])
-            amplitudes *= harmonic.amplitude * np.exp(1j * harmonic.phase)
-            by_device = _torques(system, at, omegas, amplitudes, harmonic)
+            moved = partial(_amplitudes, system, split, omegas, natural.omegas[undamped])
+            torque = harmonic.amplitude * np.exp(1j * harmonic.phase)
+            amplitudes = torque * moved(split.free[at])
+            by_torque = [moved(row @ split.free) for row in friction.rows]
+            resisting = friction.torques(amplitudes, by_torque, omegas)
+            for name, columns in zip(friction.names, by_torque, strict=True):
+                amplitudes -= columns * resisting[name]
+            by_device = _torques(system, (at, torque), omegas, amplitudes, resisting)
             named = own_torques(case, system, by_device, amplitudes * omegas**2)
         amplitudes[split.undetermined] = np.nan
         links = dict(zip(system.names[: system.case_links], amplitudes, strict=False))
@@ -266,9 +276,9 @@ def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
 
 
 def _amplitudes(
-    system: TorsionalSystem, split: Coordinates, at: int, omegas: Floats, undamped: Floats
+    system: TorsionalSystem, split: Coordinates, omegas: Floats, undamped: Floats, forces: Floats
 ) -> Complex:
-    """Calculate the amplitudes of all links under 1 N*m, shape (links, speeds) [rad].
+    """Calculate the amplitudes of all links under forces on free motions, (links, speeds) [rad].
 
     Amplitudes are NaN at the frequency of an undamped mode, and at 0 if rigid motions exist.
     """
@@ -280,7 +290,7 @@ def _amplitudes(
     amplitudes = np.full((len(system.names), len(omegas)), np.nan, complex)
     batches = math.ceil(len(bounded) * free.shape[1] ** 2 / MOST_ENTRIES)
     for batch in np.array_split(bounded, max(1, batches)):
-        amplitudes[:, batch] = free @ _solved(matrices, free[at], omegas[batch]).T
+        amplitudes[:, batch] = free @ _solved(matrices, forces, omegas[batch]).T
     return amplitudes
 
 
@@ -306,20 +316,38 @@ def _solved(
 
 
 def _torques(
-    system: TorsionalSystem, at: int, omegas: Floats, amplitudes: Complex, harmonic: Harmonic
+    system: TorsionalSystem,
+    exciting: tuple[int, complex],
+    omegas: Floats,
+    amplitudes: Complex,
+    friction: Mapping[str, Complex],
 ) -> dict[str, Complex]:
-    """Calculate the torques on the first links of devices, shape (speeds,) [N*m]."""
+    """Calculate the torques on the first links of devices, shape (speeds,) [N*m].
+
+    Parameters
+    ----------
+    exciting : tuple of int and complex
+        Index of the excited link, and the torque on it. [N*m]
+    friction : mapping of str to ndarray
+        Torques of dry friction, by the names of springs. [N*m]
+    """
+    at, torque = exciting
     acting = np.asarray(system.link_inertias)[:, None] * amplitudes * omegas**2
-    acting[at] += harmonic.amplitude * np.exp(1j * harmonic.phase)
+    acting[at] += torque
     elastic: dict[str, Complex] = {}
     for device in system.elastic:
         damping, rate = device.damping, device.rate
         resisted = omegas * damping.viscous + np.sign(omegas) * rate * damping.loss_factor
         elastic[device.name] = (rate + 1j * resisted) * form_values(device.twist, amplitudes)
+        elastic[device.name] += friction.get(device.name, 0.0)
     slipping = 1j * omegas * (system.slip_resistance @ amplitudes)
+    for damper in system.dampers:
+        for link, part in damper.twist.items():
+            slipping[link] += part * friction.get(damper.name, 0.0)
     torques = with_rigid(system, balance(system), acting - slipping, elastic)
     torques |= {
         damper.name: 1j * omegas * damper.damping.viscous * form_values(damper.twist, amplitudes)
+        + friction.get(damper.name, 0.0)
         for damper in system.dampers
     }
     speeds = 1j * omegas * amplitudes

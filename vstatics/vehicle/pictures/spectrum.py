@@ -25,7 +25,7 @@ SPECTRUM_SCALE_WIDTH, SPECTRUM_SCALE_HEIGHT = 44.0, 32.0
 """Width and height of the scales of a panel. [pt]"""
 NAME_ROOM = 2 * LINE_HEIGHT * SIZE + 4.0
 """Height of the name of a member and the time without torque above a panel. [pt]"""
-MOST_PANELS = 60
+MOST_SPECTRA = 60
 """Largest number of drawn members."""
 
 
@@ -61,7 +61,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
         for name, spectrum in (duty.spectrum or {}).items()
         if any(each.revolutions > 0 for each in spectrum.classes)
     }
-    spectra = dict(list(turning.items())[:MOST_PANELS])
+    spectra = dict(list(turning.items())[:MOST_SPECTRA])
     counts = [each.revolutions for spectrum in spectra.values() for each in spectrum.classes]
     counts = [count for count in counts if count > 0]
     if not counts:

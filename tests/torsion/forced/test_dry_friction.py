@@ -1,0 +1,132 @@
+"""Dry friction under a harmonic torque: harmonic balance, an iteration in NumPy, motion in time."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.chance import count, generator
+from tests.commands import json_answer, vstatics
+from vstatics import Spring, Transmission
+from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.numerics.arrays import Complex, Floats
+from vstatics.torsion.forced.harmonic_torques import Harmonic, response
+
+RPM = np.linspace(20.0, 400.0, 30)
+
+
+def one_mass(friction: float, damping: float = 0.0) -> Transmission:
+    """0.5 kg*m^2 on 800 N*m/rad with dry friction."""
+    spring = Spring({1: 1}, stiffness=800.0, damping=damping, friction=friction, name="mount")
+    return Transmission(1, [], [], [], springs=[spring], inertias={1: 0.5})
+
+
+def test_one_mass_slides_by_den_hartogs_approximation() -> None:
+    """Undamped: A = sqrt(F^2 - (4 M/pi)^2)/|c - J w^2|, and 0 below 4 M/pi."""
+    for friction, force in ((2.0, 3.0), (10.0, 3.0), (2.0, 2.5)):
+        [gear] = response(one_mass(friction), 1, [Harmonic(2.0, force)], RPM)
+        omega, limit = 2 * RAD_PER_RPM * gear.speeds, 4 * friction / math.pi
+        expected = math.sqrt(max(force**2 - limit**2, 0)) / np.abs(800 - 0.5 * omega**2)
+        [order] = gear.orders
+        np.testing.assert_allclose(np.abs(order.amplitudes["1"]), expected, rtol=1e-9, atol=1e-15)
+        torque = order.torques["mount"] - 0.5 * omega**2 * order.amplitudes["1"]
+        np.testing.assert_allclose(torque, force, rtol=1e-9)  # balance of the mass
+
+
+def equivalent(
+    matrices: tuple[Floats, Floats, Floats], rows: Floats, limits: Floats, force: Floats, w: float
+) -> Complex:
+    """The response by dampers 4 M/(pi A w), iterated from large amplitudes with halved steps."""
+    mass, stiffness, resistance = matrices
+    sizes: Floats = np.ones(len(rows))
+    for _ in range(20_000):
+        lost = rows.T @ np.diag(limits / sizes) @ rows
+        dynamic = stiffness - w**2 * mass + 1j * (w * resistance + lost)
+        q: Complex = np.linalg.solve(dynamic.astype(complex), force.astype(complex))
+        new = np.maximum(np.abs(rows @ q), 1e-10)  # stuck, still well conditioned
+        if np.all(np.abs(new - sizes) <= 1e-13 * sizes):
+            break
+        sizes = np.sqrt(new * sizes)
+    return q
+
+
+def test_random_chains_agree_with_an_iteration_of_dampers() -> None:
+    """Chains of 2 to 4 masses, friction in one to three springs; sticking ones, too."""
+    chance, compared, stuck = generator(508), 0, 0
+    for _ in range(count(25, 250)):
+        size = int(chance.integers(2, 5))
+        inertias = chance.uniform(0.05, 2, size)
+        rates, dampings = chance.uniform(50, 900, size), chance.uniform(0.5, 4, size)
+        friction = chance.uniform(0.1, 3, size) * (chance.random(size) < 0.6)
+        friction[0] = friction[0] or 0.5
+        forms = np.eye(size) - np.eye(size, k=1)  # link n against link n + 1, the last to housing
+        springs = [
+            Spring(
+                {link + 1: float(part) for link, part in enumerate(form) if part},
+                stiffness=rate,
+                damping=damping,
+                friction=dry,
+                name=f"s{n}",
+            )
+            for n, (form, rate, damping, dry) in enumerate(
+                zip(forms, rates, dampings, friction, strict=True)
+            )
+        ]
+        case = Transmission(
+            size, [], [], [], springs=springs, inertias=dict(enumerate(inertias.tolist(), 1))
+        )
+        amplitude = float(chance.uniform(2, 20))
+        [gear] = response(case, 1, [Harmonic(1.0, amplitude)], chance.uniform(20, 600, 4))
+        q = np.array(list(gear.orders[0].amplitudes.values()))
+        dry = friction > 0
+        stiffness, resistance = (forms.T @ np.diag(each) @ forms for each in (rates, dampings))
+        matrices = np.diag(inertias), stiffness, resistance
+        force = amplitude * np.eye(size)[0]
+        for w, column in zip(RAD_PER_RPM * gear.speeds, q.T, strict=True):
+            own = equivalent(matrices, forms[dry], 4 / np.pi * friction[dry], force, w)
+            twists = np.abs(forms[dry] @ own)
+            stuck += int((twists < 1e-8).sum())
+            compared += 1
+            np.testing.assert_allclose(column, own, atol=1e-6 * np.abs(own).max())
+    assert compared >= 100
+    assert stuck > 5
+
+
+def test_the_motion_in_time_has_nearly_this_amplitude() -> None:
+    """Damped, near resonance: integrated with a steep tanh for the sign; 1 % of the first harmonic."""
+    friction, force, damping, w = 1.0, 5.0, 4.0, 36.0
+    [gear] = response(one_mass(friction, damping), 1, [Harmonic(1.0, force)], [w / RAD_PER_RPM])
+    expected = float(np.abs(gear.orders[0].amplitudes["1"][0]))
+
+    def motion(t: float, state: Floats) -> list[float]:
+        angle, speed = state
+        resisting = 800 * angle + damping * speed + friction * math.tanh(speed / 1e-3)
+        return [speed, (force * math.cos(w * t) - resisting) / 0.5]
+
+    period = 2 * math.pi / w
+    times = np.linspace(30 * period, 31 * period, 400, endpoint=False)
+    run = solve_ivp(motion, (0, times[-1]), [0.0, 0.0], t_eval=times, rtol=1e-7, method="LSODA")
+    first = 2 * np.mean(run.y[0] * np.exp(-1j * w * times))
+    assert abs(first) == pytest.approx(expected, rel=0.01)
+
+
+def test_notes_say_how_friction_counts_and_what_is_stuck(folder: Path) -> None:
+    (folder / "case.yaml").write_text(
+        "links: [a, b]\ninertias: {a: 0.5, b: 1}\ngears: {only: []}\n"
+        "springs: {shaft: {links: [a, b], stiffness: 800, friction: 2 N*m}}\n"
+    )
+    (folder / "torque.csv").write_text("order,amplitude [N*m]\n1,30\n")
+    asked = ("torsion", "response", "case.yaml", "--speed", "100,200", "-f", "json")
+    said = vstatics(*asked, "--orders", "1")
+    assert "the dry friction M of shaft, 2 N*m, counts as the damper" in said.err
+    assert (
+        "gear only: stuck by dry friction, with amplitude 0: shaft in order 1 at 2 of 2" in said.err
+    )
+    moving = vstatics(*asked, "--torque", "torque.csv")
+    assert "stuck" not in moving.err
+    [gear] = json_answer(*asked, "--torque", "torque.csv", "-q")["gears"]
+    assert gear["orders"][0]["torques"]["shaft"]

@@ -1,0 +1,184 @@
+"""Dry friction of springs under a harmonic torque, as the equivalent damper of each amplitude.
+
+The friction M of a spring whose twist has the amplitude A at the frequency w dissipates as much as
+the damper ``4 M/(pi A w)``. Its torque then has the amplitude ``4 M/pi``, whatever A is, in phase
+with the rate of twist; a smaller torque does not move the spring, which is stuck.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Complex, Floats
+from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.tolerances import SETTLED_FRICTION
+
+MOST_FRICTION_SWEEPS = 40
+"""Largest number of sweeps over all springs, one by one."""
+MOST_NEWTON_STEPS = 60
+"""Largest number of Newton steps for frequencies at which the sweeps do not settle."""
+
+
+RATE_SCALES = (1.0, 0.1, 10.0, 0.01, 100.0)
+"""Scales of the rates of twist that are tried one after another. [-]"""
+
+
+class DryFriction(NamedTuple):
+    """Springs with dry friction of a gear."""
+
+    names: tuple[str, ...]
+    rows: Floats
+    """Twists of the springs, shape (springs, links)."""
+    limits: Floats
+    """Amplitude ``4 M/pi`` of the torque of each spring that slides. [N*m]"""
+
+    @classmethod
+    def of(cls, case: Transmission, system: TorsionalSystem) -> DryFriction:
+        """Return the springs of a case with dry friction."""
+        twists = {device.name: device.twist for device in (*system.devices, *system.dampers)}
+        springs = [spring for spring in case.springs if spring.friction and spring.name in twists]
+        names = tuple(spring.name for spring in springs)
+        limits = np.array([4 / math.pi * spring.friction for spring in springs])
+        return cls(names, system.rows([twists[name] for name in names]), limits)
+
+    def torques(
+        self, amplitudes: Complex, by_torque: Sequence[Complex], omegas: Floats
+    ) -> dict[str, Complex]:
+        """Return the torque of the friction of each spring, shape (frequencies,) [N*m].
+
+        Parameters
+        ----------
+        amplitudes : ndarray, shape (links, frequencies)
+            Amplitudes of the links without friction. [rad]
+        by_torque : sequence of ndarray, shape (links, frequencies)
+            Amplitudes of the links under 1 N*m on the twist of each spring. [rad]
+        omegas : ndarray, shape (frequencies,)
+            Angular frequencies; at 0 there is no friction. [rad/s]
+        """
+        if not self.names:
+            return {}
+        free = (self.rows @ amplitudes).T
+        receptance = np.stack([(self.rows @ columns).T for columns in by_torque], axis=2)
+        torques = friction_torques(free, receptance, self.limits)
+        torques[omegas == 0] = 0.0
+        return dict(zip(self.names, torques.T, strict=True))
+
+
+def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Complex:
+    """Return the torques of dry friction at given frequencies.
+
+    Each torque resists the twist ``free - receptance @ torques``.
+
+    Parameters
+    ----------
+    free : ndarray, shape (frequencies, springs)
+        Twists without friction. [rad]
+    receptance : ndarray, shape (frequencies, springs, springs)
+        Twists by torques of 1 N*m on the springs. [rad/(N*m)]
+    limits : ndarray, shape (springs,)
+        Amplitude of the torque of a spring that slides. [N*m]
+
+    Returns
+    -------
+    ndarray, shape (frequencies, springs)
+        NaN where no solution was found. [N*m]
+
+    Examples
+    --------
+    A spring of 100 N*m/rad with a limit of 3 N*m slides under 5 N*m with 4/100 rad, and is stuck
+    under 2 N*m:
+
+    >>> torques = friction_torques(
+    ...     np.array([[0.05], [0.02]], complex), np.full((2, 1, 1), 0.01 + 0j), np.array([3.0])
+    ... )
+    >>> (np.abs(np.array([[0.05], [0.02]]) - 0.01 * torques)).round(12).tolist()
+    [[0.04], [0.0]]
+    """
+    torques = np.zeros_like(free)
+    own = np.diagonal(receptance, axis1=1, axis2=2)
+    unsettled = np.arange(len(free))
+    for _ in range(MOST_FRICTION_SWEEPS):
+        before = torques[unsettled]
+        for spring, limit in enumerate(limits):
+            others = (receptance[unsettled, spring] * torques[unsettled]).sum(axis=1)
+            alone = own[unsettled, spring]
+            left = free[unsettled, spring] - others + alone * torques[unsettled, spring]
+            torques[unsettled, spring] = _torque_alone(left, alone, float(limit))
+        change = np.abs(torques[unsettled] - before) > SETTLED_FRICTION * limits
+        unsettled = unsettled[change.any(axis=1)]
+        if not len(unsettled):
+            return torques
+    last = torques[unsettled]
+    for origin, factor in product((1.0, 0.0), RATE_SCALES):
+        start = origin * last
+        parts = free[unsettled], receptance[unsettled]
+        torques[unsettled] = _newton(*parts, limits, start, factor)
+        left_open = np.isnan(torques[unsettled]).any(axis=1)
+        if not left_open.any():
+            break
+        unsettled, last = unsettled[left_open], last[left_open]
+    return torques
+
+
+def _torque_alone(left: Complex, own: Complex, limit: float) -> Complex:
+    """Return the torque of a spring from its twist without this torque."""
+    stuck = np.abs(left) <= limit * np.abs(own)
+    resisted, size = limit * own.imag, np.abs(left) ** 2 - (limit * np.abs(own)) ** 2
+    with np.errstate(all="ignore"):
+        amplitude = resisted + np.sqrt(resisted**2 + np.where(stuck, 0.0, size))
+        phase = left / (amplitude + 1j * limit * own)
+        sliding = 1j * limit * phase / np.abs(phase)
+        holding = np.where(own == 0, 0.0, left / own)
+    torque: Complex = np.where(stuck, holding, sliding)
+    return torque
+
+
+def _newton(
+    free: Complex, receptance: Complex, limits: Floats, torques: Complex, factor: float
+) -> Complex:
+    """Return torques by the semismooth Newton method, with NaN where it does not settle.
+
+    The torque of a spring is the point of the disc of its limit nearest to the torque plus the
+    scaled rate of twist, which holds for sliding and stuck springs alike.
+    """
+    count = len(limits)
+    own = np.abs(np.diagonal(receptance, axis1=1, axis2=2))
+    scale = factor / np.where(own, own, 1.0)
+    turned = -1j * scale[:, :, None] * receptance + np.eye(count)
+    slopes = np.block([[turned.real, -turned.imag], [turned.imag, turned.real]])
+    constant = 1j * scale * free
+
+    def gap(at: Complex) -> tuple[Complex, Complex]:
+        wanted = constant + (turned @ at[:, :, None])[:, :, 0]
+        near = np.minimum(1.0, limits / np.maximum(np.abs(wanted), 1e-300))
+        return at - wanted * near, wanted
+
+    for _ in range(MOST_NEWTON_STEPS):
+        error, wanted = gap(torques)
+        size = np.abs(error / limits).max(axis=1)
+        open_ = size > SETTLED_FRICTION
+        if not open_.any():
+            return torques
+        length = np.maximum(np.abs(wanted), 1e-300)
+        slides, unit = length > limits, wanted / length
+        part = np.where(slides, limits / length, 1.0)
+        along = np.concatenate([unit.real, unit.imag], axis=1) * np.tile(slides, 2)
+        parts = np.tile(part, 2)
+        pairs = np.tile(np.eye(count), (2, 2))
+        disc = parts[:, :, None] * (np.eye(2 * count) - along[:, :, None] * along[:, None] * pairs)
+        jacobian = np.eye(2 * count) - disc @ slopes
+        given = np.concatenate([error.real, error.imag], axis=1)
+        change = np.linalg.solve(jacobian + 1e-14 * np.eye(2 * count), given[:, :, None])[:, :, 0]
+        step = change[:, :count] + 1j * change[:, count:]
+        share = np.ones(len(torques))
+        for _ in range(12):
+            shorter = np.abs(gap(torques - share[:, None] * step)[0] / limits).max(axis=1)
+            share = np.where(shorter < size, share, share / 2)
+        torques = torques - (share * open_)[:, None] * step
+    return np.where((size > SETTLED_FRICTION * 1e3)[:, None], np.nan, torques)
