@@ -17,7 +17,6 @@ from tests.pictures.schemes.test_coaxial import crossings, next_box, planar_boxe
 from vstatics import Mechanism, Transmission
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Style
-from vstatics.pictures.drawing.svg import written_as_svg
 
 
 def transaxle(box: Transmission) -> Transmission:
@@ -66,7 +65,7 @@ def test_the_gearbox_of_a_driveline_is_drawn_like_the_gearbox_alone() -> None:
         at = {text.get_text(): text.get_position()[0] for text in figure.texts}
         orders.append(sorted(("P1", "P2", "P3", "P4", "A", "B", "C", "D", "E"), key=at.__getitem__))
     assert orders[0] == orders[1]
-    root = ET.fromstring(written_as_svg(figure, "", Style()))  # noqa: S314 - our own
+    root = svg_of(case)
     assert check_bridged(root) == crossings(ET.tostring(root)) == 0
     assert len(of_class(root, "axis")) == 2
 
