@@ -433,7 +433,7 @@ class EventRun:
         time = equations.time
         if equations.has_closed_form:
             try:
-                for step in Closed(equations, state, self.scales.torque).stretches(state, end):
+                for step in Closed(equations, state, self.scales.torque).steps(state, end):
                     yield step
                     time, state = step.end, step.last
             except NoFit:

@@ -59,8 +59,11 @@ LEAST_VALUE = 1e-30
 """Smallest scale of a control state for tolerances."""
 SMALL_VALUE = 1e-3
 """Ratio to the largest value of a control state down to which the tolerance shrinks."""
-BETWEEN_INSTANTS = 1e-9
-"""Accuracy of states between instants of a step, relative to the largest value in the step."""
+BETWEEN_INSTANTS, BETWEEN_EXACT = 1e-9, 1e-10
+"""Accuracy of states between instants of a step, relative to the largest value in the step.
+
+The second number is for closed forms.
+"""
 EQUAL_SIDES = 1e-10
 """Largest relative difference of compared numbers that count as equal."""
 SOON = 1e2

@@ -14,7 +14,6 @@ from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.tolerances import (
     AHEAD,
-    BETWEEN_INSTANTS,
     LARGEST_NUMBER,
     NO_MARGIN,
     ROOT_PART,
@@ -108,9 +107,7 @@ class Finder:
         later = margins[:, 1:]
         sizes = np.abs(later).max(axis=1, initial=0.0)
         following = self.following & np.isfinite(sizes)
-        self.noise = np.where(
-            following, np.maximum(self.least, BETWEEN_INSTANTS * sizes), self.least
-        )
+        self.noise = np.where(following, np.maximum(self.least, step.accuracy * sizes), self.least)
         ends = np.flatnonzero((later < -self.noise[:, None]).any(axis=0))
         first = int(ends[0]) if len(ends) else len(step.times) - 1
         dip = self._dip(step, margins, first)

@@ -20,6 +20,7 @@ from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers, l
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (
+    BETWEEN_EXACT,
     FITTING_TORQUE,
     LEAST_MASS,
     NOT_ZERO,
@@ -91,6 +92,17 @@ class Exponential:
             exponentials[far] = exponentials[far] @ halved
         return exponentials
 
+    def at_nodes(self, starts: Floats) -> Floats:
+        """Return the first rows of ``exp(A s) x`` at the nodes, for each column x of `starts`.
+
+        The shape is (rows, columns * nodes).
+        """
+        nodes, rows, size = self.nodes.shape
+        columns = starts.shape[1]
+        inner = self.nodes.reshape(nodes * rows, size) @ starts
+        inner = inner.reshape(nodes, rows, columns).transpose(1, 2, 0)
+        return np.ascontiguousarray(inner).reshape(rows, columns * nodes)
+
     def moved(self, parts: Floats, states: Floats) -> Floats:
         """Return the first rows of ``exp(A s) x`` for each column x of `states` and its s."""
         steps, powers = self._split(parts)
@@ -160,6 +172,11 @@ _BY_ORDER = (
 """Matrix from powers at the Gauss points of a part to coefficients of the work over time."""
 
 
+def _degree(count: int) -> int:
+    """Return the degree of the polynomials over a number of parts."""
+    return min(DEGREE, count * len(NODES) - 3)
+
+
 @lru_cache(maxsize=16)
 def fitting(count: int) -> tuple[Floats, Floats, Floats]:
     """Return the matrices that fit polynomials to values at the instants of `count` parts.
@@ -171,18 +188,39 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
     to_powers : ndarray, shape (DEGREE + 1, DEGREE + 1)
         Chebyshev coefficients to derivatives at the start, with the length of a part as the unit
         of time.
-    to_values : ndarray, shape (DEGREE + 1, instants)
-        Chebyshev coefficients to values.
+    to_values : ndarray, shape (DEGREE + 1, 1 + instants)
+        Chebyshev coefficients to values, at the start and at the instants.
     """
-    places = ((np.arange(count)[:, None] + NODES) / count).reshape(-1)
-    degree = min(DEGREE, len(places) - 3)
-    values = np.asarray(np.polynomial.chebyshev.chebvander(2 * places - 1, degree), float)
+    places = _places(count)
+    degree = _degree(count)
+    values = np.polynomial.chebyshev.chebvander(2 * np.append(0.0, places) - 1, degree)
     to_series = np.zeros((len(places), DEGREE + 1))
-    to_series[:, : degree + 1] = np.linalg.pinv(values).T
-    to_values = np.zeros((DEGREE + 1, len(places)))
+    to_series[:, : degree + 1] = np.linalg.pinv(values[1:]).T
+    to_values = np.zeros((DEGREE + 1, len(values)))
     to_values[: degree + 1] = values.T
     scales = np.append(1.0, np.cumprod(count / np.arange(1, DEGREE + 1)))
     return to_series, _powers() / scales, to_values
+
+
+def _places(count: int) -> Floats:
+    """Return the instants of a number of parts, as fractions of their length."""
+    return ((np.arange(count)[:, None] + NODES) / count).reshape(-1)
+
+
+@lru_cache(maxsize=32)
+def _continuing(ratio: float, count: int) -> Floats:
+    """Return the matrix from Chebyshev coefficients to those of the next stretch.
+
+    Parameters
+    ----------
+    ratio : float
+        Length of the next stretch, relative to the length of the stretch before. [-]
+    count : int
+        Number of parts of the next stretch.
+    """
+    places = 1 + 2 * ratio * _places(count)
+    values: Floats = np.polynomial.chebyshev.chebvander(places, DEGREE).T
+    return values @ fitting(count)[0]
 
 
 @lru_cache(maxsize=1)
@@ -203,12 +241,18 @@ _GONE = 40.0
 """Number of time constants after which a motion has decayed."""
 _FIRST_PARTS = 4
 """Initial number of parts of a stretch with nonlinear torques."""
+_FIRST_JOINED = 4
+"""Number of parts from which on the first stretches of a motion are a step."""
 _SMOOTH = 4
-"""Number of successful stretches before a longer stretch is tried."""
+"""Number of successful stretches of a single part before a longer stretch is tried."""
+_LIKE = 1.5
+"""Largest quotient of the lengths of parts for which the shorter length is kept."""
 _MOST_AT_START = 64.0
 """Largest error of polynomials at the start of a stretch, as a multiple of the limit elsewhere."""
 _RELAXATION_ROUNDS = 12
 """Largest number of rounds of waveform relaxation."""
+_CONVERGED = 0.1
+"""Share of the limit that the error may have that is expected from the last two rounds."""
 _ORDERS = DEGREE + 1
 
 
@@ -257,14 +301,64 @@ class Parts(NamedTuple):
         """Gauss points and end of each part, shape (parts, points) [s]."""
         return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
 
+    def end_near(self, end: float) -> float:
+        """Return the end of the last part, or a given time that differs from it by rounding."""
+        last = self.begin + self.length * self.number
+        return end if abs(end - last) <= SAME_END * abs(end) else last
+
+
+class GivenSeries(NamedTuple):
+    """Chebyshev series of the nonlinear torques over a stretch."""
+
+    coefficients: Floats
+    """Coefficients, shape (torques, DEGREE + 1). [N*m]"""
+    parts: Parts
+    limit: float
+    """Largest error that counts as rounding. [N*m]"""
+
+    @property
+    def fit_twice(self) -> bool:
+        """Whether polynomials of this degree would fit a stretch of twice the length."""
+        last = _degree(self.parts.number)
+        orders = np.arange(last - 1, last + 1)
+        return largest(self.coefficients[:, orders] * 2.0**orders) <= self.limit
+
+    def continued(self, parts: Parts) -> Floats | None:
+        """Return the series continued over the next stretch, unless it is much longer."""
+        ratio = parts.length * parts.number / (self.parts.length * self.parts.number)
+        return self.coefficients @ _continuing(ratio, parts.number) if ratio <= 2 else None
+
 
 class TimeStretch(NamedTuple):
     """Stretch of time with its solution."""
 
     parts: Parts
     exponential: Exponential
+    balance: Floats
+    """Factors of the state in the exponential."""
     starts: Floats
     """States of the exponential at the start of each part."""
+
+    @property
+    def last(self) -> Floats:
+        """State at the end."""
+        state: Floats = self.exponential.nodes[-1] @ self.starts[:, -1]
+        return state / self.balance
+
+    def continued(self, following: TimeStretch) -> TimeStretch:
+        """Return the stretch joined to the following stretch of the same exponential."""
+        parts = self.parts._replace(number=self.parts.number + following.parts.number)
+        return self._replace(parts=parts, starts=np.hstack([self.starts, following.starts]))
+
+
+def _equal_parts(length: float, left: float, most: int) -> tuple[float, int]:
+    """Return the length and the number of parts up to a time; shorter ones if they reach it."""
+    if most * length < left:
+        return length, most
+    count = 1  # up to the end, in a power of 2 of equal parts
+    while count * length < left * (1 - SAME_TIME):
+        count *= 2
+    return left / count, count
 
 
 class Closed:
@@ -295,6 +389,8 @@ class Closed:
         """Orders used in each polynomial; only 0 and 1 for a law linear in all its inputs."""
         self.latest: Floats = np.zeros(len(self.bending))
         """Nonlinear torques at the end of the last stretch."""
+        self.series: GivenSeries | None = None
+        """Polynomials of the nonlinear torques over the last stretch, if any fits."""
         self.size = equations.works.start
         self._straighten(equations.time, state)
 
@@ -304,13 +400,14 @@ class Closed:
         by_rate, by_state = self.known = self._slopes(time, state)
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
         self.by_state = by_state[self.bending]
+        self.sees_state = bool(self.by_state.any())
         self.noise = ROUNDED_SUM * largest(np.abs(self.by_state) @ np.abs(state[: self.size]))
         """Rounding error of the torques that depend on the state."""
         try:
             self.affine = Affine(equations, by_rate, by_state)
         except np.linalg.LinAlgError:  # a speed depends on a law that sees another speed
             raise NoFit from None
-        self.latest = np.zeros(len(self.bending))
+        self.latest, self.series = np.zeros(len(self.bending)), None
         matrix = self.affine.change.by_state
         self.balance = self._balanced()
         self._balance_values(matrix)
@@ -357,48 +454,69 @@ class Closed:
                 if others:
                     self.balance[index] *= np.sqrt((given + others) / (taken + others))
 
-    def stretches(self, state: Floats, end: float) -> Iterator[TimeStep]:
-        """Yield calculated stretches up to a time.
+    def steps(self, state: Floats, end: float) -> Iterator[TimeStep]:
+        """Yield calculated steps up to a time.
+
+        Consecutive stretches are joined into one step, because a search for events takes nearly
+        the same time in a long step as in a short one.
 
         Raises
         ------
         NoFit
         """
+        joined: TimeStretch | None = None
+        for stretch in self._stretches(state, end):
+            ends = stretch is None or (
+                joined is not None and stretch.exponential is not joined.exponential
+            )
+            if ends and joined is not None:
+                step = self._step(joined, state, end)
+                yield step
+                state, joined = step.last, None
+            if stretch is not None:
+                joined = stretch if joined is None else joined.continued(stretch)
+
+    def _stretches(self, state: Floats, end: float) -> Iterator[TimeStretch | None]:
+        """Yield stretches up to a time, and None where the stretches before end a step."""
         time = begin = self.equations.time
         shorter, smooth = 1.0, 0
         most = _MOST_HALVINGS if self.is_given else _FIRST_PARTS
+        joined, most_joined, last_length = 0, _FIRST_JOINED, 0.0
         while time < end:
-            while True:
-                length, count = self._parts(time - begin, end - time, most, shorter)
-                stretch = self._calculated(Parts(time, length, count), state)
-                if stretch is not None:
-                    break
-                if self._bends_elsewhere(time, state):
-                    self._straighten(time, state)
-                    continue
+            length, count = self._parts(time - begin, end - time, most, shorter)
+            if last_length < length < _LIKE * last_length:  # a new exponential takes longer
+                length, count = _equal_parts(last_length, end - time, most)
+            if joined >= most_joined or length != last_length:
+                yield None
+                joined, most_joined = 0, min(max(most_joined, 2 * joined), _MOST_HALVINGS)
+            last_length, parts = length, Parts(time, length, count)
+            stretch = self._calculated(parts, state)
+            if stretch is not None:
+                yield stretch
+                time, state = parts.end_near(end), stretch.last
+                joined += count
+                smooth += 1
+                if (self.series and self.series.fit_twice) or (
+                    count == 1 and smooth % _SMOOTH == 0
+                ):
+                    shorter, most = min(1.0, 2 * shorter), most if shorter < 1 else 2 * most
+                    most = min(most, _MOST_HALVINGS)
+            elif self._bends_elsewhere(time, state):
+                self._straighten(time, state)
+            else:
                 smooth = 0
                 most, shorter = (count // 2, shorter) if count > 1 else (1, shorter / 2)
                 if shorter < SHORTEST_PART:
+                    yield None
                     raise NoFit
-            step = self._step(stretch, state, end)
-            yield step
-            time, state = step.end, step.last
-            smooth += 1
-            if smooth % _SMOOTH == 0:
-                shorter, most = min(1.0, 2 * shorter), most if shorter < 1 else 2 * most
-                most = min(most, _MOST_HALVINGS)
+        yield None
 
     def _parts(self, gone: float, left: float, most: int, shorter: float) -> tuple[float, int]:
         fastest = self._fastest(gone)
         length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
         if self.equations.ports.timed:
             length = min(length, self.equations.longest)
-        if most * length < left:
-            return length, most
-        count = 1  # up to the end, in a power of 2 of equal parts
-        while count * length < left * (1 - SAME_TIME):
-            count *= 2
-        return left / count, count
+        return _equal_parts(length, left, most)
 
     def _fastest(self, gone: float) -> float:
         """Return the speed of the fastest motion that has not decayed after a time [rad/s]."""
@@ -442,91 +560,100 @@ class Closed:
 
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
         """Calculate a stretch from its first state; return None if no polynomial fits."""
-        times = parts.times.reshape(-1)
+        given, self.series = self._expected(parts), None
+        times = self.equations.ports.inside(np.append(parts.begin, parts.times))
         to_series, to_powers, to_values = fitting(parts.number)
-        given = np.zeros((len(self.bending), _ORDERS))
-        given[:, 0] = self.latest
         before: Floats | None = None
+        change = 0.0
+        at = np.empty((self.size, len(times)))
+        at[:, 0] = state[: self.size]
         for _ in range(_RELAXATION_ROUNDS):
             if self.is_given:  # torques are nonlinear in the time alone
                 now = before = self.affine.given_at(times)[0][self.bending]
             else:
-                at = self._states(self._followed(parts, state, given, to_powers))
-                now = self._bent(times, at.reshape(len(at), len(times)), given, to_values)
+                at[:, 1:] = self._states(self._followed(parts, state, given, to_powers))
+                now = self._bent(times, at, given, to_values)
             if not np.isfinite(now).all():
                 return None
-            given = now @ to_series
+            given = now[:, 1:] @ to_series
             limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
             bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
             if bends.any():  # from now on, polynomials of these torques keep all orders
                 self.is_used[bends] = True
                 self.exponentials.clear()
-                before = None
+                before, change = None, 0.0
             given[~self.is_used] = 0.0
-            if before is not None and largest(now - before) <= limit:
-                self.latest = now[:, -1]
-                if not largest(given @ to_values - now) <= 4 * limit:  # NaN fails, too
-                    return None
-                first = np.power(-1.0, np.arange(_ORDERS))[:, None]
-                begin = self._bent(np.array([parts.begin]), state[: self.size, None], given, first)
-                if not largest(given @ first - begin) <= _MOST_AT_START * limit:
-                    return None
-                return self._followed(parts, state, given, to_powers)
+            if before is not None:
+                last_change, change = change, largest(now - before)
+                if change <= limit or change * change <= _CONVERGED * limit * last_change:
+                    errors = np.abs(given @ to_values - now)
+                    if not largest(errors[:, 1:]) <= 4 * limit:  # NaN fails, too
+                        return None
+                    if not largest(errors[:, 0]) <= _MOST_AT_START * limit:
+                        return None
+                    self.latest = now[:, -1]
+                    self.series = GivenSeries(given, parts, limit)
+                    return self._followed(parts, state, given, to_powers)
             before = now
         return None
+
+    def _expected(self, parts: Parts) -> Floats:
+        """Return the expected series of the nonlinear torques over a stretch."""
+        continued = self.series.continued(parts) if self.series else None
+        if continued is not None:
+            return continued
+        constant = np.zeros((len(self.bending), _ORDERS))
+        constant[:, 0] = self.latest
+        return constant
 
     def _followed(
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
     ) -> TimeStretch:
         exponential, unit = self._exponential(parts.length)
-        size = self.size
-        first = np.zeros(len(exponential.step))
-        first[:size] = self.balance * state[:size]
-        first[size] = parts.begin
-        first[size + 1] = 1.0
-        first[size + 2 :] = (given @ to_powers)[self.is_used]
-        first[size:] *= unit
-        return TimeStretch(parts, exponential, exponential.repeated(first, parts.number))
+        inputs = np.append([parts.begin, 1.0], (given @ to_powers)[self.is_used])
+        first = np.append(self.balance * state[: self.size], unit * inputs)
+        starts = exponential.repeated(first, parts.number)
+        return TimeStretch(parts, exponential, self.balance, starts)
 
     def _states(self, stretch: TimeStretch) -> Floats:
-        nodes = stretch.exponential.nodes.transpose(1, 0, 2)
-        inner: Floats = (nodes @ stretch.starts).transpose(0, 2, 1)
-        return inner / self.balance[:, None, None]
+        """Return the states at all instants of a stretch, shape (size, instants)."""
+        inner = stretch.exponential.at_nodes(stretch.starts)
+        return inner / stretch.balance[:, None]
 
     def _bent(self, times: Floats, states: Floats, given: Floats, to_values: Floats) -> Floats:
         """Return the nonlinear torques, less the linear part in the matrix."""
         equations, affine = self.equations, self.affine
-        all_given, slopes = affine.given_at(times)
-        all_given[self.bending] = given @ to_values
-        rates = affine.rates.by_state @ states + affine.rates.by_given @ all_given
-        rates += affine.rates.by_slope @ slopes
-        whole = np.zeros((equations.works.start, len(times)))
-        whole[: self.size] = states
+        rates = affine.rates.by_state @ states
+        if equations.light:  # speeds that follow from torques
+            all_given, slopes = affine.given_at(times)
+            all_given[self.bending] = given @ to_values
+            rates += affine.rates.by_given @ all_given + affine.rates.by_slope @ slopes
         ports = self.bending[: self.torques]
-        torques = equations.torques_at(times, whole, rates)
+        torques = equations.torques_at(times, states, rates)
         nonlinear: Floats = torques[ports] - self.slopes[:, None] * rates[ports]
         if len(self.bending) > self.torques:
             nonlinear = np.vstack(
-                [nonlinear, equations.value_rates_at(times, whole, rates, torques)]
+                [nonlinear, equations.value_rates_at(times, states, rates, torques)]
             )
-        nonlinear -= self.by_state @ states
+        if self.sees_state:
+            nonlinear -= self.by_state @ states
         return nonlinear
 
     def _step(self, stretch: TimeStretch, state: Floats, end: float) -> TimeStep:
         parts = stretch.parts
         times = parts.times
-        if abs(end - times[-1, -1]) <= SAME_END * abs(end):
-            times[-1, -1] = end
+        times[-1, -1] = parts.end_near(end)
         states = np.zeros((self.equations.size, parts.number, len(NODES)))
-        states[: self.size] = self._states(stretch)
+        states[: self.size] = self._states(stretch).reshape(self.size, *times.shape)
         powers = self._account(states, times, state, parts.length)
         flat = states.reshape(self.equations.size, -1)
         befores = np.column_stack([state, states[:, :-1, -1]])
         between = partial(self._among, stretch, befores, powers)
         exact = partial(self._inside, stretch, befores)
-        last = float(times[-1, -1]), flat[:, -1].copy()
+        last, at_end = float(times[-1, -1]), flat[:, -1].copy()
+        times = times.reshape(-1)
         return TimeStep(
-            parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, NODES
+            *(parts.begin, last, state, at_end, between, exact, times, flat, NODES, BETWEEN_EXACT)
         )
 
     def _among(
@@ -538,7 +665,7 @@ class Closed:
         within = np.clip(passed - at, 0.0, 1.0)
         moved = stretch.exponential.moved(within, stretch.starts[:, at])
         result = befores[:, at].copy()
-        result[: self.size] = moved[: self.size] / self.balance[:, None]
+        result[: self.size] = moved[: self.size] / stretch.balance[:, None]
         worked = parts.length * within[:, None] ** np.arange(1, _GAUSS + 1) @ _BY_ORDER
         result[first:] += np.einsum("wnj,nj->wn", powers[:, at], worked)
         return result
@@ -552,7 +679,7 @@ class Closed:
         starts = np.repeat(stretch.starts[:, part, None], len(NODES), axis=1)
         moved = stretch.exponential.moved(within * NODES, starts)
         result = np.zeros((self.equations.size, 1, len(NODES)))
-        result[: self.size, 0] = moved[: self.size] / self.balance[:, None]
+        result[: self.size, 0] = moved[: self.size] / stretch.balance[:, None]
         begin = parts.begin + part * parts.length
         times = begin + parts.length * within * NODES[None, :]
         self._account(result, times, befores[:, part], parts.length * within)

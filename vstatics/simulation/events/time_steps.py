@@ -10,7 +10,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.tolerances import NO_PROGRESS
+from vstatics.simulation.tolerances import BETWEEN_INSTANTS, NO_PROGRESS
 
 if TYPE_CHECKING:
     from scipy.integrate import DOP853
@@ -47,6 +47,8 @@ class TimeStep(NamedTuple):
     """States at the instants, shape (size, instants)."""
     nodes: Floats
     """Positions of the instants in each of the equal parts of a step, from above 0 to 1."""
+    accuracy: float = BETWEEN_INSTANTS
+    """Accuracy of `between`, relative to the largest value in the step."""
 
 
 _PATIENCE = 1000

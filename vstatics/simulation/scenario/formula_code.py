@@ -149,7 +149,9 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
             except (ArithmeticError, ValueError):  # raised by constants, such as 1/0
                 shaped = [np.reshape(value, (-1, 1, 1)) for value in (times, *known)]
                 values = _as_arrays(tree, shaped, seen).reshape(-1)
-            return np.broadcast_to(values, times.shape).astype(float)
+        result: Floats = np.empty(times.shape)
+        result[...] = values
+        return result
 
     return function
 

@@ -124,6 +124,8 @@ class Ports:
             | set(range(layout.pumps, layout.sensors))
         )
         """Ports with torques that are nonlinear in rates, twists or angles."""
+        self.is_rising = bool(self.c1.any())
+        """Whether a torque is linear in time."""
         self.is_affine = not self.bending
         """Whether all torques are linear in rates, twists and angles."""
 
@@ -214,7 +216,7 @@ class Ports:
         times = self.inside(times)
         torques = self.by_rate[:, None] * rates
         torques += self.c0[:, None]
-        if self.c1.any():
+        if self.is_rising:
             torques += self.c1[:, None] * times
         layout = self.layout
         self._add_motion(torques, rates, twists, angles)
@@ -235,7 +237,9 @@ class Ports:
 
     def _add_motion(self, torques: Floats, rates: Floats, twists: Floats, angles: Floats) -> None:
         """Add the torques of springs, roads and laws over an angle; a time axis can follow."""
-        torques[self.layout.spring_ports] += (self.elastic * twists.T).T
+        if len(twists):
+            stiff = self.elastic if twists.ndim == 1 else self.elastic[:, None]
+            torques[self.layout.spring_ports] += stiff * twists
         for index, curve in self.struts:
             torques[self.layout.springs + index] += curve.at(twists[index])
         for port, place, slope in self.by_angle:
