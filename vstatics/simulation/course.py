@@ -109,6 +109,8 @@ class EventRun:
         """Indices of contacts that broke away at the present, all at one instant."""
         self.length: float | None = None
         """Length of the last step. [s]"""
+        self.parts: int | None = None
+        """Number of parts of the last stretch in closed form."""
         self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
         """Corners of formulas on both sides of the present motion, with their comparisons."""
@@ -433,7 +435,9 @@ class EventRun:
         time = equations.time
         if equations.has_closed_form:
             try:
-                for step in Closed(equations, state, self.scales.torque).steps(state, end):
+                closed = Closed(equations, state, self.scales.torque, self.parts)
+                for step in closed.steps(state, end):
+                    self.parts = closed.most
                     yield step
                     time, state = step.end, step.last
             except NoFit:

@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Floats, Integers, largest
+from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMITS
 
 _MOST_TORQUE_CORNERS = 3000
@@ -32,12 +32,11 @@ def widest(slack: Floats, directions: Floats) -> Floats:
     >>> widest(np.array([-10.0, 40.0]), np.array([[1.0], [-1.0]]))
     array([15., 15.])
     """
-    equations = _corner_equations(directions.tobytes(), *directions.shape)
+    equations = _to_corners(directions.tobytes(), *directions.shape)
     if equations is None:
         places = _by_programming(slack, directions)[:, None]
     else:
-        meeting, to_places = equations
-        places = np.einsum("dcm,cm->dc", to_places, slack[meeting])
+        places = (equations @ slack).reshape(directions.shape[1], -1)
     slacks = slack[:, None] + directions @ places
     sizes = slacks.min(axis=0)
     best = int(sizes.argmax())
@@ -45,22 +44,16 @@ def widest(slack: Floats, directions: Floats) -> Floats:
 
 
 @lru_cache(maxsize=64)
-def _corner_equations(
-    bytes_of_directions: bytes, limits: int, count: int
-) -> tuple[Integers, Floats] | None:
-    """Return the corners of the split, where the largest number of slacks are equal.
+def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats | None:
+    """Return the matrix from slacks to the corners of the split, where most slacks are equal.
 
     The split with most room is one of them. Few sets of directions occur in a run, so the equations
     of their corners are solved once, for any slacks.
 
     Returns
     -------
-    meeting : ndarray, shape (corners, d + 1)
-        Indices of the equal slacks.
-    to_places : ndarray, shape (d, corners, d + 1)
-        Matrices from these slacks to the split.
-    None
-        If there are too many corners.
+    ndarray, shape (d * corners, limits)
+        None if there are too many corners.
     """
     if math.comb(limits, count + 1) > _MOST_TORQUE_CORNERS:
         return None
@@ -71,9 +64,12 @@ def _corner_equations(
     matrices = np.concatenate([directions[chosen] / steep, -np.ones((*chosen.shape, 1))], axis=2)
     regular = np.abs(np.linalg.det(matrices)) > REGULAR_CORNER
     if not regular.any():
-        return np.zeros((1, count + 1), dtype=int), np.zeros((count, 1, count + 1))
+        return np.zeros((count, limits))
+    meeting = chosen[regular]
+    to_places = np.zeros((count, len(meeting), limits))
     inverses = -np.linalg.inv(matrices[regular])[:, :count] / steep
-    return chosen[regular], np.ascontiguousarray(inverses.transpose(1, 0, 2))
+    np.put_along_axis(to_places, meeting[None], inverses.transpose(1, 0, 2), axis=2)
+    return to_places.reshape(-1, limits)
 
 
 def _by_programming(slack: Floats, directions: Floats) -> Floats:

@@ -371,9 +371,13 @@ class Closed:
         State at the start.
     large : float
         Torque that counts as large, the scale of rounding errors. [N*m]
+    most : int, optional
+        Number of parts that fitted before, if nonlinear torques follow from the motion.
     """
 
-    def __init__(self, equations: Equations, state: Floats, large: float) -> None:
+    def __init__(
+        self, equations: Equations, state: Floats, large: float, most: int | None = None
+    ) -> None:
         self.equations, self.large = equations, large
         ports = equations.ports
         timed = {port for port, _, _ in ports.timed}
@@ -383,6 +387,8 @@ class Closed:
         self.torques = len(self.bending) - len(rates)
         """Number of the first entries of `bending`, which are torques and not rates of values."""
         self.is_given = ports.is_affine and not rates
+        self.most = _MOST_HALVINGS if self.is_given else min(most or _FIRST_PARTS, _FIRST_PARTS)
+        """Largest number of parts of the next stretch."""
         looks = {*rates, *equations.seeing}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
@@ -480,12 +486,11 @@ class Closed:
         """Yield stretches up to a time, and None where the stretches before end a step."""
         time = begin = self.equations.time
         shorter, smooth = 1.0, 0
-        most = _MOST_HALVINGS if self.is_given else _FIRST_PARTS
         joined, most_joined, last_length = 0, _FIRST_JOINED, 0.0
         while time < end:
-            length, count = self._parts(time - begin, end - time, most, shorter)
+            length, count = self._parts(time - begin, end - time, shorter)
             if last_length < length < _LIKE * last_length:  # a new exponential takes longer
-                length, count = _equal_parts(last_length, end - time, most)
+                length, count = _equal_parts(last_length, end - time, self.most)
             if joined >= most_joined or length != last_length:
                 yield None
                 joined, most_joined = 0, min(max(most_joined, 2 * joined), _MOST_HALVINGS)
@@ -499,24 +504,25 @@ class Closed:
                 if (self.series and self.series.fit_twice) or (
                     count == 1 and smooth % _SMOOTH == 0
                 ):
-                    shorter, most = min(1.0, 2 * shorter), most if shorter < 1 else 2 * most
-                    most = min(most, _MOST_HALVINGS)
+                    self.most = min(self.most if shorter < 1 else 2 * self.most, _MOST_HALVINGS)
+                    shorter = min(1.0, 2 * shorter)
             elif self._bends_elsewhere(time, state):
                 self._straighten(time, state)
             else:
                 smooth = 0
-                most, shorter = (count // 2, shorter) if count > 1 else (1, shorter / 2)
+                shorter = shorter if count > 1 else shorter / 2
+                self.most = max(1, count // 2)
                 if shorter < SHORTEST_PART:
                     yield None
                     raise NoFit
         yield None
 
-    def _parts(self, gone: float, left: float, most: int, shorter: float) -> tuple[float, int]:
+    def _parts(self, gone: float, left: float, shorter: float) -> tuple[float, int]:
         fastest = self._fastest(gone)
         length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
         if self.equations.ports.timed:
             length = min(length, self.equations.longest)
-        return _equal_parts(length, left, most)
+        return _equal_parts(length, left, self.most)
 
     def _fastest(self, gone: float) -> float:
         """Return the speed of the fastest motion that has not decayed after a time [rad/s]."""
