@@ -62,6 +62,28 @@ def test_a_chain_whose_clutch_slips_moves_as_by_a_plain_integrator() -> None:
     assert motion.speeds[-1] == pytest.approx(found.y[:count, -1], abs=1e-6)
 
 
+def test_a_firing_torque_on_stiff_shafts_moves_as_by_a_plain_integrator() -> None:
+    """Stretches are many and joined into steps; a torque over the angle bends in each."""
+    stiffness, damping, inertias = np.array([1500.0, 3e4]), np.array([0.0, 0.5]), (0.15, 0.01, 2.0)
+    twist = np.array([[1.0, -1.0, 0.0], [0.0, 1.0, -1.0]])
+
+    def change(_time: float, state: Floats) -> Floats:
+        speeds, twists, angle = state[:3], state[3:5], state[5]
+        carried = stiffness * twists + damping * (twist @ speeds)
+        outside = [150 + 300 * math.sin(2 * angle), 0, -0.004 * speeds[2] * abs(speeds[2])]
+        return np.concatenate([(outside - carried @ twist) / inertias, twist @ speeds, speeds[:1]])
+
+    springs = tuple(
+        Spring(between(link, link + 1), float(stiff), damping=float(damper))
+        for link, stiff, damper in zip((1, 2), stiffness, damping, strict=True)
+    )
+    torques = ((1, Formula("150 + 300*sin(2*angle)")), (3, Formula("-0.004*speed*abs(speed)")))
+    start = Start(speeds={1: 150.0, 2: 150.0, 3: 150.0})
+    motion = simulate(Scenario(links(*inertias, springs=springs), 0.3, start, torques=torques))
+    found = solve_ivp(change, (0, 0.3), [150.0] * 3 + [0.0] * 3, "DOP853", rtol=1e-12, atol=1e-10)
+    assert motion.speeds[-1] == pytest.approx(found.y[:3, -1], abs=1e-6)
+
+
 def test_friction_that_bends_with_the_slip_is_passed_piece_by_piece() -> None:
     """J ds/dt = -G mu(s): .16 down to 50 rad/s, then a straight line to .12."""
     pack = Friction(0.1, 60e-4, 8, ((0.0, 0.12), (50.0, 0.16), (200.0, 0.16)))

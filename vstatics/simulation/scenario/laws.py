@@ -8,6 +8,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from vstatics.core.arguments import refusing
+from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel
@@ -43,6 +44,19 @@ class Points(NamedTuple):
         """Return the value at an abscissa."""
         value, slope = self.piece(self.piece_at(x))
         return value + slope * x
+
+    def along(self, x: Floats) -> Floats:
+        """Return the values at an array of abscissas.
+
+        >>> Points((0.0, 2.0, 2.0), (10.0, 30.0, 0.0)).along(np.array([1.0, 2.0, -1.0])).tolist()
+        [20.0, 0.0, 10.0]
+        """
+        pieces, values = np.searchsorted(self.x, x, "right"), np.empty(len(x))
+        for number in set(pieces.tolist()):  # few pieces, as a run pauses at each corner
+            value, slope = self.piece(number)
+            inside = pieces == number
+            values[inside] = value + slope * x[inside]
+        return values
 
     def piece_at(self, x: float) -> int:
         """Return the number of the piece that begins at an abscissa; piece 0 ends at `x[0]`."""

@@ -9,6 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
+from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Points
 from vstatics.simulation.scenario.programme import Programme, friction_at
 from vstatics.simulation.system.matrices import Contact
@@ -55,20 +56,17 @@ def programme_along(programme: Programme, times: Floats, seen: Floats | None = N
     return programme.factor * curve_along(programme.curve, times)
 
 
-_LAST: deque[tuple[Curve, Floats, Floats]] = deque(maxlen=16)
+_LAST: deque[tuple[Formula, Floats, Floats]] = deque(maxlen=16)
 
 
 def curve_along(curve: Curve, times: Floats) -> Floats:
-    """Return the values of a curve at several times, with a cache of recent results."""
-    if isinstance(curve, Points) and len(set(curve.y)) == 1:
-        return np.full(len(times), curve.y[0])
+    """Return the values of a curve at several times, with a cache of recent formulas."""
+    if isinstance(curve, Points):
+        return np.full(len(times), curve.y[0]) if len(set(curve.y)) == 1 else curve.along(times)
     for known, at, values in _LAST:
         if at is times and known == curve:
             return values
-    if isinstance(curve, Points):
-        values = np.array([curve.at(time) for time in times.tolist()])
-    else:
-        values = curve.along(times, 0.0, 0.0)
+    values = curve.along(times, 0.0, 0.0)
     _LAST.append((curve, times, values))
     return values
 

@@ -323,8 +323,8 @@ class Equations:
 
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
         """Return the torques of ports at several times, shape (ports, times) [N*m]."""
-        parts = (states[part] for part in (self.twists, self.angles, self.values))
-        torques = self.ports.torques_at(times, rates, *parts)
+        twists, angles, values = states[self.twists], states[self.angles], states[self.values]
+        torques = self.ports.torques_at(times, rates, twists, angles, values)
         if self.variators:
             for number, time in enumerate(times.tolist()):
                 self.variators.fill(time, rates[:, number], torques[:, number])
@@ -420,8 +420,8 @@ class Equations:
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
         """Return the torques of ports [N*m]."""
-        parts = (state[part] for part in (self.twists, self.angles, self.values))
-        torques = self.ports.torques(time, rates, *parts)
+        twists, angles, values = state[self.twists], state[self.angles], state[self.values]
+        torques = self.ports.torques(time, rates, twists, angles, values)
         if self.variators:
             self.variators.fill(time, rates, torques)
         return torques

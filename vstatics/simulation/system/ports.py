@@ -190,7 +190,10 @@ class Ports:
     ) -> Floats:
         """Return the torques of all ports [N*m]."""
         time = min(max(time, self.after), self.until)
-        torques = self.c0 + self.c1 * time + self.by_rate * rates
+        torques = self.by_rate * rates
+        torques += self.c0
+        if self.is_rising:
+            torques += self.c1 * time
         layout = self.layout
         self._add_motion(torques, rates, twists, angles)
         for port, formula, factor in self.timed:
