@@ -219,8 +219,8 @@ def _continuing(ratio: float, count: int) -> Floats:
         Number of parts of the next stretch.
     """
     places = 1 + 2 * ratio * _places(count)
-    values: Floats = np.polynomial.chebyshev.chebvander(places, DEGREE).T
-    return values @ fitting(count)[0]
+    values = np.asarray(np.polynomial.chebyshev.chebvander(places, DEGREE), float)
+    return np.asarray(values.T @ fitting(count)[0])
 
 
 @lru_cache(maxsize=1)
