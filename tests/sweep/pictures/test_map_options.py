@@ -92,7 +92,7 @@ def test_full_load_and_operating_points_are_at_their_numbers() -> None:
         float(use.get(key, ""))
         for p in points
         for use in p.iter()
-        for key in ("x", "y")
+        for key in ("cx", "cy")
         if use.get(key)
     ]
     (x1, y1), (x2, y2) = np.array(marks).reshape(-1, 2)
