@@ -242,7 +242,7 @@ def _blanks(
     gear, signs = case.gears[index], told_signs(results.gear_at(index))
     speeds = [case.gear_input(gear), *(n for n, v in gear.speeds.items() if isinstance(v, float))]
     given_rows = {"speeds": {case.link_name(link) for link in speeds}}
-    given_rows["slip_speeds"] = {case.shift_elements[n - 1].name for n in gear.slip}
+    given_rows["slip_speeds"] = {element.name for element in case.elements_at(gear.slip)}
     given_rows["power_sign"] = {
         item.name for item, is_given in zip(case.mechanisms, signs, strict=True) if is_given
     }

@@ -273,7 +273,7 @@ def _formula(
 def _together(on_links: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Together]:
     """Yield bodies of more than one link, links at rest first."""
     case = on_links.case
-    elements = [case.shift_elements[number - 1] for number in gear.joining]
+    elements = case.elements_at(gear.joining)
     for body in dict.fromkeys(bodies.body):
         links = [link for link, other in enumerate(bodies.body) if other == body]
         if len(links) > 1:

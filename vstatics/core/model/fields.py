@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, TypeVar, runtime_checkable
@@ -282,6 +282,10 @@ class TransmissionFields:
         """True if a converter makes the torque ratio of a gear differ from its speed ratio."""
         return any(mechanism.kind == "converter" for mechanism in self.mechanisms)
 
+    def elements_at(self, numbers: Iterable[int]) -> list[ShiftElement]:
+        """Return the shift elements with some numbers, such as those that a gear engages."""
+        return [self.shift_elements[number - 1] for number in numbers]
+
     def conserves_power(self, gear: Gear) -> bool:
         """Return whether the output of a gear takes the whole input power if meshes lose none."""
         return not (gear.speeds or gear.torques or self.has_converter or gear.slips)
@@ -298,8 +302,7 @@ class TransmissionFields:
         [[0, 1, 0, 3], [0, 1, 2, 1]]
         """
         bodies = list(range(self.links + 1))
-        for number in gear.joining:
-            element = self.shift_elements[number - 1]
+        for element in self.elements_at(gear.joining):
             join(bodies, element.first, element.second)
         for spring in self.springs:  # at mean speeds the twist of a shaft is constant
             join(bodies, *(() if spring.is_damper else ends(spring.twist) or ()))

@@ -24,7 +24,7 @@ def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> 
     A link that is held to the housing is not joined.
     """
     bodies = list(range(case.links + 1))
-    joined: list[tuple[int, ...]] = [case.shift_elements[number - 1][:2] for number in gear.joining]
+    joined: list[tuple[int, ...]] = [element.links for element in case.elements_at(gear.joining)]
     joined += [tuple(spring.form) for spring in case.springs if turns_as_one(spring, speeds)]
     joined += [_links(device) for device in case.own_devices if is_one_piece(device, speeds)]
     for links in joined:

@@ -333,7 +333,7 @@ def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -
     """Return a clause about freewheels that overrun, and advice to exchange links if it helps."""
     if not numbers:
         return "", ""
-    names = [case.shift_elements[number - 1].name for number in numbers]
+    names = [element.name for element in case.elements_at(numbers)]
     verb = "overruns" if len(names) == 1 else "overrun"
     exchanged: list[tuple[str, str]] = []
     for number in freewheels.in_wrong_order(state, numbers):

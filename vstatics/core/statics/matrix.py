@@ -250,7 +250,7 @@ def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
     """Return the name of each equation of `speed_rows`, for messages."""
     return [
         *(case.devices[device] for device in always_loaded(case, gear)),
-        *(case.shift_elements[number - 1].name for number in gear.carrying),
+        *(element.name for element in case.elements_at(gear.carrying)),
         INPUT_SPEED,
         *(f"{GIVEN_SPEED}{case.link_name(link)}" for link in gear.speeds),
     ]

@@ -154,7 +154,7 @@ def brakes_of(
     """Return the names of the engaged brakes at the first point of each link."""
     return grouped(
         (spot, element.name)
-        for element in (case.shift_elements[number - 1] for number in gear.carrying)
+        for element in case.elements_at(gear.carrying)
         if HOUSING in element.links
         for spot in spots.get(max(element.links), ())[:1]
     )

@@ -52,11 +52,11 @@ def gear_head(
     state = gear.state
     ratios = [f"i = {number(state.ratio)}"] if math.isfinite(state.ratio) else []
     ratio = "; ".join(ratios + [fault(message, style) for message in state.faults[:1]])
-    said = [", ".join(case.shift_elements[index - 1].name for index in state.gear.joining)]
-    for element, slip in state.gear.slip.items():
+    said = [", ".join(element.name for element in case.elements_at(state.gear.joining))]
+    for place, slip in state.gear.slip.items():
         if slip:
-            slipping = f"{style.text('slip')} {case.shift_elements[element - 1].name}"
-            said.append(f"{slipping} = {typeset(f'{slip:g}')}")
+            name = case.shift_elements[place - 1].name
+            said.append(f"{style.text('slip')} {name} = {typeset(f'{slip:g}')}")
     for link, speed in state.gear.speeds.items():
         said.append(f"{case.link_name(link)} = {typeset(case.speed_text(speed))}")
     name = "" if is_alone else gear_title(state.gear.name, style)

@@ -95,7 +95,7 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
     ]
     spots, always = spots_of(drawn), list(joins(drawn))
     engaged = dict.fromkeys(gear.carrying for gear in case.gears)
-    elements = [[case.shift_elements[number - 1] for number in some] for some in engaged]
+    elements = list(map(case.elements_at, engaged))
     in_gears = [[*always, *ties_of(case, some, spots)] for some in elements]
 
     def cost(turned: Order) -> float:

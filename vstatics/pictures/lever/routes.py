@@ -258,7 +258,7 @@ def gaps_of(case: Transmission, drawn: Sequence[Lever], rows: Sequence[PointRows
     gaps = [LEAST_GAP] * (len(drawn) - 1) + [0.0]
     for gear in [*case.gears, Gear(case.freewheels)]:
         engaged = {*gear.carrying, *case.freewheels}
-        elements = [case.shift_elements[number - 1] for number in sorted(engaged)]
+        elements = case.elements_at(sorted(engaged))
         ties = [*joins(drawn), *ties_of(case, elements, spots)]
         needed: dict[int, float] = {}
         for step in steps(rows, boxes, ties):

@@ -31,7 +31,7 @@ Conditions = frozenset[Condition]
 
 def conditions(case: Transmission, gear: Gear) -> Conditions:
     """Return the constraints of a gear, with one constraint for several equivalent elements."""
-    engaged = (case.shift_elements[number - 1] for number in gear.joining)
+    engaged = case.elements_at(gear.joining)
     given = (Condition(link, HOUSING, speed) for link, speed in gear.speeds.items())
     return frozenset([*map(_condition, engaged), *given])
 

@@ -146,7 +146,7 @@ def _rows(
     texts = [
         (
             mark_name(case, mark),
-            ", ".join(case.shift_elements[number - 1].name for number in mark.elements),
+            ", ".join(element.name for element in case.elements_at(mark.elements)),
         )
         for mark in plan.marks
     ]
@@ -230,7 +230,7 @@ def _stops(
 ) -> Iterator[tuple[str, float]]:
     """Yield each shift element of a gear, and the speed at which its dot is drawn."""
     speeds = {link: ray.at(mark.output) for ray in plan.rays for link in ray.links}
-    for element in (case.shift_elements[place - 1] for place in mark.elements):
+    for element in case.elements_at(mark.elements):
         names = [case.link_name(link) for link in element.links if link != HOUSING]
         does = style.text("holds"), style.text("joins")
         is_brake = HOUSING in element.links

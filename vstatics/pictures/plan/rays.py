@@ -226,7 +226,7 @@ def _names(
         same = frozenset([condition])
         numbers = sorted({element for gear in gears for element in elements_of(case, gear, same)})
         if numbers:
-            names = [case.shift_elements[number - 1].name for number in numbers]
+            names = [element.name for element in case.elements_at(numbers)]
             elements.append((numbers, "/".join(names)))
         else:
             given.append(f"{case.link_name(condition.link)} = {case.speed_text(condition.speed)}")

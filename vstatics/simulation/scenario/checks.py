@@ -339,7 +339,7 @@ def _of_gear(name: str, case: Transmission, path: Path) -> Iterator[Problem]:
         hint = nearest(name, names) or f"; gears are {listed(names, 12)}"
         yield Problem("E644", f"read {quoted(name)}, expected the name of a gear{hint}", path)
         return
-    slipping = [case.shift_elements[number - 1].name for number in gear.slip]
+    slipping = [element.name for element in case.elements_at(gear.slip)]
     if slipping:
         verb = "has" if len(slipping) == 1 else "have"
         message = f"{spoken(slipping)} {verb} a given slip in gear {gear.name}"

@@ -115,8 +115,7 @@ def _moves(amplitudes: Sequence[float], speed: float) -> bool:
 
 def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]]]:
     """Yield the names of all devices of a gear, and the links of each device."""
-    for number in gear.joining:
-        element = case.shift_elements[number - 1]
+    for element in case.elements_at(gear.joining):
         yield element.name, element.links
     for device in case.own_devices:
         yield device.name, [member.link for member in device.members]
