@@ -144,7 +144,12 @@ def by_hand(case: Transmission) -> ByHand | None:
         )
         power = lossy[-1] * speeds[case.output]
         eta = max(power, ZERO) if turn > 0 else 1 / power if power else ZERO
-        if agrees and not drives(lossy) and power * out >= 0 and (best is None or eta > best[0]):
+        if (
+            agrees
+            and not drives(lossy)
+            and (power * out > 0 or not out)
+            and (best is None or eta > best[0])
+        ):
             best = eta, lossy
     return ByHand(speeds, ideal, best and best[1], best and best[0])
 
