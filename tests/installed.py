@@ -24,7 +24,7 @@ KINDS = {
     **dict.fromkeys(("campbell", "dump", "modes", "response"), "torsion"),
     "shift": "simulation",
     "boxes": "synthesis",
-    **dict.fromkeys(("sawtooth", "steps", "traction"), "vehicle"),
+    **dict.fromkeys(("sawtooth", "spectrum", "steps", "traction"), "vehicle"),
 }
 """The annex of each kind of picture that `pictures` does not have itself."""
 NAMES = {

@@ -20,7 +20,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 STYLE = Style()
 SET = solve(in_van(load(CASES / "ravigneaux-gf4a.yaml")))
 SPRINGS = shipped_results("moskvich412.yaml")
-KINDS = [kind for kind in drawn_kinds() if kind != "shift"]
+KINDS = [kind for kind in drawn_kinds() if kind not in ("shift", "spectrum")]
 OF_VIBRATION = [kind for kind, own in drawn_kinds().items() if own.shows == "vibration"]
 
 

@@ -43,7 +43,7 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
     >>> table = to_dataframe(solve(case, ratios=[[-2.0], [-3.0]]))
     >>> table.shape, table.loc[(1, "2"), "ratio"].item()
-    ((4, 42), 4.0)
+    ((4, 44), 4.0)
     >>> table["speeds", "3"].round(3).tolist(), list(table["slip_speeds"])
     ([1.0, 0.333, 1.0, 0.25], ['F1', 'T2'])
     """

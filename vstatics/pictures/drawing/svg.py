@@ -168,7 +168,7 @@ class SvgWriter(NamedTuple):
             yield ET.Element("path", {"d": data, **clip, **_line_look(look)})
         for point in look.get("markevery", range(len(stroke.xs))) if "marker" in look else ():
             across, up = place.of(stroke.xs[point], stroke.ys[point])
-            if not math.isnan(up):
+            if not math.isnan(across + up):
                 yield _marker(across, self.canvas.size[1] - up, look, clip)
 
     def _clip_of(self, stroke: CanvasLine, place: CanvasPlace) -> dict[str, str]:
@@ -241,7 +241,7 @@ def _line_data(stroke: CanvasLine, place: CanvasPlace, size: tuple[float, float]
     data = []
     letter = "M"
     for x, y in zip(stroke.xs, stroke.ys, strict=True):
-        if math.isnan(y):
+        if math.isnan(x + y):
             letter = "M"
         else:
             data.append(f"{letter}{_number(left + part * x)} {_number(top - part * y)}")
