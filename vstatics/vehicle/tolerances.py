@@ -12,5 +12,7 @@ SAME_TORQUE_CLASS = 1e-9
 """Relative difference up to which a torque at the bound of a class belongs below it. [-]"""
 SAME_POWER = 1e-9
 """Relative difference up to which the powers of two gears count as equal. [-]"""
+NO_ENERGY = 1e-13
+"""Energy of a cycle that counts as rounding noise, relative to the sum of magnitudes. [-]"""
 NO_SPEED = 1e-12
 """Relative speed of a link that counts as rounding noise. [-]"""

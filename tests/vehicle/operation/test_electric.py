@@ -2,6 +2,7 @@
 
 import math
 from itertools import pairwise
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded
+from tests.commands import json_answer
 from tests.core.statics.points.test_maps import Grid, interpolated, random_map
 from vstatics import CaseError, Gear, Mechanism, ReadError, ShiftElement, Transmission, loads
 from vstatics.core.model.laws import MapLaw
@@ -236,3 +238,20 @@ def test_a_cycle_that_stands_has_no_consumption() -> None:
     found = driven(Vehicle(1000, 0.3, machine=Machine([(0, 300)])), [0.0, 0.0])
     assert found.consumption is not None
     assert math.isnan(found.consumption)
+
+
+def test_a_cycle_needs_no_load_of_the_case(tmp_path: Path) -> None:
+    """From rest to rest without resistance: nothing remains at the wheels."""
+    case = tmp_path / "car.yaml"
+    text = (
+        "mechanisms: {pair: {first: in, second: out, ratio: 8, "
+        "efficiency: {over: [speed, torque], columns: [0, 99], rows: [[0, .9, .95], [99, .8, .9]]}}}\n"
+        "gears: {'1': []}\nvehicle: {mass: 1500, radius: 0.3, machine: {torque: [[0, 300]]}}\n"
+    )
+    (tmp_path / "t.csv").write_text("time [s],speed [m/s]\n0,0\n5,9\n9,9\n14,0\n")
+    answers = []
+    for load in ("", "load: {speed: 2000 rpm, torque: 90 N*m}\n"):
+        case.write_text(f"links: [in, out]\n{load}{text}")
+        answers.append(json_answer("cycle", str(case), str(tmp_path / "t.csv"))["cycle"]["energy"])
+    assert answers[0] == answers[1]
+    assert answers[0]["wheels"] == 0

@@ -165,7 +165,9 @@ def cycle_command(
 
     read = read_trace(*files.read_input(trace, TABLE_BYTES))
     show = partial(_shown, trace=read, choice=choice, steps=steps)
-    return carry_out(Job("cycle", settings, to, show), (case,), others=[trace])
+    return carry_out(
+        Job("cycle", settings._replace(has_points=True), to, show), (case,), others=[trace]
+    )
 
 
 def _shown(

@@ -36,7 +36,7 @@ from vstatics.vehicle.operation.cycle_steps import (
 )
 from vstatics.vehicle.operation.fuel_map import FuelMap
 from vstatics.vehicle.operation.trace import Trace, blocks
-from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE
+from vstatics.vehicle.tolerances import NO_ENERGY, SAME_ENGINE_TORQUE
 
 J_OF_KWH = 3.6e6
 """Energy of 1 kWh. [J]"""
@@ -139,8 +139,8 @@ def drive(
     speeds = steps.engine_speeds
     lost, brakes = _losses(driven)
     energy = CycleEnergy(
-        float((engine * speeds) @ trace.duration),
-        float((steps.forces * trace.speed) @ trace.duration),
+        _total(engine * speeds * trace.duration),
+        _total(steps.forces * trace.speed * trace.duration),
         steps.inertia_energy,
         brakes,
         lost.energies,
@@ -187,6 +187,11 @@ def _losses(driven: DrivenSteps) -> tuple[CycleLosses, float]:
     )
     brakes += math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(limited))
     return lost, brakes
+
+
+def _total(energies: Floats) -> float:
+    total = float(energies.sum())
+    return total if abs(total) > NO_ENERGY * float(np.abs(energies).sum()) else 0.0
 
 
 def _per_distance(energy: float, distance: float) -> float:

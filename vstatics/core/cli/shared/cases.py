@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 import click
@@ -30,6 +31,7 @@ from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_
 from vstatics.core.extras import broken
 from vstatics.core.messages.catalogue import causes_of_allowable
 from vstatics.core.model.checks import hints
+from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.file_suffixes import suffix_of
@@ -258,6 +260,9 @@ class CaseOptions(NamedTuple):
     of_vibration: bool = False
     """True if vibration is shown, for which a converter without ratio is open."""
 
+    has_points: bool = False
+    """True if the command has operating points, so that the case needs no load."""
+
     @property
     def on_page(self) -> CaseOptions:
         """Options for a page that shows the notes instead of stderr."""
@@ -386,6 +391,8 @@ def calculate_one(
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each_gear = settings.telling.each_gear
         gear_messages = reading.located_messages(results, each_gear=each_gear)
+        if results.case.load != reading.case.load:  # not an operating point of the user
+            gear_messages = iter(())
         if is_run:
             gear_messages = (problem._replace(id="N004") for problem in gear_messages)
         problems = not_allowed([*reading.warnings, *notes, *gear_messages], reading.case.untold)
@@ -415,9 +422,21 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
             from vstatics.core.model.open_converters import with_needed_ratios
 
             case = with_needed_ratios(case)
+        if settings.has_points and case.depends:
+            case = _at_unit_load(case)
         return solution(case, coast=settings.coast, idle=settings.idle)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None
+
+
+def _at_unit_load(case: Transmission) -> Transmission:
+    """Return a case at a unit load if its operating points lack what laws need."""
+    from vstatics.core.model.laws import of_sought_ratios, without_loads
+
+    if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):
+        return case
+    gears = [gear._replace(load=None) for gear in case.gears]
+    return replace(case, gears=gears, load=Load(1000.0, 1.0))
 
 
 def read_data(
