@@ -78,3 +78,7 @@ SETTLED_FRICTION = 1e-12
 """Relative change of a torque of dry friction below which the iteration has settled. [-]"""
 STUCK_TORQUE = 1e-9
 """Relative amount by which a torque must be below the dry friction to count as stuck. [-]"""
+NO_FRICTION = 1e-300
+"""Smallest divisor of a friction torque, which avoids a division by 0."""
+SINGULAR = 1e-14
+"""Number on the diagonal of the equations of dry friction that keeps them solvable."""

@@ -12,7 +12,11 @@ SAME_TORQUE_CLASS = 1e-9
 """Relative difference up to which a torque at the bound of a class belongs below it. [-]"""
 SAME_POWER = 1e-9
 """Relative difference up to which the powers of two gears count as equal. [-]"""
-NO_ENERGY = 1e-13
+NO_CYCLE_ENERGY = 1e-13
 """Energy of a cycle that counts as rounding noise, relative to the sum of magnitudes. [-]"""
 NO_SPEED = 1e-12
 """Relative speed of a link that counts as rounding noise. [-]"""
+LEAST_EXCESS = 1e-9
+"""Relative increase of an engine torque that rounding leaves just below the least one. [-]"""
+AT_REST = 1e-10
+"""Speed relative to the largest, at which the losses at rest are calculated. [-]"""

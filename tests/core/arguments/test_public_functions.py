@@ -115,7 +115,7 @@ CALLS: list[tuple[str, type[Exception], Callable[[], Any], str]] = [
     ("sweep", CaseError, lambda: vstatics.sweep(CASE, {"P1.ratio": [-2]}, out="ratio[9]"),
      "out:1:7: error"),
     ("vehicle", CaseError, lambda: _cycle("time [s],speed [km/h]\n0,0\n1,9\n"),
-     "expected this column, `shifts`, or `leas"),
+     "one of `shifts`, `least_speed` and `strategy`"),
 ]  # fmt: skip
 """Annex, kind of the error, call, and what is said of it."""
 

@@ -29,18 +29,20 @@ elements:
     carrier: carrier
     teeth: {small_sun: 30, large_sun: 36, ring: 72, short: 18, long: 18}
   P1: {kind: planetary, sun: ring, ring: housing, carrier: out, teeth: {sun: 30, ring: 75}}
+mechanisms:
+  TC: {kind: converter, first: in, second: large, points: [[0, 2, 0.004], [1, 1, 0]]}
 shift_elements:
   C1: [in, carrier]
   B1: [large, housing]
   L1: {kind: freewheel, links: [carrier, housing]}
 drag: {ring: 1 N*m}
 gears:
-  low: {}
-  second: {engaged: [B1], loss: {over: [speed, torque], columns: [0, 9], rows: [[0, 9, 9], [9, 9, 9]]}}
-  held: {speeds: {large: -200 rpm}}
-  creep: {slip: {B1: -100 rpm}}
+  low: {open: [TC]}
+  second: {engaged: [B1], open: [TC], loss: {over: [speed, torque], columns: [0, 9], rows: [[0, 9, 9], [9, 9, 9]]}}
+  held: {open: [TC], speeds: {large: -200 rpm}}
+  creep: {open: [TC], slip: {B1: -100 rpm}}
 """
-"""A shared planet, a plain set, clutch, brake, freewheel, drag, a given speed, a slip, a load."""
+"""A shared planet, a plain set, clutch, brake, freewheel, drag, a given speed, a slip, an open converter, a load."""
 DECLARED = [one for one in QUANTITIES + ASKED if one.columns == "gears"]
 
 

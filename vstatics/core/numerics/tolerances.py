@@ -97,3 +97,12 @@ RTOL = 1e-9
 """Default relative tolerance of a comparison of results."""
 SAME_FORMULA = 1e-6
 """Relative difference up to which a formula reproduces the ratio of its gear."""
+SAME_TRIAL = 1e-12
+"""Relative distance of neighbouring trials of a search between which no edge is searched for."""
+SAME_PUMP_TORQUE = 1e-12
+"""Largest difference of the torques on the pump of a converter that counts as equal.
+
+It is relative to the torque of the gear, and to the largest torque that the pump takes.
+"""
+SETTLED_PUMP_TORQUE = 1e-14
+"""Difference of the torques on a pump at which a search ends, relative as `SAME_PUMP_TORQUE`."""

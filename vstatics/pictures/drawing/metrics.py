@@ -19,7 +19,7 @@ POINTS_PER_INCH = 72.0
 """Points per inch."""
 _SUBPIXELS = 64.0
 """Fractions of a pixel in which FreeType measures."""
-_FINE = 100.0
+_MEASURED_SIZE = 100.0
 """Size of letters at which heights are measured, for fine steps. [pt]"""
 ASCENT, DESCENT, LINE_GAP = 1556 / 2048, 492 / 2048, 410 / 2048
 """Heights of the font from its table OS/2, relative to the size of letters."""
@@ -59,7 +59,7 @@ def line_width(line: str, size: float, *, bold: bool = False) -> float:
 @cache
 def _fine_extent(line: str, *, bold: bool) -> TextExtent:
     font = _font(bold=bold)
-    font.set_size(_FINE, POINTS_PER_INCH)
+    font.set_size(_MEASURED_SIZE, POINTS_PER_INCH)
     with _boxes_for_missing():
         font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
     wide, high = font.get_width_height()
@@ -71,5 +71,5 @@ def line_extent(line: str, size: float, *, bold: bool = False) -> TextExtent:
     if not line:
         return TextExtent(0.0, 0.0, 0.0)
     wide, high, low = _fine_extent(line, bold=bold)
-    scale = size / _FINE
+    scale = size / _MEASURED_SIZE
     return TextExtent(wide * scale, high * scale, low * scale)

@@ -51,7 +51,7 @@ class TimeStep(NamedTuple):
     """Accuracy of `between`, relative to the largest value in the step."""
 
 
-_PATIENCE = 1000
+_STEPS_OF_PROGRESS = 1000
 """Number of steps between checks of progress."""
 
 
@@ -82,7 +82,7 @@ def steps(
     while solver.status == "running":
         start = solver.t, solver.y
         number += 1
-        if number % _PATIENCE == 0:
+        if number % _STEPS_OF_PROGRESS == 0:
             if solver.t - mark < NO_PROGRESS * equations.system.scenario.span:
                 raise TooSmall
             mark = solver.t

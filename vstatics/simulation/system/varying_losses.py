@@ -20,7 +20,7 @@ from vstatics.simulation.system.matrices import SIGNS, RigidMechanism, efficienc
 from vstatics.simulation.system.structure import mesh_factor
 from vstatics.simulation.tolerances import LEAST_EFFICIENCY, SAME_TORQUE
 
-_MOST_ROUNDS = 12
+_MOST_LOSS_ROUNDS = 12
 """Largest number of rounds for several instants at once, before each is calculated alone."""
 
 
@@ -145,7 +145,7 @@ class VaryingLosses:
         by_losses = np.array(self.by_losses)
         near = self.latest_of_all
         on_first = near if near.shape == held.shape and np.isfinite(near).all() else held
-        for _ in range(_MOST_ROUNDS):
+        for _ in range(_MOST_LOSS_ROUNDS):
             losses = np.array(
                 [
                     mesh.torques(*sizes)

@@ -17,11 +17,11 @@ import numpy as np
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.system.gear_system import TorsionalSystem
-from vstatics.torsion.tolerances import SETTLED_FRICTION
+from vstatics.torsion.tolerances import NO_FRICTION, SETTLED_FRICTION, SINGULAR
 
 MOST_FRICTION_SWEEPS = 40
 """Largest number of sweeps over all springs, one by one."""
-MOST_NEWTON_STEPS = 60
+MOST_FRICTION_STEPS = 60
 """Largest number of Newton steps for frequencies at which the sweeps do not settle."""
 
 
@@ -156,16 +156,16 @@ def _newton(
 
     def gap(at: Complex) -> tuple[Complex, Complex]:
         wanted = constant + (turned @ at[:, :, None])[:, :, 0]
-        near = np.minimum(1.0, limits / np.maximum(np.abs(wanted), 1e-300))
+        near = np.minimum(1.0, limits / np.maximum(np.abs(wanted), NO_FRICTION))
         return at - wanted * near, wanted
 
-    for _ in range(MOST_NEWTON_STEPS):
+    for _ in range(MOST_FRICTION_STEPS):
         error, wanted = gap(torques)
         size = np.abs(error / limits).max(axis=1)
         open_ = size > SETTLED_FRICTION
         if not open_.any():
             return torques
-        length = np.maximum(np.abs(wanted), 1e-300)
+        length = np.maximum(np.abs(wanted), NO_FRICTION)
         slides, unit = length > limits, wanted / length
         part = np.where(slides, limits / length, 1.0)
         along = np.concatenate([unit.real, unit.imag], axis=1) * np.tile(slides, 2)
@@ -174,7 +174,8 @@ def _newton(
         disc = parts[:, :, None] * (np.eye(2 * count) - along[:, :, None] * along[:, None] * pairs)
         jacobian = np.eye(2 * count) - disc @ slopes
         given = np.concatenate([error.real, error.imag], axis=1)
-        change = np.linalg.solve(jacobian + 1e-14 * np.eye(2 * count), given[:, :, None])[:, :, 0]
+        regular = jacobian + SINGULAR * np.eye(2 * count)
+        change = np.linalg.solve(regular, given[:, :, None])[:, :, 0]
         step = change[:, :count] + 1j * change[:, count:]
         share = np.ones(len(torques))
         for _ in range(12):

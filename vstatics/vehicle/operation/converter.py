@@ -22,7 +22,7 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine
-from vstatics.vehicle.tolerances import NO_SPEED, SAME_SPEED
+from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
 
 INTERVALS = 2
 """Number of intervals between neighbouring points in which a sign change is sought."""
@@ -34,8 +34,6 @@ MOST_POINTS_AT_ONCE = 100_000
 """Largest number of points calculated at once, which limits memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
 """Engine speeds near 0 at which roots are bracketed, relative to the last engine speed. [-]"""
-LEAST_EXCESS = 1e-9
-"""Relative increase of an engine torque that rounding leaves just below the least one. [-]"""
 FASTEST_OF_SEARCH = 1e7
 """Largest engine speed of the search. [rad/s]"""
 

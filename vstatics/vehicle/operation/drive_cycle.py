@@ -36,7 +36,7 @@ from vstatics.vehicle.operation.cycle_steps import (
 )
 from vstatics.vehicle.operation.fuel_map import FuelMap
 from vstatics.vehicle.operation.trace import Trace, blocks
-from vstatics.vehicle.tolerances import NO_ENERGY, SAME_ENGINE_TORQUE
+from vstatics.vehicle.tolerances import NO_CYCLE_ENERGY, SAME_ENGINE_TORQUE
 
 J_OF_KWH = 3.6e6
 """Energy of 1 kWh. [J]"""
@@ -191,7 +191,7 @@ def _losses(driven: DrivenSteps) -> tuple[CycleLosses, float]:
 
 def _total(energies: Floats) -> float:
     total = float(energies.sum())
-    return total if abs(total) > NO_ENERGY * float(np.abs(energies).sum()) else 0.0
+    return total if abs(total) > NO_CYCLE_ENERGY * float(np.abs(energies).sum()) else 0.0
 
 
 def _per_distance(energy: float, distance: float) -> float:

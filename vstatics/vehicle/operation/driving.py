@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from vstatics.core.arguments import naming, refusing
 from vstatics.core.jobs.input_files import TABLE_BYTES, read_file
@@ -26,7 +26,7 @@ def cycle(  # noqa: PLR0913
     *,
     least_speed: float | None = None,
     shifts: str = "",
-    least_loss: bool = False,
+    strategy: Literal["least-loss"] | None = None,
     fuel: str | os.PathLike[str] | FuelMap | None = None,
 ) -> DriveCycle:
     """Drive a case with a `vehicle` through a cycle of speeds.
@@ -42,9 +42,9 @@ def cycle(  # noqa: PLR0913
         does not exceed the last engine speed. [rad/s]
     shifts : str, optional
         Shift speeds of the vehicle, up and down: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
-    least_loss : bool
-        Whether to choose in each step the gear in which engine or battery give least energy, or
-        take back most, within full load.
+    strategy : {"least-loss"}, optional
+        Choose in each step the gear in which engine or battery give least energy, or take back
+        most, within full load.
     fuel : path-like or FuelMap, optional
         CSV with columns speed, torque, fuel; the file named in a case is not used.
 
@@ -74,7 +74,7 @@ def cycle(  # noqa: PLR0913
     Vehicle.needed(case)  # before the files are read
     trace_read = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
     fuel_map = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
-    choice = GearChoice(least_speed, read_shifts(shifts) if shifts else (), least_loss)
+    choice = GearChoice(least_speed, read_shifts(shifts) if shifts else (), strategy is not None)
     return drive(case, trace_read, choice, fuel_map)
 
 

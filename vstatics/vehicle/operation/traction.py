@@ -32,6 +32,7 @@ from vstatics.vehicle.operation.converter import (
     converters_of,
 )
 from vstatics.vehicle.operation.shifting import directions
+from vstatics.vehicle.tolerances import AT_REST
 
 if TYPE_CHECKING:
     from vstatics.core.summary import Summary
@@ -47,8 +48,6 @@ NARROWINGS = 5
 STEPS_TO_100 = 2000
 """Number of intervals of the integral of time, in addition to points of the engine."""
 
-AT_REST = 1e-10
-"""Speed relative to the largest, at which the losses at rest are calculated. [-]"""
 CONVERTER_POINTS = 2049
 """Number of speeds at which the force of a converter is calculated for the integral of time."""
 

@@ -20,7 +20,13 @@ from vstatics.core.model.bodies import join
 from vstatics.core.model.parts import HOUSING, RAD_PER_RPM, Mechanism
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.tolerances import EPSILON, SAME_SOLUTION, TIE
+from vstatics.core.numerics.tolerances import (
+    EPSILON,
+    SAME_PUMP_TORQUE,
+    SAME_SOLUTION,
+    SETTLED_PUMP_TORQUE,
+    TIE,
+)
 from vstatics.core.statics.carried import pump_factor
 from vstatics.core.statics.matrix import torque_ratio_of
 from vstatics.core.statics.physical import RELATIVE_TO_INPUT
@@ -32,18 +38,11 @@ from vstatics.core.statics.results import Results
 
 LEAST_TRIALS = 65
 """Least number of speed ratios in the grid."""
-MOST_RATIOS = 16
+MOST_SPEED_RATIOS = 16
 """Largest number of sign changes searched for speed ratios."""
-AGREED = 1e-12
-"""Largest difference of the torques on a pump that counts as equal.
-
-It is relative to the torque of the gear, and to the largest torque that the pump takes.
-"""
-CLOSE = 1e-14
-"""Difference of the torques on a pump at which the search ends, relative as `AGREED`."""
 ROUNDED = 16 * EPSILON
 """Relative difference of the torques on a pump that comes from rounding alone."""
-SLOW = 0.01
+LOSSY_SPEED_RATIO = 0.01
 """Speed ratio at which any real converter loses power. [-]"""
 TRIALS = 0.382, 0.618
 """Parts of the range of speed ratios at which gears without a solution are calculated."""
@@ -118,7 +117,7 @@ class SoughtRatio:
     @property
     def slow(self) -> float:
         """Speed ratio at which a driven pump loses power [-]."""
-        return min(self.ends[1], SLOW)
+        return min(self.ends[1], LOSSY_SPEED_RATIO)
 
     @property
     def fast(self) -> float:
@@ -264,7 +263,14 @@ def _roots(
         ratio: np.repeat(_extended(ratio.grid, longest)[:, None], variants, axis=1)
         for ratio in others
     }
-    found = find_roots(grids, columns, follow, most=MOST_RATIOS, agreed=AGREED, enough=CLOSE)
+    found = find_roots(
+        grids,
+        columns,
+        follow,
+        most=MOST_SPEED_RATIOS,
+        agreed=SAME_PUMP_TORQUE,
+        enough=SETTLED_PUMP_TORQUE,
+    )
     return roots | found
 
 

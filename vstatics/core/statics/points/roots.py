@@ -14,13 +14,11 @@ from typing import NamedTuple, Protocol, Self, TypeVar
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.tolerances import EPSILON
+from vstatics.core.numerics.tolerances import EPSILON, SAME_TRIAL
 from vstatics.core.statics.points.laws import Followed
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.results import Results
 
-NARROW = 1e-12
-"""Relative distance of neighbouring trials between which no edge is searched for."""
 EDGE_STEPS = 50
 """Number of bisections to find the number at which the torques begin to be missing."""
 MOST_ROOT_STEPS = 100
@@ -156,7 +154,7 @@ def _with_edges(
     before it is not missed. Otherwise the new row repeats the first of the two.
     """
     lacks = np.isnan(surplus)
-    wide = np.abs(trials[1:] - trials[:-1]) > NARROW * np.abs(trials[1:])
+    wide = np.abs(trials[1:] - trials[:-1]) > SAME_TRIAL * np.abs(trials[1:])
     cell, point = np.nonzero((lacks[1:] != lacks[:-1]) & wide)
     is_second = lacks[cell, point]
     known, beyond = trials[cell + is_second, point], trials[cell + ~is_second, point]
