@@ -6,7 +6,6 @@ import matplotlib as mpl
 import pytest
 
 from vstatics.pictures.drawing.labels import spread, width
-from vstatics.pictures.drawing.metrics import line_width
 
 
 def test_labels_move_as_little_as_they_can() -> None:
@@ -28,6 +27,6 @@ def test_labels_keep_their_order_and_their_distance() -> None:
 def test_a_text_is_as_wide_under_any_settings_of_the_user() -> None:
     texts = ["input", "carrier and second ring", "E"]
     widths = [width(text) for text in texts]
-    line_width.cache_clear()
+    width.cache_clear()
     with mpl.rc_context({"text.hinting": "force_autohint"}):
         assert [width(text) for text in texts] == widths

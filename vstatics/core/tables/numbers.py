@@ -175,6 +175,7 @@ def short(value: float, digits: int | None = None) -> str:
     return f"{value:.{digits}f}"
 
 
+@lru_cache(maxsize=4096)
 def typeset(text: str) -> str:
     """Typeset the numbers in a text, with a minus sign.
 

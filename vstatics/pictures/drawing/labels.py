@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from functools import partial
+from functools import cache, partial
 from typing import NamedTuple
 
 from vstatics.pictures.drawing.canvas import Point
@@ -71,6 +71,7 @@ def spread(
     return places
 
 
+@cache
 def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
     """Return the width of a text [pt]."""
     return max(line_width(line, size, bold=bold) for line in text.split("\n"))

@@ -23,12 +23,12 @@ class TextLine(NamedTuple):
     below: float
 
 
-def placed_lines(letters: CanvasText, place: CanvasPlace) -> Iterator[tuple[float, float, str]]:
-    """Yield the left end of the baseline of each line on the canvas [pt], and the line.
+def placed_lines(letters: CanvasText, place: CanvasPlace) -> list[tuple[float, float, str]]:
+    """Return the left end of the baseline of each line on the canvas [pt], and the line.
 
     A text is aligned by the rectangle around its lines, after a rotation.
     """
-    lines = [*_lines(letters)]
+    lines, places = [*_lines(letters)], []
     wide = max(line.wide for line in lines)
     side, turn = _SIDES[letters.look.get("ha", "left")], letters.look.get("rotation", 0.0)
     x, y = place.of(*letters.at)
@@ -38,8 +38,9 @@ def placed_lines(letters: CanvasText, place: CanvasPlace) -> Iterator[tuple[floa
         down -= line.above
         if line.text:
             along, up = _turned((side * (wide - line.wide), down), turn)
-            yield x + along - off[0], y + up - off[1], line.text
+            places.append((x + along - off[0], y + up - off[1], line.text))
         down -= line.below
+    return places
 
 
 def _lines(letters: CanvasText) -> Iterator[TextLine]:

@@ -46,7 +46,6 @@ def _boxes_for_missing() -> Iterator[None]:
         yield
 
 
-@cache
 def line_width(line: str, size: float, *, bold: bool = False) -> float:
     """Return the width of a line of text without hinting [pt]."""
     font = _font(bold=bold)

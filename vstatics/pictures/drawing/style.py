@@ -129,6 +129,8 @@ class Style(NamedTuple):
         >>> Style("ru").text("efficiency")
         'КПД'
         """
+        if self.language == "en" and not places:
+            return english
         return translated(english, self.language, **places)
 
     @property

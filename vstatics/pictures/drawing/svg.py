@@ -123,7 +123,7 @@ class SvgWriter(NamedTuple):
     def _add(self, part: CanvasPart) -> None:
         mark, parent = part.mark, self._group(part.mark.groups)
         elements = [*self._elements(part)]
-        attributes = as_attributes(mark.data)
+        attributes = as_attributes(mark.data) if mark.data else {}
         if mark.kind:
             for element in elements:
                 _insert(element, {"class": mark.kind, **attributes})
@@ -321,12 +321,12 @@ def _lines(letters: CanvasText, place: CanvasPlace, canvas: Canvas) -> Iterator[
     if _number(letters.size) != _number(SIZE):
         attributes["font-size"] = f"{_number(letters.size)}px"
     anchor = _ANCHORS.get(letters.look.get("ha", "left"))
-    colour = {"fill": letters.look.get("color", canvas.style.ink)}
-    lines = [*placed_lines(letters, place)]
+    colour = {"fill": letters.look.get("color") or canvas.style.ink}
+    lines = placed_lines(letters, place)
     for x, y, text in lines:
         down = canvas.size[1] - y
         if len(lines) == 1 and not letters.look.get("rotation"):
-            at = {"x": _number(place.of(*letters.at)[0]), "y": _number(down)}
+            at = {"x": _number(place.left + place.part * letters.at[0]), "y": _number(down)}
             look = {**attributes, **({"text-anchor": anchor} if anchor else {})}
         else:
             turn = letters.look.get("rotation", 0.0)
