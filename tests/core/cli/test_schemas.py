@@ -38,6 +38,7 @@ def complaints(command: str, document: Any) -> list[str]:
 def test_a_schema_is_valid_and_its_file_up_to_date(name: str) -> None:
     made = schemas()[name]
     Draft202012Validator.check_schema(made)
+    assert set(re.findall(r'"#/\$defs/(\w+)"', json.dumps(made))) <= set(made.get("$defs", ()))
     file = SCHEMAS / f"{name}.schema.json"
     assert file.read_text(encoding="utf-8") == text(made), "write them: make schema"
 
