@@ -223,6 +223,10 @@ def test_strengths_and_bearings_are_written_as_they_were_read() -> None:
             "bearings: {b: {on: P1.carrier, load_per_torque: 1, dynamic: 9}}",
             "does not turn against",
         ),
+        (
+            "bearings: {b: {on: [s, s], torque_of: s, load_per_torque: 1, dynamic: 9}}",
+            "does not turn against",
+        ),
         ("fatigue: {s: {torque: 9, cycles: 9, exponent: 3, flanks: apart}}", "is a magnitude"),
         ("bearings: {b: {on: s, load_per_torque: 0, dynamic: 9 kN}}", "a load per torque above 0"),
         ("bearings: {b: {on: s, load_per_torque: 1 N, dynamic: 9}}", "load_per_torque: read '1 N'"),
@@ -233,6 +237,16 @@ def test_what_cannot_be_is_refused_at_its_place(keys: str, said: str) -> None:
         loads(CASE % keys)
     assert said in str(caught.value)
     assert ":8:" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("read", "wrong"),
+    [("ratio: 2.5", "ratio: x"), ("ring: 78", "ring: 0"), ("sun: s", "sun: [s]")],
+)
+def test_members_of_gear_sets_in_error_are_not_reported_as_missing(read: str, wrong: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        loads((CASE % STRENGTH).replace(read, wrong))
+    assert "E880" not in {problem.id for problem in caught.value.problems}
 
 
 CAR = """\

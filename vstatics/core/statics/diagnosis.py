@@ -506,7 +506,9 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
         solved = torques.solve_torques(case, state.gear, columns)
     for element in ideal.driving(state.ideal, columns, solved):
         slip = state.gear.slip[element]
-        size = f"{slip.given:g} rpm" if isinstance(slip, OfLoad) else f"{slip:g}"
+        # A driving cycle solves from the wheels, so the slip is relative to their speed there.
+        relative = f"{slip:g} times the speed of {case.link_name(case.gear_input(state.gear))}"
+        size = f"{slip.given:g} rpm" if isinstance(slip, OfLoad) else relative
         side = "below" if slip > 0 else "above"
         yield Said(
             "W438",

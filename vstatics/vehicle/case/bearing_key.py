@@ -94,6 +94,9 @@ def _of_places(bearing: Bearing, members: Members, path: tuple[Any, ...]) -> Ite
     if len(bearing.on) != 2:
         message = f"read {len(bearing.on)} links, expected two: [first, second]"
         yield Problem("E880", message, path)
+    elif bearing.on[0] == bearing.on[1]:
+        message = f"{quoted(bearing.on[0])} does not turn against itself, expected two links"
+        yield Problem("E880", message, path)
     for place, link in enumerate(bearing.on, 1):
         if link not in members.links:
             yield members.fault(link, members.links, "link", (*path, place))
@@ -114,4 +117,5 @@ KEY = CaseKey(
     Mapping[str, Bearing],
     _record,
     of_bearings,
+    names_members=True,
 )

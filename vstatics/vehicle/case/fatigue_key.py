@@ -144,4 +144,5 @@ KEY = CaseKey(
     _record,
     of_fatigue,
     doubts_of_fatigue,
+    names_members=True,
 )

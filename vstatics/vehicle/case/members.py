@@ -103,6 +103,6 @@ class Members(NamedTuple):
     @staticmethod
     def fault(name: str, known: Iterable[str], what: str, path: Path) -> Problem:
         """Return the problem of an unknown name, with the nearest name."""
-        names = [*known]
+        names = [*dict.fromkeys(known)]  # a device can have the name of its planet
         hint = nearest(name, names) or f"; there are {listed(names, 12) or 'none'}"
         return Problem("E880", f"there is no {what} {quoted(name)}{hint}", path)

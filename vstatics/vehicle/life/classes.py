@@ -119,7 +119,7 @@ def spectrum_grid(spectra: Mapping[str, MemberSpectrum], *, are_shares: bool) ->
     """Return a table with a row for each class of each member, and for the time without torque."""
     rows = (row for name, spectrum in spectra.items() for row in _rows(name, spectrum))
     turns, time = ("turns a second", "share") if are_shares else ("turns", "time, s")
-    headings = ("member", "from, N*m", "to, N*m", turns, "contacts", time, "speed, rpm")
+    headings = ("member", "above, N*m", "up to, N*m", turns, "contacts", time, "speed, rpm")
     return grid_of("Load spectrum", headings, rows, key="duty spectrum")
 
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
+from vstatics.core.annexes import KEYS
 from vstatics.core.elements import teeth
 from vstatics.core.elements.checks import hints, problems
 from vstatics.core.elements.drawing import Drawing
 from vstatics.core.elements.keys import DRAWN, element_of, with_elements
 from vstatics.core.errors import Path, Problem
+from vstatics.core.model.carried import installed_keys
 from vstatics.core.model.shape import ByKey
 from vstatics.core.readers.named import nodes
 from vstatics.core.readers.named.arguments import arguments, read_with_stand_ins
@@ -43,7 +45,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
     all_problems = list(spots.document.problems)
     locate: Callable[[Problem], Problem] = spots.locate
     if any(path and path[0] in _DRAWN for path in spots.unreadable):
-        spots.unreadable += [("links",), ("mechanisms",)]
+        spots.unreadable += _dependent(given)
     else:
         names = parts["link_names"] or list(map(str, range(1, values["links"] + 1)))
         drawing = Drawing(
@@ -55,7 +57,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
         )
         faults = list(problems(drawing)) or list(_planets_called_like_links(drawing, names))
         if faults:
-            spots.unreadable += [("links",), ("mechanisms",)]
+            spots.unreadable += _dependent(given)
         else:
             parts |= drawing.lowered(names)
             parts.setdefault("output", 0 if parts.get("outputs") else drawing.links)
@@ -64,6 +66,13 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
             faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
         all_problems += map(spots.locate, faults)
     return finish(parts, all_problems, read_with_stand_ins(spots.unreadable), locate)
+
+
+def _dependent(given: Collection[str]) -> list[Path]:
+    """Return the paths of problems that follow from gear sets in error."""
+    keys = installed_keys(name for name in KEYS if name in given)
+    naming = [key.shape.name for key in keys if key.names_members]
+    return [(name,) for name in ("links", "mechanisms", *naming)]
 
 
 def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterator[Problem]:
