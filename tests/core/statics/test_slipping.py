@@ -296,6 +296,12 @@ def test_a_slip_in_rpm_needs_the_speed_of_the_load() -> None:
         loads(text)
 
 
+def test_a_slip_and_an_equal_speed_are_both_named_as_redundant() -> None:
+    case = two_shafts(0.2).replace(gears=[Gear(slip={1: 0.2}, speeds={2: 0.8})])
+    said = str(solve(case).messages[0])
+    assert "C, the input speed and the given speed of link 2 impose the same constraint" in said
+
+
 def test_wrong_slips_in_python_are_located() -> None:
     for number, slip, said in ((3, 0.1, "expected the number of a"), (1, math.inf, "read inf")):
         with pytest.raises(CaseError, match=said) as caught:

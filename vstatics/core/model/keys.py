@@ -177,7 +177,7 @@ def _map_fault(file: str | None = None, **others: object) -> str:
     beside = [quoted(name) for name in ("columns", "rows", "unit") if name in others]
     if file is None or not beside:
         return ""
-    return f"read `file` beside {spoken(beside)}, expected `file` alone: the file has them"
+    return f"read `file` and {spoken(beside)}, expected `file` alone: the file has them"
 
 
 def _map_keys(values: str, head: str, of: str, *others: KeyShape) -> ByKey:

@@ -193,7 +193,7 @@ def _of_map(  # noqa: PLR0913
         return
     for name, numbers, noun in (("columns", columns, "torques"), ("rows", rows, "speeds")):
         if len(numbers) < 2:
-            message = f"read {len(numbers)} of {noun}, expected two {noun} or more"
+            message = f"read {len(numbers)}, expected two {noun} or more"
             yield Problem("E266", message, (*path, name))
     yield from _ascending(columns, "torque", -math.inf if signed else 0.0, (*path, "columns"))
     speeds = [row[0] for row in rows if row]

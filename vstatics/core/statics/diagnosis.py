@@ -382,14 +382,37 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
             )
 
 
+def _speed_ratios(results: Results, number: int, gear: Gear) -> dict[str, float]:
+    """Return the speed ratios of variators and converters [-]; NaN where the load determines it."""
+    case = results.case
+    calculated = results.points.gears[number] if results.points else gear
+    ratios = zip(case.mechanisms, case.gear_ratios(calculated), strict=True)
+    return {mechanism.name: ratio for mechanism, ratio in ratios if mechanism.kind}
+
+
+def _cure(
+    engaged: Sequence[str], others: Sequence[str], fixed: Sequence[str], sought: Sequence[str]
+) -> str:
+    """Return the remedies for contradictory constraints on the speeds; empty without any.
+
+    `fixed` and `sought` are converters and variators with a given and with a sought speed ratio.
+    """
+    cures = [
+        "release one of the engaged shift elements" * bool(engaged),
+        "remove a given speed" * any(name != matrix.INPUT_SPEED for name in others),
+        f"give {spoken(fixed)} another speed ratio" * bool(fixed),
+        f"list {spoken(sought)} under `open`" * bool(sought),
+    ]
+    return " or ".join(filter(None, cures))
+
+
 def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Report constraints on the speeds that repeat or contradict each other."""
     case, repeated, same = results.case, list[str](), list[str]()
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
     always = len(matrix.always_loaded(case, gear))
-    ratios = zip(case.mechanisms, case.gear_ratios(gear), strict=True)
-    at_ratios = {mechanism.name: ratio for mechanism, ratio in ratios if mechanism.kind}
+    at_ratios = _speed_ratios(results, number, gear)
     for involved, agrees in elimination.dependencies(rows):
         given_speeds = always + len(gear.carrying)
         engaged = [names[i] for i in involved if always <= i < given_speeds]
@@ -400,16 +423,13 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         every = [names[i] for i in involved]
         conditions = spoken(engaged + springs + others if engaged or others else every)
         if not agrees:
-            given = [n for n in others if n != matrix.INPUT_SPEED]
-            cures = [
-                "release one of the engaged shift elements" * bool(engaged),
-                "remove a given speed" * bool(given),
-                f"give {spoken(free)} another speed ratio" * bool(free),
-            ]
+            fixed = [name for name in free if not math.isnan(at_ratios[name])]
+            cure = _cure(engaged, others, fixed, [name for name in free if name not in fixed])
             if free:
-                free_at_ratio = [f"{name} at the speed ratio {at_ratios[name]:g}" for name in free]
-                conditions = spoken([*engaged, *springs, *free_at_ratio, *others])
-            cure = " or ".join(filter(None, cures))
+                conditions = spoken(
+                    f"{name} at the speed ratio {at_ratios[name]:g}" if name in fixed else name
+                    for name in (*engaged, *springs, *free, *others)
+                )
             if not cure:
                 conditions, cure = spoken(every), "check the links and ratios of these mechanisms"
             if springs:
@@ -420,7 +440,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
                 f"turn as given; {cure}",
             )
         elif engaged:
-            repeated.append(spoken(engaged))
+            repeated.append(spoken(engaged) if len(engaged) > 1 else conditions)
         else:
             same.append(f"{conditions} impose the same constraint on the speeds")
     if repeated:

@@ -193,7 +193,7 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
             "line 3: 0 rad/s, 0 N.m is on line 2, too; expected each point",
         ),
         ("0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n", r"rows\[1\]\[2\]: read 1.2, expected an efficiency"),
-        ("0,0,0.9\n0,5,0.9\n", r"rows: read 1 of speeds, expected two speeds or more"),
+        ("0,0,0.9\n0,5,0.9\n", r"rows: read 1, expected two speeds or more"),
         ("0,0\n", "line 2: expected 3 numbers"),
     ],
 )
@@ -223,7 +223,7 @@ def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
             "[[0, 1, 0], [9, 1, 1]]",
             r"rows\[1\]\[3\]: read 0, expected an efficiency abov",
         ),
-        ("[0]", "[[0, 1], [9, 1]]", r"columns: read 1 of torques, expected two torques or more"),
+        ("[0]", "[[0, 1], [9, 1]]", r"columns: read 1, expected two torques or more"),
     ):
         with pytest.raises(ReadError, match=said):
             loads(CASE.format(efficiency=one % (columns, rows), loss=LOSS))
@@ -234,7 +234,7 @@ def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
             r"^[^\n]*loss.over: read '\[torque, speed\]', expected `\[speed, torque\]`",
         ),
         ("{over: speed, points: [[0, 1]]}", "loss.over: read 'speed', expected `.speed, torque.`"),
-        ("{over: [speed, torque], file: a.csv, unit: W}", "read `file` beside `unit`"),
+        ("{over: [speed, torque], file: a.csv, unit: W}", "read `file` and `unit`"),
         (LOSS.replace("700", "-7"), r"loss.rows\[2\]\[3\]: read -7, expected a loss of 0 or more"),
     ):
         with pytest.raises(ReadError, match=said):

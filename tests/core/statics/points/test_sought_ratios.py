@@ -95,3 +95,14 @@ def test_inputs_without_a_ratio_are_reported(
     said = vstatics("run", "box.yaml")
     assert said.status == (0 if "i = 1" in message or "ratio from" in message else 1)
     assert message in said.err
+
+
+def test_a_slip_of_the_lock_up_clutch_needs_an_open_converter() -> None:
+    """The slip fixes the speed ratio, so that the load cannot determine it."""
+    case = loads(CASE.replace("{engaged: [L]}", "{slip: {L: 0.1}}"))
+    [said] = [str(said) for said in solve(case).messages if said.gear == "2"]
+    assert "tied up: L, TC and the input speed contradict each other" in said
+    assert "release one of the engaged shift elements or list TC under `open`" in said
+    results = solve(case.replace(gears=[case.gears[1]._replace(open=(1,))]))
+    assert results.slip_losses_kW[0, 0] == pytest.approx(0.1 * 100 * 200 / 1000)
+    assert not results.messages
