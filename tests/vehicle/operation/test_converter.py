@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +12,8 @@ import pytest
 from scipy.optimize import brentq
 
 from tests.chance import count, generator
+from tests.commands import vstatics
+from tests.installed import needs
 from vstatics import CaseError, Gear, Machine, Mechanism, Transmission
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.laws import MapLaw
@@ -325,3 +328,35 @@ def test_a_converter_beside_the_path_of_power_is_an_error_in_its_gear() -> None:
 
 def test_a_converter_that_finds_its_ratio_keeps_none() -> None:
     assert [doubt.id for doubt in doubts(automatic())] == []
+
+
+@pytest.mark.parametrize(
+    ("command", "further"),
+    [
+        ("summary", ["-o", "x.md"]),
+        ("cycle", ["t.csv", "-o", "x.json"]),
+        pytest.param("plot", ["-k", "traction", "-o", "x.svg"], marks=needs("pictures")),
+        pytest.param("report", ["-o", "x.html"], marks=needs("page")),
+    ],
+)
+@pytest.mark.usefixtures("folder")
+def test_a_gear_in_which_engine_and_converter_cannot_meet_is_located(
+    command: str, further: list[str]
+) -> None:
+    text = """\
+links: [engine, turbine, a, w]
+load: {speed: 2000 rpm, torque: 80 N*m}
+shift_elements: {C: [turbine, a]}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine, points: [[0, 2, 0.002], [1, 1, 0]]}
+  p: {first: a, second: w, ratio: 3}
+gears:
+  "1": {slip: {C: 0.1}}
+vehicle: {mass: 1200, radius: 0.3, engine: [[80, 100], [600, 120]]}
+"""
+    Path("car.yaml").write_text(text, encoding="utf-8")
+    Path("t.csv").write_text("time [s],speed [km/h]\n0,0\n9,20\n", encoding="utf-8")
+    done = vstatics(command, "car.yaml", *further)
+    assert done.status == 1
+    assert "car.yaml:8:3: error: gears.1: a shift element slips in gear 1" in done.err
+    assert not list(Path().glob("x.*"))

@@ -18,7 +18,7 @@ from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import command, provided, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import above_0, torque, value
-from vstatics.core.errors import ReadError
+from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import higher
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
@@ -188,8 +188,13 @@ def _summarized(
     """Return the summary of a case; report too many combinations as a problem of the file."""
     from vstatics.core.summary import summarize
 
-    with files.problems_of_file(outcome.file, "; see --at-most"):
+    try:
         summary = summarize(results, at_most=at_most, output_torque=output_torque, reserve=reserve)
+    except CaseError as error:
+        if any(problem.path[:1] == ("gears",) for problem in error.problems):
+            raise outcome.located(error) from None
+        with files.problems_of_file(outcome.file, "; see --at-most"):
+            raise
     return summary if duty is None else summary._replace(cycle=duty.of(results))
 
 

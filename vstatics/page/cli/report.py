@@ -18,6 +18,7 @@ from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import OUTPUT, command, gathered, provided, refuse, under
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import each, named, separated, value
+from vstatics.core.errors import CaseError
 from vstatics.core.extras import higher
 from vstatics.core.statics.results import Results
 from vstatics.core.texts import Language, speaking
@@ -187,7 +188,10 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
             file = os.path.basename(outcome.file)  # noqa: PTH119
             scenario = naming_of(outcome), run_of(outcome)
             options = label, outcome.results, file, outcome.problems, page.digits
-            both.append(paged(*options, *scenario))
+            try:
+                both.append(paged(*options, *scenario))
+            except CaseError as error:
+                raise outcome.located(error) from None
     if len(both) == len(cases):
         from vstatics.page.report.pair.page import pair_page
 
@@ -215,7 +219,10 @@ def _shown(
 
         run, naming = run_of(outcome), naming_of(outcome)
         messages = [*outcome.problems, *warnings]
-        material = gather(results, messages, page.digits, run, naming, asked=chosen_page)
+        try:
+            material = gather(results, messages, page.digits, run, naming, asked=chosen_page)
+        except CaseError as error:
+            raise outcome.located(error) from None
         material = material._replace(summary=material.summary._replace(cycle=duty))
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")

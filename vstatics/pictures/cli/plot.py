@@ -245,8 +245,9 @@ def _shown(
     except CaseError as error:
         if error.problems[0].id == _MISSING_PACKAGE:  # not a fault of the case
             raise ReadError(error.problems) from None
-        raise ReadError(
-            problem if problem.place else problem.in_file(outcome.file)
-            for problem in error.problems
-        ) from None
+        problems = (
+            each if each.path or each.place else each.in_file(outcome.file)
+            for each in error.problems
+        )
+        raise outcome.located(CaseError(problems)) from None
     return texts.CaseOutput([], {form: lambda _: drawn})

@@ -19,7 +19,7 @@ from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import OUTPUT, RenamedOption, command, gathered, under
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import value
-from vstatics.core.errors import CaseError, Problem, ReadError, of_file
+from vstatics.core.errors import CaseError, Problem, of_file
 from vstatics.core.jobs.files import STDOUT
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.results import Results
@@ -246,14 +246,13 @@ def _driven(
             fuel = read_fuel_map(*files.read_input(path, regular=True))
         return drive(results.case, trace, choice, fuel)
     except CaseError as error:
-        raise ReadError(
-            _located(problem, trace, outcome.file) for problem in error.problems
-        ) from None
+        problems = [_placed(problem, trace, outcome.file) for problem in error.problems]
+        raise outcome.located(CaseError(problems)) from None
 
 
-def _located(problem: Problem, trace: Trace, file: str) -> Problem:
-    """Return a problem with a position in the trace, or in the case."""
+def _placed(problem: Problem, trace: Trace, file: str) -> Problem:
+    """Return a problem, with its place in the trace or the file if it has no path in the case."""
     row = next(iter(problem.path), None)
     if isinstance(row, int):
         return problem._replace(path=(), place=trace.table.place(row))
-    return problem if problem.place else problem.in_file(file)
+    return problem if problem.path or problem.place else problem.in_file(file)
