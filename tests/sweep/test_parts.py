@@ -174,6 +174,7 @@ def test_what_is_wrong_is_told_at_its_place(file: Path) -> None:
         "B.capacity=30": "its values need their unit",
         "B.capacity=30 kg": "this is a mass",
         "P1.teeth.sun=30 rpm": "expected bare numbers",
+        "P1.teeth.sun [rpm]=30": "expected bare numbers",
     }.items():
         assert run("sweep", file, "--vary", vary).gives_nothing("--vary:1:", said), vary
 

@@ -44,6 +44,14 @@ def test_texts_stay_texts_in_letters_that_other_machines_have() -> None:
     assert root.findtext(f"{SVG}title") == "a <set>"
 
 
+def test_spaces_between_parts_of_a_text_stay() -> None:
+    pen = blank(144.0, 72.0, STYLE)
+    pen.text(72.0, 36.0, "mode 1    6.5 Hz")
+    svg = written_as_svg(pen.canvas, "")
+    assert b'xml:space="preserve">mode 1    6.5 Hz' in svg
+    assert next(parsed(svg).iter(f"{SVG}text")).text == "mode 1    6.5 Hz"
+
+
 def test_what_an_artist_says_is_its_title_and_data() -> None:
     root = made(title='P1: "sun" & <ring>')
     group = next(root.iter(f"{SVG}g"))

@@ -21,6 +21,7 @@ from vstatics.core.model.parts import Friction
 from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Capacity, Formula, Scenario, Start, constant, simulate
+from vstatics.simulation.events.stretches import Closed
 
 STIFFNESS, DAMPING, INERTIA = 1e4, 1.0, 0.1
 
@@ -80,6 +81,27 @@ def test_a_firing_torque_on_stiff_shafts_moves_as_by_a_plain_integrator() -> Non
     motion = simulate(Scenario(links(*inertias, springs=springs), 0.3, start, torques=torques))
     found = solve_ivp(change, (0, 0.3), [150.0] * 3 + [0.0] * 3, "DOP853", rtol=1e-12, atol=1e-10)
     assert motion.speeds[-1] == pytest.approx(found.y[:3, -1], abs=1e-6)
+
+
+def test_slopes_that_are_only_rounding_errors_do_not_hold_up_a_run(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Slopes of 0 differ at each calculation; the run ends, with the same motion."""
+    spring = Spring(between(1, 2), 3e3, damping=0.5)
+    torques = ((1, Formula("150 + 300*sin(2*angle)*(1 + speed/200)")),)
+    start = Start(speeds={1: 150.0, 2: 150.0})
+    scenario = Scenario(links(0.15, 2.0, springs=(spring,)), 0.1, start, torques=torques)
+    expected = simulate(scenario).speeds[-1]
+    slopes, noise = Closed._slopes, np.random.default_rng(1)
+
+    def rounded(closed: Closed, time: float, state: Floats) -> tuple[Floats, Floats]:
+        by_rate, by_state = slopes(closed, time, state)
+        by_state[by_state == 0] = noise.normal(size=(by_state == 0).sum()) * 1e-13
+        return by_rate, by_state
+
+    monkeypatch.setattr(Closed, "_slopes", rounded)
+    motion = simulate(scenario)
+    assert motion.speeds[-1] == pytest.approx(expected, abs=1e-6)
 
 
 def test_friction_that_bends_with_the_slip_is_passed_piece_by_piece() -> None:

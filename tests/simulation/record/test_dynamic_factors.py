@@ -49,6 +49,17 @@ def test_factors_are_largest_torques_by_those_of_statics(tmp_path: Path) -> None
         assert motion.dynamic_factors["D"] is None
 
 
+@pytest.mark.parametrize(
+    "start", ['{gear: "1"}', "{speeds: {in: 0, out: 0}}", "{speeds: {in: 9, out: 0}}"]
+)
+def test_the_speed_of_a_start_need_not_be_that_of_a_gear(tmp_path: Path, start: str) -> None:
+    """A constant efficiency needs no speed: 150*3*0.96 at the spring."""
+    text = SCENARIO.replace('{gear: "1", speed: 100}', start)
+    motion = simulate(load_scenario(scenario_of(tmp_path, text)))
+    factor = abs(motion.peaks["half"].torque) / 432
+    assert motion.dynamic_factors["half"] == pytest.approx(factor, rel=1e-12)
+
+
 def test_commands_report_factors(tmp_path: Path) -> None:
     file = str(scenario_of(tmp_path))
     answer = json_answer("simulate", file)

@@ -47,6 +47,15 @@ def resonances(svg: bytes) -> dict[tuple[str, int, float], Mark]:
     return dict(zip(keys, found, strict=True))
 
 
+@pytest.mark.parametrize("speeds", ["3000:1000", "abc", "500:3000:9", "5 kg:500", "a:500"])
+def test_wrong_speeds_are_repeated_once(speeds: str) -> None:
+    options = "-k", "campbell", "--speed", speeds, "-o", "no.svg"
+    answer = vstatics("plot", CASES / "moskvich412.yaml", *options)
+    assert answer.status == 2
+    assert answer.err.count("read ") == 1
+    assert f"--speed: read `{speeds}`, expected a" in answer.err
+
+
 @pytest.mark.parametrize("name", FASTEST)
 def test_there_is_a_dot_for_each_resonance_of_the_modes(name: str, tmp_path: Path) -> None:
     """Those of ``torsion modes`` in which the input moves, up to the end of the scale.

@@ -335,6 +335,8 @@ def _lines(letters: CanvasText, place: CanvasPlace, canvas: Canvas) -> Iterator[
             look = attributes
         element = ET.Element("text", {**at, **look, **colour})
         element.text = text
+        if "  " in text:
+            element.set("xml:space", "preserve")
         yield element
 
 

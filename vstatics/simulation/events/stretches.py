@@ -484,7 +484,7 @@ class Closed:
 
     def _stretches(self, state: Floats, end: float) -> Iterator[TimeStretch | None]:
         """Yield stretches up to a time, and None where the stretches before end a step."""
-        time = begin = self.equations.time
+        time = begin = straightened = self.equations.time
         shorter, smooth = 1.0, 0
         joined, most_joined, last_length = 0, _FIRST_JOINED, 0.0
         while time < end:
@@ -506,8 +506,9 @@ class Closed:
                 ):
                     self.most = min(self.most if shorter < 1 else 2 * self.most, _MOST_HALVINGS)
                     shorter = min(1.0, 2 * shorter)
-            elif self._bends_elsewhere(time, state):
+            elif time > straightened and self._bends_elsewhere(time, state):
                 self._straighten(time, state)
+                straightened = time  # slopes of 0 have rounding errors that differ each time
             else:
                 smooth = 0
                 shorter = shorter if count > 1 else shorter / 2

@@ -23,7 +23,7 @@ def static_torques(scenario: Scenario) -> dict[str, float]:
     ----------
     scenario : Scenario
         Scenario with `static`; without it, the result is empty. The speed, which losses can depend
-        on, is that of the `load` of the gear, or else that of the start.
+        on, is that of the `load` of the gear, or else that of the start if the input turns then.
 
     Raises
     ------
@@ -35,7 +35,8 @@ def static_torques(scenario: Scenario) -> dict[str, float]:
     case, torque = scenario.case, scenario.static.torque
     gear = case.gears[case.gear_number(scenario.static.gear) - 1]
     load = case.gear_load(gear)
-    speed = scenario.start.speed / RAD_PER_RPM if load.speed is None else load.speed
+    start = scenario.start.speeds.get(case.input, scenario.start.speed) / RAD_PER_RPM
+    speed = (start or None) if load.speed is None else load.speed
     gear = gear._replace(load=load._replace(speed=speed, torque=torque, power=None))
     try:
         results = solve(replace(case, gears=[gear], coast=None))

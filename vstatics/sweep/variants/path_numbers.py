@@ -73,20 +73,21 @@ class CasePath(NamedTuple):
         ValueError
             If the unit does not fit the quantity, or is missing.
         """
+        unit = unit or self.unit
         if self.measure is None:
             if unit:
                 raise ValueError(f"{self.path}: read values in {unit}, expected bare numbers")
             return self
-        unit = unit or self.unit
         if not unit:
-            raise ValueError(f"{self.path}: its values need their unit, such as {self._example}")
+            raise ValueError(f"{self.path}: its values need their unit, such as {self.example}")
         _size(unit, self.measure)
         if self.unit and unit != self.unit:
             raise ValueError(f"read values in {unit}, expected them in {self.unit}")
         return self._replace(unit=unit)
 
     @property
-    def _example(self) -> str:
+    def example(self) -> str:
+        """Value with a usual unit, of a number that has units."""
         assert self.measure is not None  # noqa: S101 - asked where a unit is missing
         if self.measure == "power" or self.measure in EXAMPLES:
             return EXAMPLES[self.measure]

@@ -142,15 +142,23 @@ def read_linked(text: str, subject: VariedSubject, place: Place) -> tuple[Varied
     ('D1.ratio', 8)
     """
     varied, end = _read_name(text, subject, place, "a formula of other numbers")
-    try:
-        if isinstance(varied, CasePath):
-            varied = varied.in_unit("")
-    except ValueError as error:
-        hint = f"; write the unit in brackets, such as `{varied.name} [N*m]=...`"
-        raise refusal(f"{error}{hint}", place) from None
+    if isinstance(varied, CasePath):
+        varied = _in_brackets(varied, place)
     if not isinstance(subject, Transmission):
         varied = subject.in_unit(varied, "", place)
     return varied, end
+
+
+def _in_brackets(path: CasePath, place: Place) -> CasePath:
+    """Return a number with values in the unit of its name."""
+    try:
+        return path.in_unit("")
+    except ValueError as error:
+        hint = ""
+        if path.measure:
+            unit = path.example.split()[-1]
+            hint = f"; write the unit in brackets, such as `{path.path} [{unit}]=...`"
+        raise refusal(f"{error}{hint}", place) from None
 
 
 def _assigned(text: str, subject: VariedSubject) -> int:

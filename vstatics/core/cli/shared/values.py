@@ -189,11 +189,11 @@ def shown_speeds(text: str) -> tuple[float, float]:
 
     parts = text.split(":")
     if len(parts) != 2:
-        raise ValueError(f"read {text[:30]!r}, expected a range of speeds such as 500:3000")
+        raise ValueError("expected a range of speeds such as 500:3000")
     bare = [part if calculated(part.strip()).behind else f"{part} rpm" for part in parts]
     low, high = (quantity(part.strip(), "speed") for part in bare)
     if not 0 <= low < high < math.inf:
-        raise ValueError(f"read {text[:30]!r}, expected a speed from 0 on, and a higher speed")
+        raise ValueError("expected a speed from 0 on, and a higher speed")
     return low, high
 
 
