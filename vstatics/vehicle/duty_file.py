@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import NamedTuple, get_args
 
 from vstatics.core.errors import CaseError, Problem, ReadError, of_file, spoken
+from vstatics.core.model.parts import RAD_PER_RPM, Load
 from vstatics.core.model.shape import ByKey, KeyShape, Shares
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.kinds import KEYS, is_of_kind
@@ -39,6 +40,10 @@ class DutyFile(NamedTuple):
 
     duty: Duty
     spots: Spots
+
+    @property
+    def load(self) -> None:
+        """None, as shares have no operating points."""
 
     def of(self, results: Results) -> Cycle:
         """Calculate the duty cycle for a case.
@@ -74,6 +79,9 @@ class DutyTable(NamedTuple):
     classes: Classes | None = None
     """Classes of torque of the load spectra."""
 
+    load: Load | None = None
+    """First operating point with a power, for a case without `load`."""
+
     def of(self, results: Results) -> Spectrum:
         """Calculate the duty cycle for a case.
 
@@ -92,6 +100,10 @@ class DutyTable(NamedTuple):
                 for problem in error.problems
             ) from None
         notes = without_inertias(results.case) if "duration" in table.numbers else ()
+        if results.case.load is self.load is not None:
+            rpm, torque = self.load.speed, self.load.torque
+            text = f"the case has no load: gears are calculated at {rpm:g} rpm and {torque:g} N*m"
+            notes = Message("N423", f"{text}, the first of these points with a power"), *notes
         return found._replace(messages=(*found.messages, *notes))
 
 
@@ -150,7 +162,12 @@ def read_duty_table(
     if ("time" in table.numbers) == ("share" in table.numbers):
         message = "expected exactly one of the columns `time` and `share`"
         raise ReadError("E121", message, place=table.source.place(1))
-    return DutyTable(table, exponent or EXPONENT, classes)
+    return DutyTable(table, exponent or EXPONENT, classes, _first_load(table))
+
+
+def _first_load(table: UnitTable) -> Load | None:
+    points = zip(table.numbers["speed"], table.numbers["torque"], strict=True)
+    return next((Load(w / RAD_PER_RPM, torque) for w, torque in points if w and torque), None)
 
 
 def _of_road(speed: re.Match[str]) -> str:
@@ -170,7 +187,7 @@ def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | No
     numbers = {**table.numbers, "time": table.numbers["duration"]}
     texts = {name: list(map(unguarded, words)) for name, words in table.texts.items()}
     table = table._replace(numbers=numbers, texts=texts)
-    return DutyTable(table, exponent or EXPONENT, classes)
+    return DutyTable(table, exponent or EXPONENT, classes, _first_load(table))
 
 
 def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded
-from tests.commands import json_answer
+from tests.commands import json_answer, vstatics
 from tests.core.statics.points.test_maps import Grid, interpolated, random_map
 from vstatics import CaseError, Gear, Mechanism, ReadError, ShiftElement, Transmission, loads
 from vstatics.core.model.laws import MapLaw
@@ -240,7 +240,7 @@ def test_a_cycle_that_stands_has_no_consumption() -> None:
     assert math.isnan(found.consumption)
 
 
-def test_a_cycle_needs_no_load_of_the_case(tmp_path: Path) -> None:
+def test_cycles_need_no_load_of_the_case(tmp_path: Path) -> None:
     """From rest to rest without resistance: nothing remains at the wheels."""
     case = tmp_path / "car.yaml"
     text = (
@@ -249,9 +249,14 @@ def test_a_cycle_needs_no_load_of_the_case(tmp_path: Path) -> None:
         "gears: {'1': []}\nvehicle: {mass: 1500, radius: 0.3, machine: {torque: [[0, 300]]}}\n"
     )
     (tmp_path / "t.csv").write_text("time [s],speed [m/s]\n0,0\n5,9\n9,9\n14,0\n")
+    (tmp_path / "d.csv").write_text("time [s],gear,speed [rpm],torque [N*m]\n9,1,0,0\n9,1,900,50\n")
     answers = []
     for load in ("", "load: {speed: 2000 rpm, torque: 90 N*m}\n"):
         case.write_text(f"links: [in, out]\n{load}{text}")
-        answers.append(json_answer("cycle", str(case), str(tmp_path / "t.csv"))["cycle"]["energy"])
+        energy = json_answer("cycle", case, tmp_path / "t.csv")["cycle"]["energy"]
+        duty = vstatics("summary", case, "--duty", tmp_path / "d.csv", "-f", "json")
+        n423 = "gears are calculated at 900 rpm and 50 N*m, the first of these points"
+        assert (n423 in duty.err) == (not load)
+        answers.append((energy, duty.json["duty"]["energy"]))
     assert answers[0] == answers[1]
-    assert answers[0]["wheels"] == 0
+    assert answers[0][0]["wheels"] == 0

@@ -103,10 +103,12 @@ def summary_command(
     others = duty.files if duty else []
     to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
     arguments.check_streams([*cases, *others])
+    given = duty.read() if duty else None
+    settings = settings._replace(load=given.load if given else None)
     summarized = partial(
         _summarized,
         at_most=at_most or (MOST_COMBINATIONS if combinations else None),
-        duty=duty.read() if duty else None,
+        duty=given,
         output_torque=output_torque or 0.0,
         reserve=reserve,
     )

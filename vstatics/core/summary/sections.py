@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Protocol
 
 from vstatics.core.errors import Problem, of_file
+from vstatics.core.model.parts import Load
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
@@ -36,6 +37,10 @@ class CycleSection(Section, Protocol):
 
 class GivenCycle(Protocol):
     """Duty cycle from a file."""
+
+    @property
+    def load(self) -> Load | None:
+        """Operating point for a case without one; None for a cycle without points."""
 
     def of(self, results: Results) -> CycleSection:
         """Return the results of a case over the cycle."""

@@ -260,8 +260,10 @@ class CaseOptions(NamedTuple):
     of_vibration: bool = False
     """True if vibration is shown, for which a converter without ratio is open."""
 
-    has_points: bool = False
-    """True if the command has operating points, so that the case needs no load."""
+    load: Load | None = None
+    """Operating point for a case without one, of a command that has operating points."""
+    is_nominal: bool = False
+    """True if no shown result depends on `load`, nor should any message."""
 
     @property
     def on_page(self) -> CaseOptions:
@@ -391,7 +393,7 @@ def calculate_one(
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each_gear = settings.telling.each_gear
         gear_messages = reading.located_messages(results, each_gear=each_gear)
-        if results.case.load != reading.case.load:  # not an operating point of the user
+        if settings.is_nominal and results.case.load is settings.load:
             gear_messages = iter(())
         if is_run:
             gear_messages = (problem._replace(id="N004") for problem in gear_messages)
@@ -422,21 +424,21 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
             from vstatics.core.model.open_converters import with_needed_ratios
 
             case = with_needed_ratios(case)
-        if settings.has_points and case.depends:
-            case = _at_unit_load(case)
+        if settings.load and case.depends:
+            case = _with_load(case, settings.load)
         return solution(case, coast=settings.coast, idle=settings.idle)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None
 
 
-def _at_unit_load(case: Transmission) -> Transmission:
-    """Return a case at a unit load if its operating points lack what laws need."""
+def _with_load(case: Transmission, load: Load) -> Transmission:
+    """Return a case at a load if its operating points lack what laws need."""
     from vstatics.core.model.laws import of_sought_ratios, without_loads
 
     if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):
         return case
     gears = [gear._replace(load=None) for gear in case.gears]
-    return replace(case, gears=gears, load=Load(1000.0, 1.0))
+    return replace(case, gears=gears, load=load)
 
 
 def read_data(
