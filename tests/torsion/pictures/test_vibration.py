@@ -175,7 +175,9 @@ def test_what_is_missing_is_said(
     assert kind in drawn_kinds()
     options = ("-k", kind, "-o", tmp_path / "a.svg")
     said = vstatics("plot", CASES / "simpson.yaml", *options)
-    assert said.fails("simpson.yaml: error: nothing has an inertia, so nothing vibrates")
+    assert said.fails(
+        "simpson.yaml", "error: inertias: nothing has an inertia, so nothing vibrates"
+    )
     find = importlib.util.find_spec
     monkeypatch.setattr(
         importlib.util, "find_spec", lambda name, *of: None if name == "scipy" else find(name, *of)
