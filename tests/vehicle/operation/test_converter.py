@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 from tests.chance import count, generator
 from tests.commands import vstatics
 from tests.installed import needs
-from vstatics import CaseError, Gear, Machine, Mechanism, Transmission
+from vstatics import CaseError, Gear, Machine, Mechanism, Transmission, loads
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.laws import MapLaw
 from vstatics.core.numerics.constants import GRAVITY
@@ -288,6 +288,43 @@ def test_the_slope_is_that_at_stall() -> None:
     assert pull.engine_speeds(0, np.zeros(1)) == pytest.approx(math.sqrt(200 / 0.002), rel=1e-9)
     slope = 2 * 200 * 4 * 0.9 * 1.5 / 0.5 / (2000 * GRAVITY)
     assert performance(case).gears["1"].slope == pytest.approx(slope, rel=1e-9)
+
+
+SIMPSON = """
+links: [engine, turbine, ring, sun, carrier, out]
+output: out
+load: {{speed: 2000 rpm, torque: 150 N*m}}
+{sets}
+mechanisms:
+  TC: {{kind: converter, first: engine, second: turbine,
+       points: [[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]}}
+  {pairs}
+shift_elements: {{C1: [turbine, ring], C2: [turbine, sun], B2: [carrier, housing]}}
+gears: {{"1": [C1, B2], "3": [C1, C2], R: [C2, B2]}}
+vehicle: {{mass: 1500, radius: 0.3, rolling: 0, drag_area: 0, final_drive: 3, engine: [[0, 200], [600, 200]]}}
+"""
+
+
+def test_gear_sets_behind_the_converter_are_as_their_mechanisms() -> None:
+    """At rest the engine gives 200 N*m, times 2 in the converter and 88/36 in first gear."""
+    teeth = "kind: planetary, teeth: {sun: 32, ring: 72}"
+    elements = f"""mesh_efficiency: {{external: 1, internal: 1}}
+elements:
+  P1: {{{teeth}, sun: sun, ring: ring, carrier: out}}
+  P2: {{{teeth}, sun: sun, ring: out, carrier: carrier}}"""
+    pairs = """P1: {first: sun, second: ring, third: out, ratio: -72/32}
+  P2: {first: sun, second: out, third: carrier, ratio: -72/32}"""
+    texts = [SIMPSON.format(sets=elements, pairs=""), SIMPSON.format(sets="", pairs=pairs)]
+    trace = read_trace(b"time [s],speed [m/s],gear\n0,0,1\n9,9,3\n20,25,3\n30,8,1\n", "t.csv")
+    drawn, plain = (
+        (performance(case), drive(case, trace, GearChoice())) for case in map(loads, texts)
+    )
+    force = 200 * 2 * 88 / 36 * 3 / 0.3
+    assert drawn[0].gears["1"].slope == pytest.approx(force / 1500 / GRAVITY, rel=1e-9)
+    assert drawn[0].gears == plain[0].gears
+    assert drawn[0].time_to_100 == pytest.approx(plain[0].time_to_100, rel=1e-12)
+    assert drawn[1].energy.lost["TC"] == pytest.approx(plain[1].energy.lost["TC"], rel=1e-12)
+    assert drawn[1].energy.engine == pytest.approx(plain[1].energy.engine, rel=1e-12)
 
 
 def test_links_before_the_converter_are_no_mass_at_full_load() -> None:

@@ -20,6 +20,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine
 from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
@@ -109,8 +110,8 @@ class ConverterGear(NamedTuple):
     """Case with this gear only."""
     name: str
     """Name of the converter."""
-    device: int
-    """Index of the converter among the devices."""
+    row: int
+    """Row of the torque on the pump in the torques of results."""
     points: Floats
     """Points of speed ratio, torque ratio and lambda, with the free ratio, shape (points, 3)."""
     per_engine: Floats
@@ -138,7 +139,8 @@ class ConverterGear(NamedTuple):
             raise CaseError("E429", message, ("gears", index + 1))
         free = alone.gear_ratios(gear)[place]
         points = _with_point(np.array(mechanism.points), free)
-        self = cls(alone, mechanism.name, len(case.shift_elements) + place, points, points, points)
+        row = row_names(alone, "torques").index(first_rows(alone)[place])
+        self = cls(alone, mechanism.name, row, points, points, points)
         speeds = solve(alone, vary={self.path: [free, free - 0.5]}).speeds[:, 0]
         output = speeds[:, case.gear_output(gear) - 1]
         ends = [mechanism.first - 1, mechanism.second - 1]
@@ -222,7 +224,7 @@ class ConverterGear(NamedTuple):
         if not len(ratios):
             return np.zeros(0)
         vary = {"load.speed": load[0], "load.torque": load[1], self.path: ratios}
-        torques: Floats = solve(case, vary={**vary, **further}).lossy_torques_Nm[:, 0, self.device]
+        torques: Floats = solve(case, vary={**vary, **further}).lossy_torques_Nm[:, 0, self.row]
         return torques
 
     def search(
