@@ -183,7 +183,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         messages=[*_messages_about(results, actual.name), *_assumed_teeth(results, case)],
         balance=machine_balance(results, number),
         tried=tried_signs(state) or None,
-        slipping=[elements[n - 1] for n in state.carrying if n not in state.engaged] or None,
+        slipping=[elements[n - 1] for n in actual.slipping] or None,
     )
 
 

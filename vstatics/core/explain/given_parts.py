@@ -193,9 +193,7 @@ def shift_elements(case: Transmission, gear: Gear, state: GearState) -> Grid:
                 kind_of(element),
                 *(link_text(case, link) for link in element.links),
                 word(off if is_open else on if number in state.engaged else "slips"),
-                ""
-                if is_open or number in state.engaged
-                else cell_of(plain(state.gear.slip[number])),
+                cell_of(plain(state.gear.slip[number])) if number in state.gear.slipping else "",
                 cell_of(drag) if (drag := drags[number]) and is_open else "",
             )
         )
