@@ -186,7 +186,7 @@ def shift_elements(case: Transmission, gear: Gear, state: GearState) -> Grid:
     rows, drags = [], case.gear_open_drag(gear)
     for number, element in enumerate(case.shift_elements, 1):
         on, off = ("holds", "overruns") if element.is_freewheel else ("engaged", "disengaged")
-        is_open = number not in state.carrying
+        is_open = number not in state.gear.carrying
         rows.append(
             (
                 element.name,
