@@ -213,7 +213,7 @@ def test_the_legend_says_which_numbers_are_relative(load: str, words: str) -> No
 
 
 def test_a_slipping_clutch_has_a_sign_of_its_own() -> None:
-    """1000 rpm less 300 rpm are those of the carrier: i = 1/0.7, the sprag overruns."""
+    """The clutch slips by 0.3 of the input speed: i = 1/(1 - 0.3); the freewheel overruns."""
     text = shown(FREEWHEEL.replace("low: {}", "low: {slip: {lock-up clutch: 300 rpm}}"))
     [low] = (line for line in gear_lines(text) if line.startswith(" low"))
     assert low.split()[1:3] == ["~·", "1.429"]

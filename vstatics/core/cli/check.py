@@ -99,7 +99,7 @@ def constraints(file: str, results: Results) -> Grid:
     for index, (gear, holds, missing, excess, tied_up, conflict) in enumerate(states):
         holding = [number for number in case.freewheels if holds[number - 1]]
         engaged = " ".join(names[number - 1] for number in (*gear.joining, *holding)) or "nothing"
-        slipping = [names[number - 1] for number in gear.slip if number not in gear.joining]
+        slipping = [names[number - 1] for number in gear.slipping]
         engaged += f"; slipping: {' '.join(slipping)}" * bool(slipping)
         unloaded = results.gear_at(index).unloaded if missing else ()
         faults = [f"{spoken(unloaded)} unloaded"] * bool(unloaded)

@@ -161,7 +161,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         gear=actual.name,
         engaged=[elements[n - 1] for n in state.engaged if n not in state.holding],
         holding=[elements[n - 1] for n in state.holding],
-        not_engaged=[name for n, name in enumerate(elements, 1) if n not in state.carrying],
+        not_engaged=[name for n, name in enumerate(elements, 1) if n not in actual.carrying],
         rows=case.link_names,
         columns=[case.devices[device] for device in loaded],
         matrix=matrix[:, loaded],
@@ -183,7 +183,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         messages=[*_messages_about(results, actual.name), *_assumed_teeth(results, case)],
         balance=machine_balance(results, number),
         tried=tried_signs(state) or None,
-        slipping=[elements[n - 1] for n in state.carrying if n not in state.engaged] or None,
+        slipping=[elements[n - 1] for n in actual.slipping] or None,
     )
 
 

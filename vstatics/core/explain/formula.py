@@ -146,7 +146,7 @@ def formula(
     if reason:
         raise NoFormula(reason)
     case = on_links.case
-    if gear.slips:
+    if gear.slipping:
         raise NoFormula(SLIPS)
     given: dict[int, str] = {}
     numbers: dict[str, float] = {}

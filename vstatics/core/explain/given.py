@@ -66,7 +66,7 @@ def given(results: Results, place: int) -> Iterator[Grid]:
     gear = case.gears[place]
     names = [item.name for item in case.shift_elements]
     holding = [names[number - 1] for number in state.holding]
-    slipping = [names[number - 1] for number in state.carrying if number not in state.engaged]
+    slipping = [names[number - 1] for number in gear.slipping]
     engaged_text = engaged([names[number - 1] for number in gear.joining], holding, slipping)
     yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=engaged_text), (), ())
     data = mapping(case)

@@ -186,16 +186,14 @@ def shift_elements(case: Transmission, gear: Gear, state: GearState) -> Grid:
     rows, drags = [], case.gear_open_drag(gear)
     for number, element in enumerate(case.shift_elements, 1):
         on, off = ("holds", "overruns") if element.is_freewheel else ("engaged", "disengaged")
-        is_open = number not in state.carrying
+        is_open = number not in state.gear.carrying
         rows.append(
             (
                 element.name,
                 kind_of(element),
                 *(link_text(case, link) for link in element.links),
                 word(off if is_open else on if number in state.engaged else "slips"),
-                ""
-                if is_open or number in state.engaged
-                else cell_of(plain(state.gear.slip[number])),
+                cell_of(plain(state.gear.slip[number])) if number in state.gear.slipping else "",
                 cell_of(drag) if (drag := drags[number]) and is_open else "",
             )
         )

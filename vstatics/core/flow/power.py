@@ -202,9 +202,9 @@ def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float
         losses[Node("mechanism", number, device.name)] = loss
     for exchange in exchanged:
         number = exchange.node.number
-        slips = exchange.node.kind == "element" and (
-            number - 1 in state.drag.elements or number not in state.engaged
+        dissipates = exchange.node.kind == "element" and (
+            number - 1 in state.drag.elements or number in state.gear.slipping
         )
-        if slips or exchange.node.kind in ("drag", "gear"):
+        if dissipates or exchange.node.kind in ("drag", "gear"):
             losses[exchange.node] = losses.get(exchange.node, 0.0) + exchange.power
     return losses

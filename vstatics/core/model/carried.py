@@ -32,7 +32,7 @@ class CaseKey(NamedTuple):
     left_out: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
     """Function that yields notes about data that simulation and vibration ignore."""
     names_members: bool = False
-    """Whether the data name members of gear sets, which are unknown if a gear set is in error."""
+    """True if the data name members of gear sets, which are unknown if a gear set is in error."""
 
 
 def as_type(data: object, kind: type[Data]) -> Data | None:

@@ -283,12 +283,12 @@ class TransmissionFields:
         return any(mechanism.kind == "converter" for mechanism in self.mechanisms)
 
     def elements_at(self, numbers: Iterable[int]) -> list[ShiftElement]:
-        """Return the shift elements with some numbers, such as those that a gear engages."""
+        """Return the shift elements with the given numbers."""
         return [self.shift_elements[number - 1] for number in numbers]
 
     def conserves_power(self, gear: Gear) -> bool:
         """Return whether the output of a gear takes the whole input power if meshes lose none."""
-        return not (gear.speeds or gear.torques or self.has_converter or gear.slips)
+        return not (gear.speeds or gear.torques or self.has_converter or gear.slipping)
 
     def bodies(self, gear: Gear) -> Bodies:
         """Return the bodies into which engaged shift elements and shafts join the links.

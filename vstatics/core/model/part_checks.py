@@ -46,6 +46,15 @@ def is_number(number: object, last: int, first: int = HOUSING) -> bool:
     return hasattr(number, "__index__") and first <= number <= last  # type: ignore[operator]
 
 
+def of_number(identity: str, number: object, noun: str, last: int, path: Path) -> list[Problem]:
+    """Return a problem unless an object is the number of a part, from 1 to `last`."""
+    if is_number(number, last, 1):
+        return []
+    return [
+        Problem(identity, f"read {number!r}, expected the number of {noun}, from 1 to {last}", path)
+    ]
+
+
 def expect(number: float, what: str, path: Path, *, right: bool) -> Iterator[Problem]:
     """Yield a problem with the expectation `what` unless a number is right."""
     if not right:
@@ -267,9 +276,8 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
     last = len(mechanisms) + len(case.converters)
     for number, ratio in gear.speed_ratios.items():
         inner = (*path, "speed_ratios", number)
-        if not is_number(number, last, 1):
-            expected = f"the number of a mechanism, from 1 to {last}"
-            yield Problem("E275", f"read {number!r}, expected {expected}", inner)
+        if wrong := of_number("E275", number, "a mechanism", last, inner):
+            yield from wrong
         elif number <= len(mechanisms) and not mechanisms[number - 1].kind:
             name = mechanisms[number - 1].name or number
             message = (
@@ -296,9 +304,8 @@ def _open(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]
     names = [*mechanism_names(mechanisms), *(converter.name for converter in case.converters)]
     for place, number in enumerate(gear.open, 1):
         inner = (*path, "open", place)
-        if not is_number(number, len(names), 1):
-            expected = f"the number of a converter, from 1 to {len(names)}"
-            yield Problem("E275", f"read {number!r}, expected {expected}", inner)
+        if wrong := of_number("E275", number, "a converter", len(names), inner):
+            yield from wrong
             continue
         name = names[number - 1]
         if number <= len(mechanisms) and mechanisms[number - 1].kind != "converter":
@@ -438,11 +445,8 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
     elements = case.shift_elements
     for number, torque in gear.open_drag.items():
         inner = (*path, "open_drag", number)
-        if is_number(number, len(elements), 1):
-            yield from of_drag(torque, elements[number - 1], inner)
-        else:
-            expected = f"the number of a shift element, from 1 to {len(elements)}"
-            yield Problem("E243", f"read {number!r}, expected {expected}", inner)
+        wrong = of_number("E243", number, "a shift element", len(elements), inner)
+        yield from wrong or of_drag(torque, elements[number - 1], inner)
     if gear.loss is not None:
         from vstatics.core.model.laws import of_law  # costs start-up time
 
@@ -556,19 +560,19 @@ def _engaged(
 ) -> Iterator[Problem]:
     seen = set()
     for position, element in enumerate(engaged, 1):
-        if not is_number(element, len(elements), 1):
-            expected = f"the number of a shift element, from 1 to {len(elements)}"
-            yield Problem("E243", f"read {element!r}, expected {expected}", (*path, position))
+        inner = (*path, position)
+        if wrong := of_number("E243", element, "a shift element", len(elements), inner):
+            yield from wrong
             continue
         message = f"shift element {elements[element - 1].name or element} is"
         if element in seen:
             message += " engaged twice, expected each shift element once"
-            yield Problem("E245", message, (*path, position))
+            yield Problem("E245", message, inner)
         elif elements[element - 1].is_freewheel:
             message += (
                 " a freewheel, and the program finds out whether it holds; remove it from the gear"
             )
-            yield Problem("E246", message, (*path, position))
+            yield Problem("E246", message, inner)
         seen.add(element)
 
 
@@ -576,9 +580,8 @@ def _slipping(elements: Sequence[ShiftElement], gear: Gear, path: Path) -> Itera
     """Check the shift elements that slip under torque, and their slips."""
     for number, slip in gear.slip.items():
         inner = (*path, number)
-        if not is_number(number, len(elements), 1):
-            expected = f"the number of a shift element, from 1 to {len(elements)}"
-            yield Problem("E243", f"read {number!r}, expected {expected}", inner)
+        if wrong := of_number("E243", number, "a shift element", len(elements), inner):
+            yield from wrong
             continue
         element = elements[number - 1]
         name = element.name or number

@@ -725,9 +725,9 @@ class Gear(NamedTuple):
         return (*self.engaged, *(number for number, slip in self.slip.items() if slip == 0))
 
     @property
-    def slips(self) -> bool:
-        """True if a shift element slips under torque."""
-        return any(slip != 0 for slip in self.slip.values())
+    def slipping(self) -> tuple[int, ...]:
+        """Numbers of the shift elements that slip under torque."""
+        return tuple(number for number, slip in self.slip.items() if slip != 0)
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
         """Return the links of the balance without speed or torque, except input and output."""

@@ -82,6 +82,15 @@ def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
     return float(np.abs(values).max(initial=0.0))
 
 
+def without(values: Floats, flags: Booleans) -> Floats:
+    """Return values with NaN at flags, whose axes are the first axes of the values.
+
+    >>> without(np.ones((2, 2)), np.array([False, True])).tolist()
+    [[1.0, 1.0], [nan, nan]]
+    """
+    return np.where(flags.reshape(*flags.shape, *[1] * (values.ndim - flags.ndim)), np.nan, values)
+
+
 def counted(lengths: Integers) -> tuple[Integers, Integers]:
     """Return the list number and the position of each item of concatenated lists.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.model.parts import RAD_PER_RPM, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.tolerances import SAME_RATIO, VISIBLE_EXCESS
 from vstatics.core.numerics.traced import plain
@@ -92,14 +92,15 @@ def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, spee
     return float(pump_factor(points, speed_ratio)) * speed * abs(speed)
 
 
-def pump_factor(points: Sequence[tuple[float, ...]], speed_ratio: Any) -> Any:
+def pump_factor(points: Sequence[tuple[float, ...]], speed_ratio: Size) -> Size:
     """Return lambda [N*m*s^2] of a converter at a speed ratio, or at each of an array.
 
     >>> pump_factor([(0, 2, 0.01), (1, 1, 0.0)], np.array([0.5, 2.0])).tolist()
     [0.005, 0.0]
     """
     by_ratio, _, factors = np.transpose(points)
-    return np.interp(speed_ratio, by_ratio, factors)
+    factor: Size = np.interp(speed_ratio, by_ratio, factors)
+    return factor
 
 
 def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:

@@ -50,7 +50,7 @@ def freedom(case: Transmission) -> int:
 
 
 def given_constraints(gear: Gear) -> int:
-    """Return the number of engaged or slipping elements and given speeds, the input's included."""
+    """Return the number of engaged or slipping elements and given speeds, with the input speed."""
     return len(gear.carrying) + 1 + len(gear.speeds)
 
 
@@ -516,14 +516,12 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
 def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     """Report slipping elements that would give power, in a gear without torques for this reason."""
     case, state = results.case, results.gear_at(number)
-    if not state.gear.slips:
+    if not state.gear.slipping:
         return
-    columns = matrix.columns(case, state.ideal.variant.ratios)
+    columns, drag = state.ideal.variant.columns, torques.NO_DRAG
     if results.locked[number]:
-        columns = matrix.columns(case, state.lossy_ratios)
-    solved = torques.solve_torques(case, state.gear, columns, state.drag)
-    if not results.locked[number]:
-        solved = torques.solve_torques(case, state.gear, columns)
+        columns, drag = matrix.columns(case, state.lossy_ratios), state.drag
+    solved = torques.solve_torques(case, state.gear, columns, drag)
     for element in ideal.driving(state.ideal, columns, solved):
         slip = state.gear.slip[element]
         # A driving cycle solves from the wheels, so the slip is relative to their speed there.
@@ -695,6 +693,6 @@ def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
     By equation (1) of docs/method.md, ``Mx * w_output = 1`` holds for gears without further speeds
     and torques; a larger difference is due to rounding.
     """
-    if gear.speeds or gear.torques or gear.slips:
+    if gear.speeds or gear.torques or gear.slipping:
         return False
     return abs(output_torque * output_speed - 1) > UNCERTAIN

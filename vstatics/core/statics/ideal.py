@@ -94,7 +94,7 @@ def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direc
 
 
 def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[Number]:
-    """Return the power that each shift element loses by a given slip [-]; else 0."""
+    """Return the power that each shift element loses by its given slip, 0 without a slip [-]."""
     slips, gear = ideal.speeds.slips, ideal.gear
     if not gear.slip:
         return [0.0] * len(slips)

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import KW_OF_RPM_NM
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats, without
 from vstatics.core.statics.matrix import held_links
 from vstatics.core.statics.result_arrays import ResultFields
 from vstatics.core.statics.torques import port_torques
@@ -223,8 +223,7 @@ def _relative(name: str) -> property:
             return array
         if known.all():
             return array
-        further = [1] * (array.ndim - results.ratio.ndim)
-        return np.where(known.reshape(*known.shape, *further), array, np.nan)
+        return without(array, ~known)
 
     return property(by_input, doc=getattr(ResultFields, name).__doc__)
 

@@ -80,11 +80,6 @@ class GearState(NamedTuple):
         return self.gear.joining
 
     @property
-    def carrying(self) -> Sequence[int]:
-        """Numbers of the shift elements that carry torque: engaged, slipping or holding."""
-        return self.gear.carrying
-
-    @property
     def holding(self) -> list[int]:
         """Numbers of the freewheels that hold."""
         return [number for number in self.case.freewheels if number in self.gear.engaged]
@@ -322,7 +317,7 @@ def values_of(state: GearState) -> Values:
         "missing": speeds.missing,
         "excess": speeds.excess,
         "balanced": state.balanced,
-        "holds": [n in state.carrying for n in range(1, len(case.shift_elements) + 1)],
+        "holds": [n in state.gear.carrying for n in range(1, len(case.shift_elements) + 1)],
         "conflict": state.conflict,
         "exact": state.exact,
         "mesh_torques": list(_mesh_torques(state, state.torques.on_first_link)),

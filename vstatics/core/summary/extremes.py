@@ -72,10 +72,10 @@ def largest(results: Results) -> dict[str, list[Largest]]:
 
 
 def _joined(results: Results) -> Booleans:
-    """Return marks of shift elements that do not slip, shape (shift elements, gears)."""
+    """Return flags of shift elements whose links turn as one, shape (shift elements, gears)."""
     joined = results.holds.T.copy()
     for place, gear in enumerate(results.case.gears):
-        joined[[number - 1 for number in gear.slip if number not in gear.joining], place] = False
+        joined[[number - 1 for number in gear.slipping], place] = False
     return joined
 
 

@@ -75,7 +75,7 @@ def _power(
     case: Transmission, gear: Gear, speeds: Sequence[float], torque: float, output_torque: float
 ) -> float:
     """Return the power of external torques divided by the input speed [N*m]; NaN if unknown."""
-    if gear.slips or any(isinstance(speed, SpeedOf) or speed for speed in gear.speeds.values()):
+    if gear.slipping or any(isinstance(speed, SpeedOf) or speed for speed in gear.speeds.values()):
         return math.nan
     power = 0.0
     for link, part in external_torques(case, gear).items():

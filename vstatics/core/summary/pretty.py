@@ -272,7 +272,7 @@ def _legend(results: Results, gears: Grid, marks: Marks) -> Iterator[str]:
     if case.shift_elements:
         signs = [f"{marks.engaged} {tr('engaged')}", f"{marks.open} {tr('disengaged')}"]
         signs += [f"{marks.holds} {tr('freewheel that holds')}"] * bool(case.freewheels)
-        signs += [f"{marks.slips} {tr('slips')}"] * any(gear.slips for gear in case.gears)
+        signs += [f"{marks.slips} {tr('slips')}"] * any(gear.slipping for gear in case.gears)
         yield "; ".join(signs)
     step = [tr("step: ratio divided by the next smaller ratio")]
     step *= any(line.next for line in design(results).gears)

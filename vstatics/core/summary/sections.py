@@ -40,7 +40,7 @@ class GivenCycle(Protocol):
 
     @property
     def load(self) -> Load | None:
-        """Operating point for a case without one; None for a cycle without points."""
+        """Operating point for a case that lacks it; None for a cycle without points."""
 
     def of(self, results: Results) -> CycleSection:
         """Return the results of a case over the cycle."""

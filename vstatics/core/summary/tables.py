@@ -84,7 +84,7 @@ def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
     for element, holds in enumerate(results.holds[index].tolist(), 1):
         if element in gear.joining:
             yield Cell(marks.engaged, 1.0, "engaged", "green", bool)
-        elif element in gear.slip:
+        elif element in gear.slipping:
             yield Cell(marks.slips, 1.0, "slips", "yellow", bool)
         elif holds:
             yield Cell(marks.holds, 1.0, "freewheel that holds", "cyan", bool)

@@ -132,7 +132,7 @@ def is_plain(case: Transmission, gear: Gear) -> bool:
     [True, False]
     """
     ports = case.gear_input(gear), case.gear_output(gear)
-    return ports == (case.input, case.output) and not gear.speeds and not gear.slips
+    return ports == (case.input, case.output) and not gear.speeds and not gear.slipping
 
 
 def shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:

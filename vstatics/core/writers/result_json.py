@@ -69,13 +69,11 @@ def _converters(results: Results, number: int) -> Iterator[tuple[str, Any]]:
     others = points.other_ratios.get(number, ()) if points else ()
     sought = case.sought_converters(case.gears[number])
     unloaded = case.unloaded_converters(results.gear_at(number).gear)
-    ratios = iter(results.speed_ratio[number].tolist())
-    for place, mechanism in enumerate(case.mechanisms):
-        if mechanism.kind == "converter":
-            ratio = next(ratios)
-            known = None if math.isnan(ratio) else ratio
-            found = {"speed_ratio": known, "others": list(others) if place in sought else []}
-            yield mechanism.name, None if place in unloaded else found
+    places = [n for n, mechanism in enumerate(case.mechanisms) if mechanism.kind == "converter"]
+    for place, ratio in zip(places, results.speed_ratio[number].tolist(), strict=True):
+        known = None if math.isnan(ratio) else ratio
+        answer = {"speed_ratio": known, "others": list(others) if place in sought else []}
+        yield case.mechanisms[place].name, None if place in unloaded else answer
 
 
 def to_json(results: Results, file: str = "") -> str:

@@ -47,8 +47,8 @@ def json_schema(of_case: Schema) -> Schema:
     properties |= {quantity.name: _table(quantity) for quantity in QUANTITIES}
     ratio = object_of({"speed_ratio": NUMBER, "others": list_of(NUMBER)})
     properties["converters"] = {
-        "description": "For each gear the speed ratios of its converters, of which the load "
-        "determines any, and `others` that agree with the load; null: bypassed or open.",
+        "description": "For each gear the speed ratio of each converter, and `others` at which "
+        "its pump also takes the torque of the load; null: bypassed or open.",
         **list_of({"type": "object", "additionalProperties": {"anyOf": [ratio, {"type": "null"}]}}),
     }
     properties["messages"] = {**texts, "description": "Messages about the results, gear by gear."}

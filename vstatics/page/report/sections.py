@@ -106,7 +106,7 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     yield table(grid_of_gears._replace(rows=rows), headed=False)
     meanings = {MARKS.engaged: "engaged"}
     meanings |= {MARKS.holds: "freewheel that holds"} if results.case.freewheels else {}
-    meanings |= {MARKS.slips: "slips"} if any(gear.slips for gear in results.case.gears) else {}
+    meanings |= {MARKS.slips: "slips"} if any(gear.slipping for gear in results.case.gears) else {}
     if len(meanings) > 1:
         signs = ", ".join(f"{mark} {tr(meaning)}" for mark, meaning in meanings.items())
         yield tag("p", signs, class_="note")

@@ -110,7 +110,7 @@ def plans(results: Results) -> list[KinematicPlan]:
     known = {
         number: gear
         for number, gear in enumerate(gears, 1)
-        if math.isfinite(gear.speeds[gear.output]) and not gear.gear.slips
+        if math.isfinite(gear.speeds[gear.output]) and not gear.gear.slipping
     }
     carried = {number: carrying(case, gear) for number, gear in known.items()}
     free = FreeOutputs(case)

@@ -86,7 +86,7 @@ POINTS = "points: [[0, 2.4, 1.0e-3], [0.5, 1.6, 1.0e-3], [1, 1, 0]]"
 def test_a_converter_without_a_speed_ratio_vibrates_and_moves_by_its_lambda(
     asked: str, folder: Path
 ) -> None:
-    """Without lambda it cannot."""
+    """Without lambda, both commands fail."""
     (folder / "s.yaml").write_text(SCENARIO)
     mechanism = "mechanisms: {TC: {kind: converter, first: engine, second: turbine, %s}}"
     said = []

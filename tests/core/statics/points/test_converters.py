@@ -1,4 +1,4 @@
-"""Converters that find their speed ratio: closed forms, and own equations solved by scipy."""
+"""Converters that find their speed ratio: closed forms, and equations by hand that scipy solves."""
 
 from __future__ import annotations
 

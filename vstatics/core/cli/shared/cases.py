@@ -261,9 +261,9 @@ class CaseOptions(NamedTuple):
     """True if vibration is shown, for which a converter without ratio is open."""
 
     load: Load | None = None
-    """Operating point for a case without one, of a command that has operating points."""
+    """Operating point of the command, for a case without an operating point."""
     is_nominal: bool = False
-    """True if no shown result depends on `load`, nor should any message."""
+    """True if no result that is shown depends on `load`; messages about gears are then omitted."""
 
     @property
     def on_page(self) -> CaseOptions:
@@ -432,7 +432,7 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
 
 
 def _with_load(case: Transmission, load: Load) -> Transmission:
-    """Return a case at a load if its operating points lack what laws need."""
+    """Return a case at a load if its operating points lack a number that its losses need."""
     from vstatics.core.model.laws import of_sought_ratios, without_loads
 
     if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):

@@ -232,15 +232,10 @@ def _of_kind(shape: ByKind, kind: str) -> Words:
     record = shape.records[kind]
     words = _record(record)
     name = kind.strip("[]").split(", ") if kind.startswith("[") else kind
-    words["properties"][shape.key] = {
-        **_described(words["properties"].get(shape.key, {})),
-        "const": name,
-    }
+    key = words["properties"].get(shape.key)
+    described = {"description": key["description"]} if key else {}
+    words["properties"][shape.key] = {**described, "const": name}
     return {**words, "type": "object", "required": [*dict.fromkeys([shape.key, *record.required])]}
-
-
-def _described(words: Words) -> Words:
-    return {name: words[name] for name in ("description",) if name in words}
 
 
 def _by_name(item: Words) -> Words:

@@ -21,7 +21,13 @@ from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics import diagnosis
 from vstatics.core.statics.efficiency import Efficiency
-from vstatics.core.statics.points.balance import balanced, settled_gear, without_balances
+from vstatics.core.statics.points.balance import (
+    NO_BALANCE,
+    TWO_BALANCES,
+    balanced,
+    unknown_torque,
+    without_balances,
+)
 from vstatics.core.statics.points.converters import (
     NO_RATIO,
     NO_TORQUE,
@@ -131,7 +137,7 @@ def _single(case: Transmission, answer: Followed) -> Results:
     others = {gear: ratios[0][np.isfinite(ratios[0])] for gear, ratios in answer.others.items()}
     points = points._replace(open=answer.open, outside=answer.outside)
     points = _with_arrays(points, lambda array: array[0])._replace(
-        gears=[*map(partial(_settled, case), settled.gears, answer.open[0].tolist())],
+        gears=[*map(_settled, case.gears, settled.gears, answer.open[0].tolist())],
         efficiencies=[_efficiencies(settled, answer.columns, n) for n in range(len(case.gears))],
         other_ratios={gear: ratios.tolist() for gear, ratios in others.items()},
     )
@@ -148,11 +154,11 @@ def _single(case: Transmission, answer: Followed) -> Results:
     return at_point._replace(case=case, messages=tuple(said))
 
 
-def _settled(case: Transmission, gear: Gear, state: int) -> Gear:
-    """Return a gear with NaN for an unknown torque or speed ratio without a single solution."""
+def _settled(gear: Gear, settled: Gear, state: int) -> Gear:
+    """Return the settled gear with NaN for a torque or speed ratio without a single solution."""
     if state in (NO_RATIO, NO_TORQUE):
-        return unknown_ratio(case, gear)
-    return settled_gear(case, gear, state)
+        return unknown_ratio(gear, settled)
+    return unknown_torque(gear, settled) if state in (NO_BALANCE, TWO_BALANCES) else settled
 
 
 def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]:

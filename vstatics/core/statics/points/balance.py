@@ -19,7 +19,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.parts import RAD_PER_RPM, Law
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers, without
 from vstatics.core.numerics.tolerances import BALANCED
 from vstatics.core.statics.physical import RELATIVE_TO_INPUT
 from vstatics.core.statics.points.laws import Followed, without_laws
@@ -135,12 +135,10 @@ def balanced(
         unknown[found.number > 1, balance.gear] = TWO_BALANCES
     solution = follow(columns, variants)
     results = _with_torques(solution.results, open_balances, columns, unknown)
-    return Followed(
-        results,
-        solution.columns,
-        np.where(unknown, unknown, solution.open),
-        {**solution.outside, **_outside(case, open_balances, results)},
-        solution.wrong,
+    return solution._replace(
+        results=results,
+        open=np.where(unknown, unknown, solution.open),
+        outside={**solution.outside, **_outside(case, open_balances, results)},
     )
 
 
@@ -161,12 +159,9 @@ def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Resul
     return outside
 
 
-def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:
-    """Return a gear whose unknown torque is NaN unless it has exactly one solution."""
-    if state not in (NO_BALANCE, TWO_BALANCES):
-        return gear
-    link = sought_link(case.gears[case.gear_number(gear.name) - 1], gear)
-    return gear._replace(torques={**gear.torques, link: math.nan})
+def unknown_torque(gear: Gear, settled: Gear) -> Gear:
+    """Return the settled gear with NaN for the torque that does not have exactly one solution."""
+    return settled._replace(torques={**settled.torques, sought_link(gear, settled): math.nan})
 
 
 def sought_link(gear: Gear, settled: Gear) -> int:
@@ -257,9 +252,7 @@ def _with_torques(
             unit = points.scales["Nm"][:, balance.gear]
             changed[name][:, balance.gear, balance.link - 1] = columns[balance.number] / unit
     for name in RELATIVE_TO_INPUT:
-        array = changed.get(name, results.in_own_unit(name))
-        where = unknown.astype(bool).reshape(*unknown.shape, *[1] * (array.ndim - unknown.ndim))
-        changed[name] = np.where(where, np.nan, array)
+        changed[name] = without(changed.get(name, results.in_own_unit(name)), unknown != 0)
     for name in ("consistent", "balanced"):
         changed[name] = getattr(results, name) & (unknown == 0)
     return results._replace(**changed)

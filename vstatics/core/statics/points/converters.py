@@ -19,7 +19,7 @@ import numpy as np
 from vstatics.core.model.bodies import join
 from vstatics.core.model.parts import HOUSING, RAD_PER_RPM, Mechanism
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Floats, Integers, without
 from vstatics.core.numerics.tolerances import (
     EPSILON,
     SAME_PUMP_TORQUE,
@@ -150,7 +150,7 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
     Parameters
     ----------
     given : mapping
-        Varied numbers, among which speed ratios are not sought.
+        Varied numbers. A speed ratio among them is not sought.
     """
     gears, sought = list(case.gears), list[SoughtRatio]()
     torques, ratios = row_names(case, "torques"), row_names(case, "converters")
@@ -164,18 +164,18 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
             rows = torques.index(first_rows(case)[place]), ratios.index(part.name)
             ratio = SoughtRatio(index, owner, part, rows, _is_alone(case, gear, place))
             sought.append(ratio)
-            gears[index] = _with_ratio(gear, owner, _trial(ratio, TRIALS[0]))
+            trial = {**gear.speed_ratios, owner: _trial(ratio, TRIALS[0])}
+            gears[index] = gear._replace(speed_ratios=trial)
     return (case.replace(gears=gears) if sought else case), sought
 
 
 def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
     """Return whether only a converter connects the input with the other side of a gear."""
     bodies = list(range(case.links + 1))
-    elements = enumerate(case.shift_elements, 1)
     drag, freewheels = case.gear_open_drag(gear), case.freewheels
     joining: list[Iterable[int]] = [
-        (element.first, element.second)
-        for number, element in elements
+        element.links
+        for number, element in enumerate(case.shift_elements, 1)
         if number in gear.engaged or number in freewheels or drag[number]
     ]
     joining += [part.links for n, part in enumerate(case.mechanisms) if n != place]
@@ -185,10 +185,6 @@ def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
     pump, turbine = (bodies[link] for link in case.mechanisms[place].links[:2])
     is_given = gear.speeds or gear.balance is not None
     return pump == bodies[case.gear_input(gear)] != turbine and not is_given
-
-
-def _with_ratio(gear: Gear, owner: int, ratio: float) -> Gear:
-    return gear._replace(speed_ratios={**gear.speed_ratios, owner: ratio})
 
 
 def _trial(ratio: SoughtRatio, part: float) -> float:
@@ -302,7 +298,7 @@ def _extended(grid: Floats, length: int) -> Floats:
 
 
 def _apart(found: Floats) -> Floats:
-    """Return the speed ratios below the largest, shape (points, ratios); NaN for equal ones."""
+    """Return the speed ratios below the largest, shape (points, ratios); NaN for repetitions."""
     others = found[1:].copy()
     others[found[:-1] - found[1:] <= SAME_SOLUTION] = np.nan
     return others.T
@@ -338,11 +334,10 @@ def _without_ratios(results: Results, other: Results, state: Integers) -> Result
     lacks = state != 0
     for name in (*OF_SPEEDS, *RELATIVE_TO_INPUT, "power_sign"):
         array = results.in_own_unit(name)
-        where: Booleans = lacks.reshape(*lacks.shape, *[1] * (array.ndim - lacks.ndim))
+        changed[name] = without(array, lacks)
         if name in OF_SPEEDS:
             same = np.isclose(array, other.in_own_unit(name), rtol=TIE, atol=TIE, equal_nan=True)
-            where = where & ~same
-        changed[name] = np.where(where, np.nan, array)
+            changed[name] = np.where(same, array, changed[name])
     for name in ("consistent", "balanced", "locked", "dragged"):
         changed[name] = getattr(results, name) & ~lacks
     turned = results.turned & ~lacks[..., np.newaxis]
@@ -351,14 +346,8 @@ def _without_ratios(results: Results, other: Results, state: Integers) -> Result
     )
 
 
-def unknown_ratio(case: Transmission, gear: Gear) -> Gear:
-    """Return a gear with NaN for the speed ratio that its load does not determine.
-
-    Parameters
-    ----------
-    gear : Gear
-        Gear with a trial speed ratio.
-    """
-    given = case.gears[case.gear_number(gear.name) - 1]
-    owners = gear.speed_ratios.keys() - given.speed_ratios.keys()
-    return gear._replace(speed_ratios={**gear.speed_ratios, **dict.fromkeys(owners, math.nan)})
+def unknown_ratio(gear: Gear, settled: Gear) -> Gear:
+    """Return the settled gear with NaN for the speed ratio that its load does not determine."""
+    owners = settled.speed_ratios.keys() - gear.speed_ratios.keys()
+    unknown = dict.fromkeys(owners, math.nan)
+    return settled._replace(speed_ratios={**settled.speed_ratios, **unknown})

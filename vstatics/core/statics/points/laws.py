@@ -19,12 +19,12 @@ import numpy as np
 from vstatics.core.errors import CaseError, Path, Problem
 from vstatics.core.model.parts import HOUSING, Law
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers, without
 from vstatics.core.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
 from vstatics.core.statics.points.gear_loss import brake_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
-from vstatics.core.statics.result_arrays import ARRAYS, NOWHERE, Outside, first_rows, row_names
+from vstatics.core.statics.result_arrays import NOWHERE, Outside, first_rows, row_names
 from vstatics.core.statics.results import Results
 
 MOST_FIXED_POINT_STEPS = 100
@@ -43,14 +43,8 @@ NONE, SEVERAL, NO_EFFICIENCY = 1, 2, 5
 """States of a gear: no solution, several solutions, or a formula that gives no efficiency."""
 WITH_LOSSES = (
     *("lossy_torques", "lossy_holding_torques", "efficiency", "losses", "power_balance"),
-    *(
-        "drag_losses",
-        "gear_losses",
-        "slip_losses",
-        "lossy_mesh_torques",
-        "mesh_losses",
-        "power_sign",
-    ),
+    *("drag_losses", "gear_losses", "slip_losses"),
+    *("lossy_mesh_torques", "mesh_losses", "power_sign"),
 )
 """Names of arrays that are undefined if the efficiencies have no single solution."""
 
@@ -72,7 +66,7 @@ class Followed(NamedTuple):
     wrong: Outside = NOWHERE
     """Points at which a formula gives no efficiency, by the name of the part."""
     others: Mapping[int, Floats] = MappingProxyType({})
-    """Smaller speed ratios at which a converter agrees with the load, by gear, (points, ratios)."""
+    """Smaller speed ratios that agree with the load, by gear, shape (points, ratios)."""
 
 
 def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
@@ -422,11 +416,10 @@ def _without_values(results: Results, state: Integers) -> Results:
     if not wrong.any():
         return results
     changed: dict[str, Any] = {}
-    for name in (*WITH_LOSSES, "consistent"):
-        array = results.in_own_unit(name)
-        where = wrong if array.ndim == wrong.ndim else wrong[..., None]
-        changed[name] = np.where(where, False if ARRAYS[name].dtype is np.bool_ else np.nan, array)
-    return results._replace(**changed, undecided=results.undecided | wrong)
+    for name in WITH_LOSSES:
+        changed[name] = without(results.in_own_unit(name), wrong)
+    consistent, undecided = results.consistent & ~wrong, results.undecided | wrong
+    return results._replace(**changed, consistent=consistent, undecided=undecided)
 
 
 def _outside(case: Transmission, laws: Laws, sizes: _Sizes) -> Outside:

@@ -148,7 +148,6 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
     for keys, quantity in _OF_LOADS.items():
         yield keys, [CaseNumber(None, quantity)]
     everywhere = range(len(case.gears))
-    by_gear = [("*", everywhere), *((gear.name, [n]) for n, gear in enumerate(case.gears))]
     links = {name: number for number, name in enumerate(case.link_names[: case.own_links], 1)}
     elements = {element.name: n for n, element in enumerate(case.shift_elements, 1)}
     devices = case.mechanisms[case.own_mechanisms]
@@ -162,18 +161,13 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
         "drag": links,
         "open_drag": elements,
     }
-    for gear, numbers in by_gear:
+    for gear, numbers in _together_and_each(case, everywhere):
         for keys, quantity in _OF_LOADS.items():
             yield ("gears", gear, *keys), [CaseNumber(n, quantity) for n in numbers]
         for of_gear, named in owners.items():
             for name, owner in named.items():
-                gear_numbers = [CaseNumber(n, of_gear, owner) for n in numbers]
-                if (
-                    gear_numbers := gear_numbers
-                    if of_gear != "speed_ratios"
-                    else _acting(case, gear_numbers)
-                ):
-                    yield ("gears", gear, of_gear, name), gear_numbers
+                if varied := _acting(case, [CaseNumber(n, of_gear, owner) for n in numbers]):
+                    yield ("gears", gear, of_gear, name), varied
     yield from _of_slips(case)
     for name, link in links.items():
         yield ("drag", name), [CaseNumber(n, "drag", link) for n in everywhere]
@@ -184,12 +178,13 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
 
 
 def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumber]:
-    """Return the speed ratios that have an effect: not those of bypassed or open converters."""
+    """Return the numbers that have an effect: no speed ratios of bypassed or open converters."""
     first = case.own_mechanisms.start - 1
     return [
         number
         for number in numbers
-        if first + number.owner not in case.unloaded_converters(case.gears[number.gear or 0])
+        if number.quantity != "speed_ratios"
+        or first + number.owner not in case.unloaded_converters(case.gears[number.gear or 0])
     ]
 
 
@@ -212,18 +207,25 @@ def _of_mechanisms(
 def _of_slips(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
     for place, element in enumerate(case.shift_elements, 1):
         slipping = [n for n, gear in enumerate(case.gears) if place in gear.slip]
-        for name, numbers in [("*", slipping), *((case.gears[n].name, [n]) for n in slipping)]:
-            yield (
-                ("gears", name, "slip", element.name),
-                [CaseNumber(n, "slip", place) for n in numbers],
-            )
+        for gear, numbers in _together_and_each(case, slipping):
+            slips = [CaseNumber(n, "slip", place) for n in numbers]
+            yield ("gears", gear, "slip", element.name), slips
 
 
 def _of_balances(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
     balanced = [n for n, gear in enumerate(case.gears) if gear.balance]
-    for name, numbers in [("*", balanced), *((case.gears[n].name, [n]) for n in balanced)]:
+    for gear, numbers in _together_and_each(case, balanced):
         batteries = [CaseNumber(n, "battery") for n in numbers]
-        yield ("gears", name, "balance", "battery"), batteries
+        yield ("gears", gear, "balance", "battery"), batteries
+
+
+def _together_and_each(
+    case: Transmission, numbers: Sequence[int]
+) -> Iterator[tuple[str, Sequence[int]]]:
+    """Yield all of some gears under the key `*`, then each under its name."""
+    yield "*", numbers
+    for number in numbers:
+        yield case.gears[number].name, [number]
 
 
 def _check(case: Transmission, path: str, number: CaseNumber, column: Floats) -> None:

@@ -20,7 +20,7 @@ from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.results import Results
 
 EDGE_STEPS = 50
-"""Number of bisections to find the number at which the torques begin to be missing."""
+"""Number of bisections for the last trial number with torques."""
 MOST_ROOT_STEPS = 100
 """Largest number of iterations for a root."""
 MOST_POINTS_AT_ONCE = 100_000

@@ -58,5 +58,5 @@ def _no_ratio(case: Transmission, gear: Gear) -> str:
         "take the torque of the load, so the torques are unknown"
     )
     if case.coasts(gear) and last[2] >= 0:
-        text += "; to coast it needs points beyond i = 1 with lambda below 0"
+        text += "; to coast, the converter needs points beyond i = 1 with lambda below 0"
     return text
