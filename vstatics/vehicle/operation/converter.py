@@ -131,7 +131,7 @@ class ConverterGear(NamedTuple):
         known, (place, *_) = bare(case), case.sought_converters(case.gears[index])
         alone = known.replace(gears=[known.gears[index]])
         gear, mechanism = alone.gears[0], alone.mechanisms[place]
-        if any(gear.slip.values()):
+        if gear.slipping:
             message = (
                 f"a shift element slips in gear {gear.name}, where {mechanism.name} would find its "
                 "speed ratio: give a `speed_ratio`, or engage the shift element"
