@@ -223,7 +223,7 @@ def _relative(name: str) -> property:
             return array
         if known.all():
             return array
-        return without(array, ~known)
+        return without(array, np.broadcast_to(~known, results.ratio.shape))
 
     return property(by_input, doc=getattr(ResultFields, name).__doc__)
 
