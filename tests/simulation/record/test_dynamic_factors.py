@@ -1,7 +1,5 @@
 """Dynamic factors of runs, by the closed form of the static torques."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Motions with efficiencies over speed and torque, compared with an integrator of their own."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from random import Random
