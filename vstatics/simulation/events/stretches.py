@@ -340,10 +340,9 @@ class Closed:
         """
         joined: TimeStretch | None = None
         for stretch in self._stretches(state, end):
-            ends = stretch is None or (
-                joined is not None and stretch.exponential is not joined.exponential
-            )
-            if ends and joined is not None:
+            if joined is not None and (
+                stretch is None or stretch.exponential is not joined.exponential
+            ):
                 step = self._step(joined, state, end)
                 yield step
                 state, joined = step.last, None
