@@ -25,11 +25,11 @@ from vstatics.torsion.tolerances import (
     SINGULAR,
 )
 
-_MOST_SWEEPS = 40
+_MOST_FRICTION_SWEEPS = 40
 """Largest number of sweeps over all springs, one by one."""
-_MOST_STEPS = 60
+_MOST_FRICTION_STEPS = 60
 """Largest number of Newton steps for frequencies at which the sweeps do not settle."""
-_MOST_SHORTER = 12
+_MOST_NEWTON_HALVINGS = 12
 """Largest number of times that a Newton step is halved."""
 _RATE_SCALES = (1.0, 0.1, 10.0, 0.01, 100.0)
 """Scales of the rates of twist that are tried one after another. [-]"""
@@ -114,7 +114,7 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
     torques = np.zeros_like(free)
     diagonal = np.diagonal(receptance, axis1=1, axis2=2)
     unsettled = np.arange(len(free))
-    for _ in range(_MOST_SWEEPS):
+    for _ in range(_MOST_FRICTION_SWEEPS):
         before = torques[unsettled]
         for spring, limit in enumerate(limits):
             others = (receptance[unsettled, spring] * torques[unsettled]).sum(axis=1)
@@ -170,7 +170,7 @@ def _newton(
         near = np.minimum(1.0, limits / np.maximum(np.abs(wanted), NO_FRICTION))
         return at - wanted * near, wanted
 
-    for _ in range(_MOST_STEPS):
+    for _ in range(_MOST_FRICTION_STEPS):
         error, wanted = gap(torques)
         size = np.abs(error / limits).max(axis=1)
         unsettled = size > SETTLED_FRICTION
@@ -189,7 +189,7 @@ def _newton(
         change = np.linalg.solve(regular, given[:, :, None])[:, :, 0]
         step = change[:, :count] + 1j * change[:, count:]
         share = np.ones(len(torques))
-        for _ in range(_MOST_SHORTER):
+        for _ in range(_MOST_NEWTON_HALVINGS):
             shorter = np.abs(gap(torques - share[:, None] * step)[0] / limits).max(axis=1)
             share = np.where(shorter < size, share, share / 2)
         torques = torques - (share * unsettled)[:, None] * step
