@@ -59,11 +59,10 @@ LEAST_VALUE = 1e-30
 """Smallest scale of a control state for tolerances."""
 SMALL_VALUE = 1e-3
 """Ratio to the largest value of a control state down to which the tolerance shrinks."""
-BETWEEN_INSTANTS, BETWEEN_EXACT = 1e-9, 1e-10
-"""Accuracy of states between instants of a step, relative to the largest value in the step.
-
-The second number is for closed forms.
-"""
+BETWEEN_INSTANTS = 1e-9
+"""Accuracy of states between instants of a step, relative to the largest value in the step."""
+BETWEEN_EXACT = 1e-10
+"""Accuracy of states between instants of a step in closed form, as `BETWEEN_INSTANTS`."""
 EQUAL_SIDES = 1e-10
 """Largest relative difference of compared numbers that count as equal."""
 SOON = 1e2
@@ -110,9 +109,9 @@ LEAST_PROBABILITY = 2.0**-53
 """Smallest probability for a normal distribution, which is infinite at 0."""
 
 SAME_TORQUE = 1e-13
-"""Largest distance of a torque from the torque by which its efficiency is read, relative."""
+"""Largest relative difference between a torque and the torque at which its efficiency is read."""
 LEAST_EFFICIENCY = 1e-6
-"""Efficiency in place of a smaller value of a formula, until a torque agrees with it."""
+"""Smallest efficiency in the search for a torque that agrees with its efficiency."""
 
 # matrices
 INDEPENDENT_MOTION = 1e-9

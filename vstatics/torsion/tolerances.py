@@ -76,6 +76,8 @@ SECANT_STEP = 1e-6
 """Relative distance of the first two points of the secant method."""
 SETTLED_FRICTION = 1e-12
 """Relative change of a torque of dry friction below which the iteration has settled. [-]"""
+ACCEPTED_FRICTION = 1e-9
+"""Relative error of a torque of dry friction that is accepted after the last step. [-]"""
 STUCK_TORQUE = 1e-9
 """Relative amount by which a torque must be below the dry friction to count as stuck. [-]"""
 NO_FRICTION = 1e-300

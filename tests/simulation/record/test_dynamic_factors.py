@@ -1,7 +1,5 @@
 """Dynamic factors of runs, by the closed form of the static torques."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -35,7 +33,7 @@ def scenario_of(folder: Path, scenario: str = SCENARIO, **numbers: float) -> Pat
     return folder / "run.yaml"
 
 
-def test_factors_are_largest_torques_by_those_of_statics(tmp_path: Path) -> None:
+def test_factors_are_largest_torques_divided_by_torques_of_statics(tmp_path: Path) -> None:
     """150 N*m at the pair, and 150 u eta at clutch and spring; the other clutch is open."""
     for seed in range(count(8, 40)):
         random = seeded(seed)
@@ -52,7 +50,7 @@ def test_factors_are_largest_torques_by_those_of_statics(tmp_path: Path) -> None
 @pytest.mark.parametrize(
     "start", ['{gear: "1"}', "{speeds: {in: 0, out: 0}}", "{speeds: {in: 9, out: 0}}"]
 )
-def test_the_speed_of_a_start_need_not_be_that_of_a_gear(tmp_path: Path, start: str) -> None:
+def test_the_speeds_of_a_start_need_not_belong_to_a_gear(tmp_path: Path, start: str) -> None:
     """A constant efficiency needs no speed: 150*3*0.96 at the spring."""
     text = SCENARIO.replace('{gear: "1", speed: 100}', start)
     motion = simulate(load_scenario(scenario_of(tmp_path, text)))

@@ -1,6 +1,4 @@
-"""Motions with efficiencies over speed and torque, compared with an integrator of their own."""
-
-from __future__ import annotations
+"""Motions with efficiencies over speed and torque, compared with an integrator written here."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -62,7 +60,7 @@ def some_motion(random: Random, masses: int) -> Scenario:
 
 
 def columns_at(mechanisms: list[Mechanism], slips: Floats, torques: Floats) -> Floats:
-    """Return what each mechanism gives its links, with the efficiency at its slip and torque."""
+    """Return the torques of mechanisms on links, by the efficiencies at their slips and torques."""
     columns = []
     for mechanism, slip, torque in zip(mechanisms, slips, torques, strict=True):
         back, drives = mechanism.back_efficiency, slip * torque > 0
@@ -100,7 +98,7 @@ def equations_of(scenario: Scenario) -> Callable[[float, Floats], Floats]:
 
 
 @pytest.mark.parametrize("masses", [2, 3])
-def test_random_trains_move_as_an_integrator_of_their_own(masses: int) -> None:
+def test_random_trains_move_as_a_plain_integrator(masses: int) -> None:
     """Speeds within 1e-8 of the largest, losses within 1e-6, energy within 1e-9 of the turnover."""
     for seed in range(count(5, 30)):
         scenario = some_motion(seeded(100 * masses + seed), masses)
@@ -149,7 +147,7 @@ def test_constant_maps_equal_numbers_and_random_boxes_run_to_their_end(seed: int
 
 
 def test_a_steady_state_has_the_losses_of_statics() -> None:
-    """A viscous load takes up the torque: after many time constants, that of `vstatics run`."""
+    """After many time constants, the power at a viscous load is the power of `vstatics run`."""
     for seed in range(count(4, 20)):
         random = seeded(seed)
         parts = [

@@ -1,7 +1,5 @@
 """Dry friction under a harmonic torque: harmonic balance, an iteration in NumPy, motion in time."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 
@@ -87,11 +85,11 @@ def test_random_chains_agree_with_an_iteration_of_dampers() -> None:
         matrices = np.diag(inertias), stiffness, resistance
         force = amplitude * np.eye(size)[0]
         for w, column in zip(RAD_PER_RPM * gear.speeds, q.T, strict=True):
-            own = equivalent(matrices, forms[dry], 4 / np.pi * friction[dry], force, w)
-            twists = np.abs(forms[dry] @ own)
+            expected = equivalent(matrices, forms[dry], 4 / np.pi * friction[dry], force, w)
+            twists = np.abs(forms[dry] @ expected)
             stuck += int((twists < 1e-8).sum())
             compared += 1
-            np.testing.assert_allclose(column, own, atol=1e-6 * np.abs(own).max())
+            np.testing.assert_allclose(column, expected, atol=1e-6 * np.abs(expected).max())
     assert compared >= 100
     assert stuck > 5
 

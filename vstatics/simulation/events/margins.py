@@ -309,8 +309,8 @@ class Margins:
         """Return the changes of the slacks along redundant directions at positive mesh torques."""
         redundant = self.equations.structure.redundant
         rows = [-side * redundant[row] for _, row, side in self.holding]
-        for mesh, friction, of in self.cones:
-            less, more = 1 - of.efficiency, 1 / of.back - 1
+        for mesh, friction, mechanism in self.cones:
+            less, more = 1 - mechanism.efficiency, 1 / mechanism.back - 1
             rows.append(redundant[friction] + less * redundant[mesh])
             rows.append(more * redundant[mesh] - redundant[friction])
         return np.array(rows).reshape(len(rows), redundant.shape[1])
@@ -439,9 +439,9 @@ class Margins:
                 both = cones[0][row : row + 2]
                 width = both.sum(axis=0)
                 both[:, width < 0] = width[width < 0]  # torques push away from the jump
-        for mesh, friction, of in self.cones:
+        for mesh, friction, mechanism in self.cones:
             torque, taken = held[mesh], held[friction]
-            less, more = of.friction_at_rest(torque)
+            less, more = mechanism.friction_at_rest(torque)
             sign = np.where(torque >= 0, 1.0, -1.0)
             cones.append(sign * np.array([taken + less * torque, more * torque - taken]))
         return np.vstack(cones)

@@ -16,7 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers, largest
+from vstatics.core.numerics.arrays import Booleans, Complex, Floats, largest
+from vstatics.simulation.events.exponential import Exponential
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (
@@ -30,137 +31,9 @@ from vstatics.simulation.tolerances import (
     SHORTEST_PART,
 )
 
-_NONE = np.zeros(0)
-_TERMS = 22
-"""Number of terms of the exponential series."""
-_COLUMNS = 256
-"""Number of states moved at once, which limits the memory."""
-
-
-class Exponential:
-    """Matrix exponential ``exp(A s)`` for s from 0 to 1, by scaling and squaring.
-
-    Parameters
-    ----------
-    matrix : ndarray
-        A.
-    nodes : ndarray, optional
-        Values of s at which the exponential is needed repeatedly.
-    rows : int, optional
-        Number of the first rows, which alone are needed at the nodes. Below them, A is 0 except for
-        some numbers next to its diagonal, as in chains of derivatives. This saves most of the work.
-
-    Examples
-    --------
-    >>> decay = Exponential(np.array([[-3.0]]))
-    >>> decay.at(np.array([0.0, 1.0]))[:, 0, 0].round(6)
-    array([1.      , 0.049787])
-    """
-
-    def __init__(self, matrix: Floats, nodes: Floats = _NONE, rows: int | None = None) -> None:
-        norm = largest(np.abs(matrix).sum(axis=0))
-        self.halvings = max(0, int(np.ceil(np.log2(norm / 2.0)))) if norm > 2.0 else 0
-        self.step = matrix / 2.0**self.halvings
-        self.dense = len(matrix) if rows is None else rows
-        orders = np.arange(len(matrix)) - np.arange(self.dense, len(matrix))[:, None]
-        self.doubling = 2.0 ** np.clip(orders, 0, _ORDERS)
-        """Factors by which the entries of the lower rows grow when the time doubles."""
-        unit = np.eye(len(matrix))
-        self.series = np.array([*_terms(unit[: self.dense], self.step, self.dense, _TERMS)])
-        chains = self.step[self.dense :, self.dense :]
-        chained = sum(_terms(np.eye(len(chains)), chains, 0, _ORDERS))
-        lower = np.hstack([unit[self.dense :, : self.dense], chained])
-        # Small terms come first, because rounding would lose them after large terms.
-        self.halved = [np.vstack([self.series[::-1].sum(axis=0), lower])]
-        """Exponentials for times 1, 1/2, 1/4, ... down to the time of the series."""
-        for _ in range(self.halvings):
-            self.halved.insert(0, self._squared(self.halved[0]))
-        self.doubled = [self.halved[0]]
-        """Exponentials for times 1, 2, 4, ..."""
-        self.nodes = self.at(nodes)
-        """First rows of the exponential at the nodes, shape (nodes, rows, size)."""
-
-    def _squared(self, exponential: Floats) -> Floats:
-        first = exponential[: self.dense] @ exponential
-        return np.vstack([first, exponential[self.dense :] * self.doubling])
-
-    def at(self, parts: Floats) -> Floats:
-        """Return the first rows of ``exp(A s)`` for each s of `parts`: (parts, rows, size)."""
-        steps, powers = self._split(parts)
-        exponentials = np.tensordot(powers.T, self.series, 1)
-        for halved, far in steps:
-            exponentials[far] = exponentials[far] @ halved
-        return exponentials
-
-    def at_nodes(self, starts: Floats) -> Floats:
-        """Return the first rows of ``exp(A s) x`` at the nodes, for each column x of `starts`.
-
-        The shape is (rows, columns * nodes).
-        """
-        nodes, rows, size = self.nodes.shape
-        columns = starts.shape[1]
-        inner = self.nodes.reshape(nodes * rows, size) @ starts
-        inner = inner.reshape(nodes, rows, columns).transpose(1, 2, 0)
-        return np.ascontiguousarray(inner).reshape(rows, columns * nodes)
-
-    def moved(self, parts: Floats, states: Floats) -> Floats:
-        """Return the first rows of ``exp(A s) x`` for each column x of `states` and its s."""
-        steps, powers = self._split(parts)
-        result = states.copy()
-        for halved, far in steps:
-            result[:, far] = halved @ result[:, far]
-        blocks = [slice(n, n + _COLUMNS) for n in range(0, max(1, len(parts)), _COLUMNS)]
-        return np.hstack(
-            [
-                np.einsum("kc,krc->rc", powers[:, block], self.series @ result[:, block])
-                for block in blocks
-            ]
-        )
-
-    def _split(self, parts: Floats) -> tuple[list[tuple[Floats, Integers]], Floats]:
-        """Split each s of `parts` into some of the terms 1, 1/2, 1/4, ... and a remainder.
-
-        Returns the exponential of each term with the indices of the s that contain the term, then
-        the powers of the remainders in units of the last term, shape (terms, parts).
-        """
-        numbers = parts * 2.0**self.halvings
-        whole = numbers.astype(int)
-        bits = (whole >> np.arange(self.halvings, -1, -1)[:, None]) & 1
-        steps: list[tuple[Floats, Integers]] = [
-            (halved, np.flatnonzero(bit))
-            for halved, bit in zip(self.halved, bits, strict=True)
-            if bit.any()
-        ]
-        powers: Floats = (numbers - whole) ** np.arange(len(self.series))[:, None]
-        return steps, powers
-
-    def repeated(self, first: Floats, count: int) -> Floats:
-        """Return the states at the start of each of `count` equal parts, shape (size, parts)."""
-        states, level = first[:, None], 0
-        while states.shape[1] < count:
-            if level == len(self.doubled):
-                self.doubled.append(self._squared(self.doubled[-1]))
-            states = np.hstack([states, self.doubled[level] @ states])
-            level += 1
-        return states[:, :count]
-
-
-def _terms(first: Floats, matrix: Floats, dense: int, last: int) -> Iterator[Floats]:
-    """Yield the terms of the exponential series up to a number, beginning with `first`.
-
-    Below its first `dense` rows, the matrix is 0 except for numbers next to its diagonal.
-    """
-    chains = np.diag(matrix, 1)[dense:]
-    yield first
-    for number in range(1, last + 1):
-        term = first[:, :dense] @ matrix[:dense]
-        term[:, dense + 1 :] += first[:, dense:-1] * chains
-        first = term / number
-        yield first
-
-
 DEGREE = 10
 """Degree of the polynomials of torques over a stretch."""
+_ORDERS = DEGREE + 1
 _GAUSS = 8
 """Number of Gauss points of a part of a stretch."""
 _POINTS, WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)
@@ -170,6 +43,32 @@ _BY_ORDER = (
     np.linalg.inv(NODES[:-1, None] ** np.arange(_GAUSS)) / np.arange(1.0, _GAUSS + 1)[:, None]
 )
 """Matrix from powers at the Gauss points of a part to coefficients of the work over time."""
+_RADIANS = 3.0
+"""Angle through which the fastest motion turns in a part of a stretch. [rad]"""
+_MOST_HALVINGS = 256
+"""Largest number of parts of a stretch, a power of 2."""
+_GONE = 40.0
+"""Number of time constants after which a motion has decayed."""
+_FIRST_PARTS = 4
+"""Initial number of parts of a stretch with nonlinear torques."""
+_FIRST_JOINED = 4
+"""Number of parts at which the first joined stretches of a motion end a step."""
+_SMOOTH = 4
+"""Number of successful stretches of a single part before a longer stretch is tried."""
+_LIKE = 1.5
+"""Largest ratio of a new length of parts to the last length that is still used instead."""
+_MOST_AT_START = 64.0
+"""Largest error of polynomials at the start of a stretch, as a multiple of the limit elsewhere."""
+_RELAXATION_ROUNDS = 12
+"""Largest number of rounds of waveform relaxation."""
+_CONVERGED = 0.1
+"""Largest error expected from the last two rounds, as a share of the limit."""
+_BALANCINGS = 3
+"""Number of sweeps over the control values in which their scales are balanced."""
+_FEW = 64
+"""Number of state variables above which eigenvalues are at first only bounded."""
+_SQUARINGS = 6
+"""Number of squarings of a matrix in the bound of the largest eigenvalue."""
 
 
 def _degree(count: int) -> int:
@@ -231,37 +130,6 @@ def _powers() -> Floats:
         series = np.polynomial.Chebyshev.basis(number, domain=[0.0, 1.0])
         powers[number, : number + 1] = series.convert(kind=np.polynomial.Polynomial).coef
     return powers
-
-
-_RADIANS = 3.0
-"""Angle through which the fastest motion turns in a part of a stretch. [rad]"""
-_MOST_HALVINGS = 256
-"""Largest number of parts of a stretch, a power of 2."""
-_GONE = 40.0
-"""Number of time constants after which a motion has decayed."""
-_FIRST_PARTS = 4
-"""Initial number of parts of a stretch with nonlinear torques."""
-_FIRST_JOINED = 4
-"""Number of parts from which on the first stretches of a motion are a step."""
-_SMOOTH = 4
-"""Number of successful stretches of a single part before a longer stretch is tried."""
-_LIKE = 1.5
-"""Largest quotient of the lengths of parts for which the shorter length is kept."""
-_MOST_AT_START = 64.0
-"""Largest error of polynomials at the start of a stretch, as a multiple of the limit elsewhere."""
-_RELAXATION_ROUNDS = 12
-"""Largest number of rounds of waveform relaxation."""
-_CONVERGED = 0.1
-"""Share of the limit that the error may have that is expected from the last two rounds."""
-_ORDERS = DEGREE + 1
-
-
-_BALANCINGS = 3
-"""Number of sweeps over the control values in which their scales are balanced."""
-_FEW = 64
-"""Number of state variables above which eigenvalues are at first only bounded."""
-_SQUARINGS = 6
-"""Number of squarings of a matrix in the bound of the largest eigenvalue."""
 
 
 def _largest_rate(matrix: Floats) -> float:
@@ -472,10 +340,9 @@ class Closed:
         """
         joined: TimeStretch | None = None
         for stretch in self._stretches(state, end):
-            ends = stretch is None or (
-                joined is not None and stretch.exponential is not joined.exponential
-            )
-            if ends and joined is not None:
+            if joined is not None and (
+                stretch is None or stretch.exponential is not joined.exponential
+            ):
                 step = self._step(joined, state, end)
                 yield step
                 state, joined = step.last, None

@@ -106,7 +106,7 @@ def heat_and_losses(
 
 
 def _of_meshes(equations: Equations, state: Floats) -> Iterator[tuple[str, Floats]]:
-    """Yield losses of mechanisms; an efficiency that depends has another share in its port."""
+    """Yield losses of mechanisms; ports have a part of them if the efficiency varies."""
     system, works = equations.system, state[equations.works]
     for index, mesh in enumerate(system.meshes):
         if not mesh.lossless:

@@ -49,7 +49,7 @@ class MotionAnswer(NamedTuple):
     energy: Energy
     peaks: Mapping[str, Peak]
     dynamic_factors: Sometimes[Mapping[str, float | None]]
-    """Largest torques divided by those of statics, if the scenario has `static`."""
+    """Largest torques divided by the torques of statics, if the scenario has `static`."""
     damage: Sometimes[Annotated[object, Provided("Damages")]]
     """Fatigue damage by component, if asked for."""
     targets: Sometimes[Sequence[Reached]]

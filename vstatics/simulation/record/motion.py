@@ -130,7 +130,7 @@ class Motion(NamedTuple):
         Case of the scenario.
     dynamic_factors : mapping of str to float or None
         Largest torque of each component divided by the torque in statics, if the scenario has
-        `static`; None where that is 0.
+        `static`; None where the torque in statics is 0.
 
     Examples
     --------

@@ -13,15 +13,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from vstatics.core.errors import (
-    CaseError,
-    Path,
-    Problem,
-    ReadError,
-    listed,
-    quoted,
-    spoken,
-)
+from vstatics.core.errors import CaseError, Path, Problem, ReadError, listed, quoted, spoken
 from vstatics.core.model.checks import left_out
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import HOUSING

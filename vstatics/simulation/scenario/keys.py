@@ -426,8 +426,8 @@ _EVALUATION_KEYS = (
         "static",
         ByKey(
             "Static",
-            "A gear and an input torque, to whose torques in statics, with losses, the largest "
-            "torques of the run are compared: their quotients are dynamic factors.",
+            "Gear and input torque of a calculation of statics with losses. The largest torques of "
+            "the run divided by the torques of statics are dynamic factors.",
             (
                 KeyShape("gear", TEXT, "Name of a gear.", required=True, examples=("1",)),
                 KeyShape("torque", _TORQUE, "Input torque, in N*m.", required=True),

@@ -52,7 +52,7 @@ class Points(NamedTuple):
         [20.0, 0.0, 10.0]
         """
         pieces, values = np.searchsorted(self.x, x, "right"), np.empty(len(x))
-        for number in set(pieces.tolist()):  # few pieces, as a run pauses at each corner
+        for number in set(pieces.tolist()):  # few, because a run pauses at each corner
             value, slope = self.piece(number)
             inside = pieces == number
             values[inside] = value + slope * x[inside]

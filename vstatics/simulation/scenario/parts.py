@@ -151,7 +151,7 @@ class StepSequence(NamedTuple):
 
 
 class StaticTorque(NamedTuple):
-    """Gear and input torque to whose statics the largest torques of a run are compared."""
+    """Gear and input torque of the torques of statics in dynamic factors."""
 
     gear: str
     torque: float

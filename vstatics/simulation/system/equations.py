@@ -389,7 +389,7 @@ class Equations:
 
     @property
     def _bends_otherwise(self) -> bool:
-        """True if torques along motions without inertia bend otherwise than with the rate."""
+        """True if torques along motions without inertia bend with more than their own rates."""
         by_slope = self.system.varying and self.by_slope.shape[1]
         return bool(self.ports.looks or self.ports.struts or by_slope)
 

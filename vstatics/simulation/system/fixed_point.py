@@ -80,16 +80,19 @@ class FixedPoints:
         return None
 
     def _update(self, change: Vector, moved: Vector) -> None:
-        """Update the slopes to those of the last step, for the change that they gave for it."""
-        along = sum(map(math.prod, zip(change, moved, strict=True)))
+        """Update the slopes, so that the change of the residual in the last step gives the step."""
+        along = _dot(change, moved)
         if not along:
             return
-        columns = zip(*self.slopes, strict=True)
-        shares = [sum(map(math.prod, zip(change, column, strict=True))) for column in columns]
+        shares = [_dot(change, column) for column in zip(*self.slopes, strict=True)]
         for row, wanted, given in zip(self.slopes, change, moved, strict=True):
             factor = (wanted - given) / along
             row[:] = [old + factor * share for old, share in zip(row, shares, strict=True)]
 
 
 def _times(matrix: Sequence[Vector], vector: Vector) -> list[float]:
-    return [sum(map(math.prod, zip(row, vector, strict=True))) for row in matrix]
+    return [_dot(row, vector) for row in matrix]
+
+
+def _dot(first: Vector, second: Vector) -> float:
+    return sum(map(math.prod, zip(first, second, strict=True)))

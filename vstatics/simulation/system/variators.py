@@ -94,7 +94,7 @@ class VariatorTorques:
         by_port, changes = by_torques[:, self.places], self.accelerations[:, self.places]
         driven = -moved * speeds - apart * (self.accelerations @ torques)
         carried, factors = held, np.ones(count)
-        # the power flow of a variator can reverse through another, and change its efficiency
+        # Another variator can reverse the power flow, which changes the efficiency.
         for _ in range(_MOST_ROUNDS if self.is_lawful else 2 + count):
             factors = self._factors(carried * ratios * factors, speeds)
             taken = ratios * factors - self.references

@@ -1,9 +1,9 @@
 """Torques of mechanisms whose efficiency depends on speed, torque or both.
 
-The column of such a mechanism has a factor f0, ``eta^x`` of a constant efficiency. With the factor
-f of the present efficiency, a port adds ``(f - f0) m`` along the column of the friction. The torque
-m on the first link depends on the torques of the ports, and f on m: a fixed point, sought from the
-last solution on.
+The column of such a mechanism has the factor ``f0 = eta^x`` of a constant efficiency. With the
+factor f of the present efficiency, a port adds ``(f - f0) m`` along the column of the friction. The
+torque m on the first link depends on the torques of the ports, and f depends on m. The search for
+this fixed point begins at the last solution.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _MOST_LOSS_ROUNDS = 12
 
 
 class LosingMesh:
-    """Mechanism whose efficiency depends, in a state of its speed and torque.
+    """Mechanism with an efficiency over speed or torque, in a state of its speed and torque.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class LosingMesh:
         self.moves = state not in ("", "stick")
         self.drives = self.moves and state[0] == state[1]
         self.law = mesh.laws[0 if self.drives else 1]
-        self.way = SIGNS[state[1]] if self.moves else 0.0
+        self.sign = SIGNS[state[1]] if self.moves else 0.0
         self.given = mesh_factor(mesh.efficiency, mesh.back, state)
         """Factor in the column of the mechanism."""
 
@@ -56,18 +56,18 @@ class LosingMesh:
         """Return the torques of the port at several instants; NaN where the law gives none."""
         if not (self.moves and isinstance(self.law, Law)):
             return np.array([self.torque(0.0, torque) for torque in on_first.tolist()])
-        sizes = self.law.sizes_of(np.abs(speeds), np.maximum(self.way * on_first, 0.0))
+        sizes = self.law.sizes_of(np.abs(speeds), np.maximum(self.sign * on_first, 0.0))
         values = self.law.at(*sizes)
         values = np.where((values > 0) & (values <= 1), values, np.nan)
         return ((values if self.drives else 1 / values) - self.given) * on_first
 
     def efficiency(self, speed: float, on_first: float) -> float:
-        """Return the efficiency; torques of the other sign, in trials only, count as 0."""
-        return efficiency_at(self.law, speed, max(self.way * on_first, 0.0))
+        """Return the efficiency; torques of the wrong sign, only in trials, count as 0."""
+        return efficiency_at(self.law, speed, max(self.sign * on_first, 0.0))
 
 
 class VaryingLosses:
-    """Torques of the ports of mechanisms whose efficiency depends, between two events.
+    """Torques of the ports of mechanisms with an efficiency over speed or torque, between events.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ class VaryingLosses:
             self.latest, torques[self.places] = agreed, losses
 
     def fill_all(self, rates: Floats, torques: Floats) -> Booleans:
-        """Fill in the torques at several instants at once, without other dependent torques.
+        """Fill in the torques at several instants at once, if no other torques depend on them.
 
         Returns
         -------
@@ -171,7 +171,7 @@ class VaryingLosses:
             if not 0 < value <= 1:
                 mesh, agreed = candidate, None
                 message += (
-                    f": at {abs(speed):.6g} rad/s and {max(0.0, candidate.way * torque):.6g} N*m "
+                    f": at {abs(speed):.6g} rad/s and {max(0.0, candidate.sign * torque):.6g} N*m "
                     f"it is {value:.6g}, expected above 0 and at most 1"
                 )
                 break

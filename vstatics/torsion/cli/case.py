@@ -186,32 +186,31 @@ def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
 
 
 def working_notes(
-    reading: Reading, gears: Iterable[WorkingGear], *, friction: bool = False
+    reading: Reading, gears: Iterable[WorkingGear], *, linearised: bool = False
 ) -> list[Problem]:
-    """Return notes about slopes of springs, and about friction that is neglected or linearised."""
-    notes = _damper_notes(reading) if friction else _friction_notes(reading)
+    """Return notes about slopes of springs, and about friction, omitted or linearised."""
+    notes = _friction_notes(reading, linearised=linearised)
     return [*_slope_notes(reading, list(gears)), *notes]
 
 
-def _damper_notes(reading: Reading) -> Iterator[Problem]:
+def _friction_notes(reading: Reading, *, linearised: bool) -> Iterator[Problem]:
     for number, spring in enumerate(reading.case.springs, 1):
-        if spring.friction:
+        if not spring.friction:
+            continue
+        named, path = f"{spring.name}, {spring.friction:g} N*m", ("springs", number, "friction")
+        if linearised:
             text = (
-                f"the dry friction M of {spring.name}, {spring.friction:g} N*m, counts as the "
-                "damper 4 M/(pi A w) at the amplitude A of its twist, for each order alone; a "
-                "torque on it below 4 M/pi does not move it"
+                f"the dry friction M of {named}, counts as the damper 4 M/(pi A w) at the "
+                "amplitude A of its twist, for each order alone; a torque on it below 4 M/pi does "
+                "not move it"
             )
-            yield reading.locate(Problem("N508", text, ("springs", number, "friction")))
-
-
-def _friction_notes(reading: Reading) -> Iterator[Problem]:
-    for number, spring in enumerate(reading.case.springs, 1):
-        if spring.friction:
+            yield reading.locate(Problem("N508", text, path))
+        else:
             text = (
-                f"linear vibration omits the dry friction of {spring.name}, {spring.friction:g} "
-                "N*m; use `simulate`, or give a `damping` that dissipates the same energy"
+                f"linear vibration omits the dry friction of {named}; use `simulate`, or give a "
+                "`damping` that dissipates the same energy"
             )
-            yield reading.locate(Problem("N507", text, ("springs", number, "friction")))
+            yield reading.locate(Problem("N507", text, path))
 
 
 def _slope_notes(reading: Reading, gears: Sequence[WorkingGear]) -> list[Problem]:

@@ -135,17 +135,18 @@ def _unbounded(gear: GearResponse) -> str:
 def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
     """Return a note about springs that are stuck in a response, or an empty text.
 
-    The torque of a spring that slides is at least that of its friction, ``4 M/pi``.
+    The torque of a spring that slides is at least the torque of its friction, ``4 M/pi``.
     """
     import numpy as np
 
+    from vstatics.torsion.forced.dry_friction import sliding_torque
     from vstatics.torsion.tolerances import STUCK_TORQUE
 
     notes = []
     for order in gear.orders:
         for spring in case.springs:
             torques = np.abs(order.torques.get(spring.name, np.zeros(0)))
-            limit = 4 / math.pi * spring.friction * (1 - STUCK_TORQUE)
+            limit = sliding_torque(spring) * (1 - STUCK_TORQUE)
             if count := int((torques < limit).sum()):
                 notes.append(f"{spring.name} in order {order.order:g} at {count} of {len(torques)}")
     return f"stuck by dry friction, with amplitude 0: {spoken(notes)} speeds" if notes else ""
@@ -239,7 +240,7 @@ def response_command(
         if with_sum:
             gears = [gear.with_sum() for gear in gears]
         notes = [
-            *working_notes(reading, working, friction=True),
+            *working_notes(reading, working, linearised=True),
             *located(reading, ((gear.name, _stuck_springs(case, gear)) for gear in gears), "N509"),
         ]
         unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in gears), "N630")

@@ -14,23 +14,34 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.system.gear_system import TorsionalSystem
-from vstatics.torsion.tolerances import NO_FRICTION, SETTLED_FRICTION, SINGULAR
+from vstatics.torsion.tolerances import (
+    ACCEPTED_FRICTION,
+    NO_FRICTION,
+    SETTLED_FRICTION,
+    SINGULAR,
+)
 
-MOST_FRICTION_SWEEPS = 40
+_MOST_FRICTION_SWEEPS = 40
 """Largest number of sweeps over all springs, one by one."""
-MOST_FRICTION_STEPS = 60
+_MOST_FRICTION_STEPS = 60
 """Largest number of Newton steps for frequencies at which the sweeps do not settle."""
-
-
-RATE_SCALES = (1.0, 0.1, 10.0, 0.01, 100.0)
+_MOST_NEWTON_HALVINGS = 12
+"""Largest number of times that a Newton step is halved."""
+_RATE_SCALES = (1.0, 0.1, 10.0, 0.01, 100.0)
 """Scales of the rates of twist that are tried one after another. [-]"""
 
 
+def sliding_torque(spring: Spring) -> float:
+    """Return the amplitude of the friction torque of a spring that slides [N*m]."""
+    return 4 / math.pi * spring.friction
+
+
 class DryFriction(NamedTuple):
-    """Springs with dry friction of a gear."""
+    """Springs of a gear with dry friction."""
 
     names: tuple[str, ...]
     rows: Floats
@@ -44,7 +55,7 @@ class DryFriction(NamedTuple):
         twists = {device.name: device.twist for device in (*system.devices, *system.dampers)}
         springs = [spring for spring in case.springs if spring.friction and spring.name in twists]
         names = tuple(spring.name for spring in springs)
-        limits = np.array([4 / math.pi * spring.friction for spring in springs])
+        limits = np.array([*map(sliding_torque, springs)])
         return cls(names, system.rows([twists[name] for name in names]), limits)
 
     def torques(
@@ -101,13 +112,13 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
     [[0.04], [0.0]]
     """
     torques = np.zeros_like(free)
-    own = np.diagonal(receptance, axis1=1, axis2=2)
+    diagonal = np.diagonal(receptance, axis1=1, axis2=2)
     unsettled = np.arange(len(free))
-    for _ in range(MOST_FRICTION_SWEEPS):
+    for _ in range(_MOST_FRICTION_SWEEPS):
         before = torques[unsettled]
         for spring, limit in enumerate(limits):
             others = (receptance[unsettled, spring] * torques[unsettled]).sum(axis=1)
-            alone = own[unsettled, spring]
+            alone = diagonal[unsettled, spring]
             left = free[unsettled, spring] - others + alone * torques[unsettled, spring]
             torques[unsettled, spring] = _torque_alone(left, alone, float(limit))
         change = np.abs(torques[unsettled] - before) > SETTLED_FRICTION * limits
@@ -115,7 +126,7 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
         if not len(unsettled):
             return torques
     last = torques[unsettled]
-    for origin, factor in product((1.0, 0.0), RATE_SCALES):
+    for origin, factor in product((1.0, 0.0), _RATE_SCALES):
         start = origin * last
         parts = free[unsettled], receptance[unsettled]
         torques[unsettled] = _newton(*parts, limits, start, factor)
@@ -126,15 +137,15 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
     return torques
 
 
-def _torque_alone(left: Complex, own: Complex, limit: float) -> Complex:
-    """Return the torque of a spring from its twist without this torque."""
-    stuck = np.abs(left) <= limit * np.abs(own)
-    resisted, size = limit * own.imag, np.abs(left) ** 2 - (limit * np.abs(own)) ** 2
+def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
+    """Return the torque of a spring from its twist without this torque, and its receptance."""
+    stuck = np.abs(left) <= limit * np.abs(alone)
+    resisted, size = limit * alone.imag, np.abs(left) ** 2 - (limit * np.abs(alone)) ** 2
     with np.errstate(all="ignore"):
         amplitude = resisted + np.sqrt(resisted**2 + np.where(stuck, 0.0, size))
-        phase = left / (amplitude + 1j * limit * own)
+        phase = left / (amplitude + 1j * limit * alone)
         sliding = 1j * limit * phase / np.abs(phase)
-        holding = np.where(own == 0, 0.0, left / own)
+        holding = np.where(alone == 0, 0.0, left / alone)
     torque: Complex = np.where(stuck, holding, sliding)
     return torque
 
@@ -148,8 +159,8 @@ def _newton(
     scaled rate of twist, which holds for sliding and stuck springs alike.
     """
     count = len(limits)
-    own = np.abs(np.diagonal(receptance, axis1=1, axis2=2))
-    scale = factor / np.where(own, own, 1.0)
+    sizes = np.abs(np.diagonal(receptance, axis1=1, axis2=2))
+    scale = factor / np.where(sizes, sizes, 1.0)
     turned = -1j * scale[:, :, None] * receptance + np.eye(count)
     slopes = np.block([[turned.real, -turned.imag], [turned.imag, turned.real]])
     constant = 1j * scale * free
@@ -159,11 +170,11 @@ def _newton(
         near = np.minimum(1.0, limits / np.maximum(np.abs(wanted), NO_FRICTION))
         return at - wanted * near, wanted
 
-    for _ in range(MOST_FRICTION_STEPS):
+    for _ in range(_MOST_FRICTION_STEPS):
         error, wanted = gap(torques)
         size = np.abs(error / limits).max(axis=1)
-        open_ = size > SETTLED_FRICTION
-        if not open_.any():
+        unsettled = size > SETTLED_FRICTION
+        if not unsettled.any():
             return torques
         length = np.maximum(np.abs(wanted), NO_FRICTION)
         slides, unit = length > limits, wanted / length
@@ -178,8 +189,8 @@ def _newton(
         change = np.linalg.solve(regular, given[:, :, None])[:, :, 0]
         step = change[:, :count] + 1j * change[:, count:]
         share = np.ones(len(torques))
-        for _ in range(12):
+        for _ in range(_MOST_NEWTON_HALVINGS):
             shorter = np.abs(gap(torques - share[:, None] * step)[0] / limits).max(axis=1)
             share = np.where(shorter < size, share, share / 2)
-        torques = torques - (share * open_)[:, None] * step
-    return np.where((size > SETTLED_FRICTION * 1e3)[:, None], np.nan, torques)
+        torques = torques - (share * unsettled)[:, None] * step
+    return np.where((size > ACCEPTED_FRICTION)[:, None], np.nan, torques)
