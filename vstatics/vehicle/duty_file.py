@@ -100,7 +100,7 @@ class DutyTable(NamedTuple):
                 for problem in error.problems
             ) from None
         notes = without_inertias(results.case) if "duration" in table.numbers else ()
-        if results.case.load is self.load is not None:
+        if self.load is not None and self.load is results.case.load:
             rpm, torque = self.load.speed, self.load.torque
             text = f"the case has no load: gears are calculated at {rpm:g} rpm and {torque:g} N*m"
             notes = Message("N423", f"{text}, the first of these points with a power"), *notes
@@ -126,7 +126,7 @@ def _row(problem: Problem) -> int:
 _STEP_COLUMNS = (TableColumn("duration", "time"), *_COLUMNS[2:])
 """Columns of the steps of a driving cycle; others are skipped."""
 _DURATION = re.compile(r"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
-_SPEED = re.compile(r"(^|[,;\t])(\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
+_SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
 
 
 def read_duty_table(
@@ -171,12 +171,12 @@ def _first_load(table: UnitTable) -> Load | None:
 
 
 def _of_road(speed: re.Match[str]) -> str:
-    """Rename the column of a speed of the vehicle, beside that of the input."""
-    sign, blank, heading, unit = speed.groups()
+    """Rename the speed of the vehicle, which is not the speed of the input."""
+    before, heading, unit = speed.groups()
     try:
         measured(f"1 {unit}", "si_speed")
     except ValueError:
-        return f"{sign}{blank}road {heading}"
+        return f"{before}road {heading}"
     return speed[0]
 
 

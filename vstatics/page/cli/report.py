@@ -186,12 +186,19 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
             from vstatics.page.report.pair.paged import paged
 
             file = os.path.basename(outcome.file)  # noqa: PTH119
-            scenario = naming_of(outcome), run_of(outcome)
-            options = label, outcome.results, file, outcome.problems, page.digits
             try:
-                both.append(paged(*options, *scenario))
+                case = paged(
+                    label,
+                    outcome.results,
+                    file,
+                    outcome.problems,
+                    page.digits,
+                    naming_of(outcome),
+                    run_of(outcome),
+                )
             except CaseError as error:
                 raise outcome.located(error) from None
+            both.append(case)
     if len(both) == len(cases):
         from vstatics.page.report.pair.page import pair_page
 
@@ -217,10 +224,10 @@ def _shown(
         from vstatics.page.report.html_page import page as html_page
         from vstatics.page.report.material import gather
 
-        run, naming = run_of(outcome), naming_of(outcome)
         messages = [*outcome.problems, *warnings]
+        scenario = run_of(outcome), naming_of(outcome)
         try:
-            material = gather(results, messages, page.digits, run, naming, asked=chosen_page)
+            material = gather(results, messages, page.digits, *scenario, asked=chosen_page)
         except CaseError as error:
             raise outcome.located(error) from None
         material = material._replace(summary=material.summary._replace(cycle=duty))

@@ -104,11 +104,11 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     grid_of_gears = gears_grid(material, grid)
     rows = [[Cell(gear_link(first.text)), *others] for first, *others in grid_of_gears.cells]
     yield table(grid_of_gears._replace(rows=rows), headed=False)
-    meanings = {MARKS.engaged: "engaged"}
-    meanings |= {MARKS.holds: "freewheel that holds"} if results.case.freewheels else {}
-    meanings |= {MARKS.slips: "slips"} if any(gear.slipping for gear in results.case.gears) else {}
+    meanings = [(MARKS.engaged, "engaged")]
+    meanings += [(MARKS.holds, "freewheel that holds")] * bool(results.case.freewheels)
+    meanings += [(MARKS.slips, "slips")] * any(gear.slipping for gear in results.case.gears)
     if len(meanings) > 1:
-        signs = ", ".join(f"{mark} {tr(meaning)}" for mark, meaning in meanings.items())
+        signs = ", ".join(f"{mark} {tr(meaning)}" for mark, meaning in meanings)
         yield tag("p", signs, class_="note")
     small = material.pictures.small_sticks
     if any(picture.sheets for picture in small):
@@ -225,17 +225,14 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     asked = material.asked
     results = map(asked.cut, of_results(material.results, blanks=True))
     by_gear, *others = (grid.with_digits(material.digits) for grid in results)
-    elsewhere = {
-        SPREAD,
-        *SHIFTS,
-        *VEHICLE,
-        *DUTY,
-        *LARGEST,
-        *(f"{key}{WITH_LOAD}" for key in LARGEST),
-    }
+    elsewhere = {SPREAD, *SHIFTS, *VEHICLE, *DUTY, *LARGEST}
     if not _has_further_ports(material):
         elsewhere.add(PORTS)
-    shown_tables = (grid for grid in summary if grid.key not in elsewhere)
+    shown_tables = (
+        without_zeros(grid) if grid.key == "sensitivity" else grid
+        for grid in summary
+        if grid.key.removesuffix(WITH_LOAD) not in elsewhere
+    )
     well = _well(by_gear)
     if well:
         yield tag(
@@ -247,9 +244,6 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
         [n for n, column in enumerate(by_gear.columns) if column.heading not in shown_columns]
     )
     with_columns = [further] * (len(further.columns) > 1)
-    shown_tables = (
-        without_zeros(grid) if grid.key == "sensitivity" else grid for grid in shown_tables
-    )
     yield from tables([*shown_tables, *material.marked([*with_columns, *others])])
 
 

@@ -60,8 +60,8 @@ def _of_members(case: TransmissionFields) -> Iterator[Problem]:
         yield from members.unknown(name, path)
         yield from members.at_rest(name, path)
         if name in members.links and strength.flanks == "apart":
-            message = f"the torque of link {quoted(name)} is a magnitude, so its flanks are one"
-            yield Problem("E881", f"{message}: expected a member, such as of a gear set", path)
+            message = f"the torque of link {quoted(name)} is a magnitude, the same for both flanks"
+            yield Problem("E881", f"{message}: expected a member of a gear set", path)
         if strength.torque_of is not None:
             yield from members.without_torque(strength.torque_of, (*path, "torque_of"))
         elif name in members.planets and name not in members.firsts:

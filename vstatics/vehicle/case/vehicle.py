@@ -256,7 +256,7 @@ def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
 
 
 def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
-    """Return why the engine does not drive a gear alone at a fixed ratio, or an empty text.
+    """Return the reason why a gear is not driven by the engine alone at a fixed ratio, or "".
 
     A vehicle cannot be driven in such a gear: a case does not describe the control of other
     machines, and with a slip in rpm the ratio depends on the speed.

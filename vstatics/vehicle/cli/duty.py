@@ -89,11 +89,12 @@ def drawn_duty(asked: PictureFiles) -> DutyTable:
 
     if suffix_of(asked.duty) != ".csv":
         raise ValueError("a picture of a load spectrum: expected a duty cycle as a CSV of points")
-    given = asked.classes
-    text = given if isinstance(given, str) else None
-    if text is None:
-        text = str(given) if isinstance(given, int) else f"{','.join(map(repr, given))} N*m"
-    return read_duty_table(*files.read_input(asked.duty, TABLE_BYTES), None, _classes(text))
+    classes = asked.classes
+    if not isinstance(classes, str):
+        classes = (
+            str(classes) if isinstance(classes, int) else f"{','.join(map(repr, classes))} N*m"
+        )
+    return read_duty_table(*files.read_input(asked.duty, TABLE_BYTES), None, _classes(classes))
 
 
 duty_options = gathered(

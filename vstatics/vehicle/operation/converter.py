@@ -4,8 +4,8 @@ Engine and output turn independently: each link has the speed ``a w + b x`` at t
 and the output speed x. Together they give i, and the pump takes ``lambda(i) w_P |w_P|``. The engine
 speed follows from the torque M that the train brings to the pump, with all losses, as a root of
 ``(M - lambda(i) w_P |w_P|)/w^2``. This is nearly a quadratic polynomial of 1/w between the points
-of engine and converter. Roots are bracketed between these points, and found by the Illinois rule
-(Dowell, Jarratt 1971).
+of engine and converter. Roots are bracketed between these points, and approached by the Illinois
+rule (Dowell, Jarratt 1971).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ INTERVALS = 2
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
 MOST_DOUBLINGS = 40
-"""Largest number of doublings of an engine torque until the pump gets enough."""
+"""Largest number of doublings of an engine torque until the pump gets enough torque."""
 MOST_POINTS_AT_ONCE = 100_000
 """Largest number of points calculated at once, which limits memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
@@ -110,6 +110,8 @@ class ConverterGear(NamedTuple):
     """Case with this gear only."""
     name: str
     """Name of the converter."""
+    path: str
+    """Path of the speed ratio among varied numbers."""
     row: int
     """Row of the torque on the pump in the torques of results."""
     points: Floats
@@ -139,9 +141,8 @@ class ConverterGear(NamedTuple):
             raise CaseError("E429", message, ("gears", index + 1))
         free = alone.gear_ratios(gear)[place]
         points = _with_point(np.array(mechanism.points), free)
-        row = row_names(alone, "torques").index(first_rows(alone)[place])
-        self = cls(alone, mechanism.name, row, points, points, points)
-        speeds = solve(alone, vary={self.path: [free, free - 0.5]}).speeds[:, 0]
+        path = f"gears.{gear.name}.speed_ratios.{mechanism.name}"
+        speeds = solve(alone, vary={path: [free, free - 0.5]}).speeds[:, 0]
         output = speeds[:, case.gear_output(gear) - 1]
         ends = [mechanism.first - 1, mechanism.second - 1]
         if not np.isfinite([output, *speeds[:, ends].T]).all():
@@ -158,12 +159,8 @@ class ConverterGear(NamedTuple):
         noise = np.abs(per_engine) <= NO_SPEED * fastest
         both = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0])
         turns = [np.concatenate([array[ends], array]) for array in both]
-        return self._replace(per_engine=turns[0], per_output=turns[1])
-
-    @property
-    def path(self) -> str:
-        """Path of the speed ratio among varied numbers."""
-        return f"gears.{self.case.gears[0].name}.speed_ratios.{self.name}"
+        row = row_names(alone, "torques").index(first_rows(alone)[place])
+        return cls(alone, mechanism.name, path, row, points, *turns)
 
     @property
     def free_ratio(self) -> float:
@@ -179,7 +176,7 @@ class ConverterGear(NamedTuple):
     def ratio(self, engine: Floats, output: Floats) -> Floats:
         """Return speed ratios within the points, at engine and output speeds [rad/s].
 
-        Rounding noise beside a point is removed: beyond the ratio 1 a converter can gain power.
+        Rounding noise near a point is removed: beyond the ratio 1 a converter can gain power.
         """
         ratio = self._ratio(engine, output)
         for point in self.points[:, 0]:
@@ -288,18 +285,18 @@ class ConverterGear(NamedTuple):
         values = np.full(places.shape, np.nan)
         values[at, columns] = surplus(at, places[at, columns])
         signs = np.sign(values)
-        changes = signs[:, :-1] * signs[:, 1:] <= 0  # False beside NaN
+        changes = signs[:, :-1] * signs[:, 1:] <= 0  # False next to NaN
         first = changes.argmax(axis=1)
-        found = np.flatnonzero(changes.any(axis=1))
+        solved = np.flatnonzero(changes.any(axis=1))
         inverse = np.full(len(places), np.nan)
-        ends = (found, first[found]), (found, first[found] + 1)
-        # Near rest the surplus is nearly linear in the square.
+        ends = (solved, first[solved]), (solved, first[solved] + 1)
+        # Near rest the surplus is nearly linear in the square of the inverse speed.
         squares = _root(
-            lambda part, x: surplus(found[part], np.sqrt(x)),
+            lambda part, x: surplus(solved[part], np.sqrt(x)),
             (places[ends[0]] ** 2, places[ends[1]] ** 2),
             (values[ends[0]], values[ends[1]]),
         )
-        inverse[found] = np.sqrt(squares)
+        inverse[solved] = np.sqrt(squares)
         last = np.maximum(known.sum(axis=1) - 1, 0)
         both = np.stack([np.zeros_like(last), last], axis=1)
         return EngineSearch(
@@ -309,7 +306,7 @@ class ConverterGear(NamedTuple):
         )
 
     def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
-        """Return engine torques that bring to the pump what it takes; NaN if none does [N*m].
+        """Return engine torques at which the pump gets the torque that it takes; else NaN [N*m].
 
         Parameters
         ----------
@@ -353,7 +350,7 @@ class ConverterGear(NamedTuple):
 
 
 def _with_point(points: Floats, ratio: float) -> Floats:
-    """Return points of a converter with a further one on its lines, at a speed ratio."""
+    """Return points of a converter with a further point on its lines, at a speed ratio."""
     ratios = np.union1d(points[:, 0], [ratio])
     return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
 

@@ -1,8 +1,8 @@
 """Steps of a driving cycle in a gear whose converter finds its speed ratio.
 
 The ratio is the largest at which speed and torque at the wheels fit the pump, with the engine at
-its first point or above. Where there is none, since the converter gives too much at its largest
-ratio, the engine turns at this ratio and gives what the pump takes; the brakes take the excess.
+its first point or above. If the converter gives too much even at its largest ratio, the engine
+turns at this ratio and gives the torque that the pump takes; the brakes take the excess.
 """
 
 from __future__ import annotations
@@ -54,19 +54,14 @@ class ConverterSteps(NamedTuple):
         return self._brought(0, rows, (engine, torque), engine)
 
     def _search(self, brought: Brought, points: Sequence[float] = ()) -> EngineSearch:
-        """EngineSearch for engine speeds; `points` are speeds at which the torque bends [rad/s]."""
+        """Search for engine speeds; `points` are speeds at which the torque bends [rad/s]."""
         full = self.vehicle.full_load
         first = full[0][0] if full else 0.0
-        slowest = [first] if first else []
-        speeds = np.array(
-            [*slowest, *(point for point in points if point > first), FASTEST_OF_SEARCH]
-        )
-        limits = (
-            float(self.converter.points[-1, 0]),
-            1 / FASTEST_OF_SEARCH,
-            1 / first if first else np.inf,
-        )
-        return self.converter.search(1 / speeds, limits, self._output, brought)
+        speeds = [first, *(point for point in points if point > first), FASTEST_OF_SEARCH]
+        with np.errstate(divide="ignore"):
+            inverse = 1 / np.array(speeds)
+        limits = float(self.converter.points[-1, 0]), 1 / FASTEST_OF_SEARCH, float(inverse[0])
+        return self.converter.search(inverse, limits, self._output, brought)
 
     def from_wheels(self) -> tuple[Floats, Floats]:
         """Return speeds [rad/s] and torques [N*m] of the engine that the wheels ask for.

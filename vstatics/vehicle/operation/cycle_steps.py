@@ -329,15 +329,15 @@ class CycleSteps(NamedTuple):
             for gear, converter in self.converters.items()
         }
 
-    def _with_converters(self, rows: Integers) -> Iterator[tuple[ConverterSteps, Integers]]:
-        """Yield the steps whose converters find their ratios, by gear, with their rows."""
+    def _with_converters(self, rows: Integers) -> Iterator[ConverterSteps]:
+        """Yield the steps whose converters find their ratios, by gear."""
         for gear, converter in self.converters.items():
             places = rows[self.gears[rows] == gear]
             if places.size:
                 cases = converter.case, turned(converter.case, self.ratios[[gear]])
                 further = [self._elsewhere(case, places) for case in cases]
                 load = self._load_of_wheels(places)
-                yield ConverterSteps(converter, self.vehicle, cases, further, load, places), places
+                yield ConverterSteps(converter, self.vehicle, cases, further, load, places)
 
     def driven(self, rows: Integers) -> DrivenSteps:
         """Return some of the steps with speeds and torques of the engine, within its overrun.
@@ -349,19 +349,19 @@ class CycleSteps(NamedTuple):
         """
         speeds, torques = self.engine_speeds.copy(), np.zeros(len(self.gears))
         limited = np.zeros(len(self.gears), np.bool_)
-        for found, places in self._with_converters(rows):
-            speeds[places], torques[places] = found.from_wheels()
-            limited[places] = np.isfinite(torques[places])
+        for part in self._with_converters(rows):
+            speeds[part.rows], torques[part.rows] = part.from_wheels()
+            limited[part.rows] = np.isfinite(torques[part.rows])
         steps = self._replace(engine_speeds=speeds)
         free = rows[~limited[rows]]
-        for part in blocks(len(free)):
-            torques[free[part]] = steps.engine_torques(free[part])
+        for block in blocks(len(free)):
+            torques[free[block]] = steps.engine_torques(free[block])
         least = self.vehicle.overrun_torque(speeds)
         over = np.zeros(len(self.gears), np.bool_)
         over[free] = torques[free] < least[free] - SAME_ENGINE_TORQUE
         torques = np.where(over, least, torques)
-        for found, places in self._with_converters(np.flatnonzero(over)):
-            speeds[places], torques[places] = found.at_overrun()
+        for part in self._with_converters(np.flatnonzero(over)):
+            speeds[part.rows], torques[part.rows] = part.at_overrun()
         return DrivenSteps(self._replace(engine_speeds=speeds), torques, limited | over)
 
     def engine_torques(self, rows: Integers) -> Floats:

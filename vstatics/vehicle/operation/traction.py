@@ -47,7 +47,6 @@ NARROWINGS = 5
 """Number of narrowings, which give a relative accuracy of 1e-12."""
 STEPS_TO_100 = 2000
 """Number of intervals of the integral of time, in addition to points of the engine."""
-
 CONVERTER_POINTS = 2049
 """Number of speeds at which the force of a converter is calculated for the integral of time."""
 
@@ -184,9 +183,8 @@ class Traction:
         """
         factor = self.vehicle.final_drive / self.vehicle.radius
         if gear in self.converters:
-            return (
-                self._converter_forces(self.converters[gear], self._output(gear, speeds)) * factor
-            )
+            torques = self._converter_torques(self.converters[gear], self._output(gear, speeds))
+            return factor * torques
         engine = np.maximum(speeds, self.first)
         turning = np.maximum(engine, np.finfo(float).tiny ** 0.25)
         full = {"load.speed": turning, "load.torque": self.vehicle.full_torque(engine)}
@@ -236,7 +234,7 @@ class Traction:
         )
         return engine, torque
 
-    def _converter_forces(self, converter: ConverterGear, output: Floats) -> Floats:
+    def _converter_torques(self, converter: ConverterGear, output: Floats) -> Floats:
         """Return torques of the output in its direction, at magnitudes of its speed [N*m]."""
         engine, torque = self._matched(converter, output)
         torques = np.full(len(output), math.nan)

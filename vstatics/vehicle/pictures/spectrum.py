@@ -30,7 +30,7 @@ MOST_SPECTRA = 60
 
 
 class _Sheet(NamedTuple):
-    """Members with common scale of revolutions."""
+    """Members with a common scale of revolutions."""
 
     spectra: Mapping[str, MemberSpectrum]
     revolutions: AxisScale
@@ -62,21 +62,19 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
         if any(each.revolutions > 0 for each in spectrum.classes)
     }
     spectra = dict(list(turning.items())[:MOST_SPECTRA])
-    counts = [each.revolutions for spectrum in spectra.values() for each in spectrum.classes]
-    counts = [count for count in counts if count > 0]
+    classes = [each for spectrum in spectra.values() for each in spectrum.classes]
+    counts = [each.revolutions for each in classes if each.revolutions > 0]
     if not counts:
         raise CaseError("E425", "no member turns under torque, so there is nothing to draw")
     low, high = math.floor(math.log10(min(counts)) - 0.05), math.ceil(math.log10(max(counts)))
     scale = AxisScale(10.0**low, 10.0 ** max(high, low + 1), is_log=True)
     sheet = _Sheet(spectra, scale, duty.are_shares, style)
     columns = int((style.width - 2 * MARGIN) // (SPECTRUM_SIZE[0] + SPECTRUM_SCALE_WIDTH))
-    pitch = (style.width - 2 * MARGIN) / columns, SPECTRUM_SIZE[1] + NAME_ROOM
-    pitch = pitch[0], pitch[1] + SPECTRUM_SCALE_HEIGHT
+    high_pitch = SPECTRUM_SIZE[1] + NAME_ROOM + SPECTRUM_SCALE_HEIGHT
+    pitch = (style.width - 2 * MARGIN) / columns, high_pitch
     text = title(results.case, style.text("Load spectrum"))
-    is_open = any(math.isnan(each.to) for spectrum in spectra.values() for each in spectrum.classes)
-    key: list[Meaning] = [
-        (is_open, "above the last bound", _bar(style, is_open=True)),
-    ]
+    is_open = any(math.isnan(each.to) for each in classes)
+    key: list[Meaning] = [(is_open, "above the last bound", _bar(style, is_open=True))]
     head = sheet_head(text, "", key, style.width - 2 * MARGIN, style)
     names = list(spectra)
     rows = [names[start : start + columns] for start in range(0, len(names), columns)]
