@@ -23,7 +23,7 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.columns import read_columns
 from vstatics.sweep.results.documents import Subject
 from vstatics.sweep.results.expressions import Terms
-from vstatics.sweep.results.linked import LinkedVariants, linked_variants
+from vstatics.sweep.results.linked import linked_variants, table_of
 from vstatics.sweep.results.meanings import OMEGA
 from vstatics.sweep.results.selection import read_objective, read_where
 from vstatics.sweep.runs import piece_of_runs
@@ -102,8 +102,8 @@ def plan(
         if isinstance(subject, Transmission):
             _check_slopes(sweep_plan)
     except BaseException:
-        if isinstance(variants, VariantTable | LinkedVariants):
-            variants.close()
+        if source := table_of(variants):
+            source.close()
         raise
     return sweep_plan
 

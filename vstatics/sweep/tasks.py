@@ -17,7 +17,8 @@ from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results import best
-from vstatics.sweep.variants.numbered import VariantPart, VariantTable
+from vstatics.sweep.results.linked import table_of
+from vstatics.sweep.variants.numbered import VariantPart
 
 
 class SweepTask(NamedTuple):
@@ -59,7 +60,7 @@ def items(task: SweepTask, pieces: Iterable[int], *, remote: bool) -> Iterator[I
     """Yield the numbers of pieces, or pieces with variants for remote workers."""
     variants = task.plan.variants
     for piece in pieces:
-        if remote and isinstance(variants, VariantTable):
+        if remote and table_of(variants):
             yield Portion(piece, VariantPart(variants, *task.plan.span(piece)))
         else:
             yield piece

@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from vstatics.core.tables.html import Markup, tag
-from vstatics.pictures.paged.inline import shared, short_path
+from vstatics.pictures.paged.inline import inline, shared, short_path
 
 LINE = '<path d="M0 0L1 1" fill="none" stroke="var(--ink)" />'
 SHORT = '<path d="M0 0L1 1" class="l0" />'
@@ -27,6 +27,11 @@ def test_texts_that_look_like_attributes_are_left_alone() -> None:
     page, _ = shared(Markup(text * 2 + LINE * 2))
     assert page.startswith(text * 2)
     assert len(re.findall(r"class=", page)) == 2
+
+
+def test_spaces_between_parts_of_a_text_stay() -> None:
+    svg = b'<svg xmlns="http://www.w3.org/2000/svg"><text xml:space="preserve">A  B</text></svg>'
+    assert '<text xml:space="preserve">A  B</text>' in inline(svg, "plan", "plan")
 
 
 def points_of(path: str) -> list[float]:

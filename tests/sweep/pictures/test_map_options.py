@@ -89,11 +89,10 @@ def test_full_load_and_operating_points_are_at_their_numbers() -> None:
     place = numbers(curve)
     assert place[-1, 0] == place[-2, 0]  # at the largest speed it falls to 0
     marks = [
-        float(use.get(key, ""))
+        float(circle.get(key, ""))
         for p in points
-        for use in p.iter()
+        for circle in p.iter("{http://www.w3.org/2000/svg}circle")
         for key in ("cx", "cy")
-        if use.get(key)
     ]
     (x1, y1), (x2, y2) = np.array(marks).reshape(-1, 2)
     expected = [x1 + 50 * (x2 - x1) / 100, y1 + 90 * (y2 - y1) / 40]  # 200 rad/s, 150 N*m

@@ -12,7 +12,10 @@ from tests.chance import count, generator
 from tests.commands import CASES, vstatics
 from tests.installed import needs
 from vstatics import ReadError, load, sweep
+from vstatics.sweep.build import plan
 from vstatics.sweep.chunk import STATUS
+from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.tasks import Portion, SweepTask, items
 
 CASE = """\
 links: [sun, ring, carrier]
@@ -85,6 +88,16 @@ def test_files_tables_samples_and_workers_link_alike(folder: Path) -> None:
         out="ratio",
     )
     np.testing.assert_allclose(drawn.values[:, 1], 100 * drawn.values[:, 0], rtol=1e-15)
+
+
+def test_workers_without_access_to_a_table_receive_its_linked_numbers() -> None:
+    options = SweepOptions.of(linked=("load.torque [N*m]=10*P1.teeth.ring",), out="ratio")
+    rings = {"P1.teeth.ring": [67.0, 69.0]}
+    [portion] = items(
+        SweepTask(plan(load("box.yaml"), options, table=rings), "csv"), [0], remote=True
+    )
+    assert isinstance(portion, Portion)
+    assert portion.variants.block(0, 2).tolist() == [[67, 670], [69, 690]]
 
 
 def test_a_link_without_a_value_makes_an_invalid_variant() -> None:

@@ -224,7 +224,8 @@ options = gathered(
                 "--limits",
                 metavar="CASE",
                 default="",
-                help="Case whose vehicle has the full-load curve to draw on such a map.",
+                help="Case whose vehicle has the full-load curve to draw on a map over "
+                "load.speed and load.torque.",
             ),
             click.option(
                 "--best-gear",

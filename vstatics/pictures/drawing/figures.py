@@ -48,7 +48,8 @@ def figure_of(canvas: Canvas) -> Figure:
     figure = Figure(figsize=(wide, high))
     for shape, place, mark in canvas.parts:
         inches = Affine2D().scale(place.part).translate(place.left, place.low)
-        points = inches.scale(1 / POINTS_PER_INCH) + figure.dpi_scale_trans
+        inches.scale(1 / POINTS_PER_INCH)
+        points = inches + figure.dpi_scale_trans
         named: dict[str, Any] = {"transform": points, "zorder": shape.order, "gid": _said(mark)}
         match shape:
             case CanvasText():

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
-from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import matplotlib as mpl
 from matplotlib.font_manager import get_font
@@ -34,35 +32,26 @@ class TextExtent(NamedTuple):
     """Depth below the baseline."""
 
 
-def _font(*, bold: bool) -> Any:
+def _measured(line: str, size: float, *, bold: bool) -> TextExtent:
+    """Return the size of a line of text without hinting."""
     name = f"{FONT.replace(' ', '')}{'-Bold' * bold}.ttf"
-    return get_font(Path(mpl.get_data_path(), "fonts", "ttf", name))
-
-
-@contextmanager
-def _boxes_for_missing() -> Iterator[None]:
+    font = get_font(Path(mpl.get_data_path(), "fonts", "ttf", name))
+    font.set_size(size, POINTS_PER_INCH)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box is drawn instead
-        yield
+        font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
+    wide, high = font.get_width_height()
+    return TextExtent(wide / _SUBPIXELS, high / _SUBPIXELS, font.get_descent() / _SUBPIXELS)
 
 
 def line_width(line: str, size: float, *, bold: bool = False) -> float:
-    """Return the width of a line of text without hinting [pt]."""
-    font = _font(bold=bold)
-    font.set_size(size, POINTS_PER_INCH)
-    with _boxes_for_missing():
-        font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
-    return float(font.get_width_height()[0] / _SUBPIXELS)
+    """Return the width of a line of text [pt]."""
+    return _measured(line, size, bold=bold).wide
 
 
 @cache
 def _fine_extent(line: str, *, bold: bool) -> TextExtent:
-    font = _font(bold=bold)
-    font.set_size(_MEASURED_SIZE, POINTS_PER_INCH)
-    with _boxes_for_missing():
-        font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
-    wide, high = font.get_width_height()
-    return TextExtent(wide / _SUBPIXELS, high / _SUBPIXELS, font.get_descent() / _SUBPIXELS)
+    return _measured(line, _MEASURED_SIZE, bold=bold)
 
 
 def line_extent(line: str, size: float, *, bold: bool = False) -> TextExtent:

@@ -112,13 +112,11 @@ class SvgWriter(NamedTuple):
         """Add the elements of all parts, then the hatches and clips that they use."""
         for part in self.canvas.ordered:
             self._add(part)
-        for definitions in (self.hatches, self.clips):
+        hatches = [_pattern(name, *key) for key, name in self.hatches.items()]
+        clips = [_clip(name, key) for key, name in self.clips.items()]
+        for definitions in (hatches, clips):
             if definitions:
-                within = ET.SubElement(self.root, "defs")
-                for key, name in definitions.items():
-                    within.append(
-                        _pattern(name, *key) if definitions is self.hatches else _clip(name, key)
-                    )
+                ET.SubElement(self.root, "defs").extend(definitions)
 
     def _add(self, part: CanvasPart) -> None:
         mark, parent = part.mark, self._group(part.mark.groups)

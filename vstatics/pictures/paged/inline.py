@@ -24,7 +24,8 @@ _PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES
 _COLOUR_NAMES = {light: name for name, (light, _) in _PAIRS.items()}
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _COLOUR = re.compile("#[0-9a-f]{6}")
-_COLOURED = ("style", "fill", "stroke")
+_COLOURED = ("fill", "stroke")
+_XML = "{http://www.w3.org/XML/1998/namespace}"
 _PLACES = {"x", "y", "cx", "cy", "transform"}
 _STEP = re.compile(r"([MLQCz])([^MLQCz]*)")
 _DECIMAL = re.compile(r"-?\d+(?:\.\d+)?")
@@ -40,8 +41,8 @@ def palette(*, dark: bool) -> str:
 def inline(svg: bytes, prefix: str, label: str) -> Markup:
     """Embed an SVG in HTML.
 
-    Ids get a prefix, because two pictures of matplotlib have the same ids. Colours become variables
-    of the page. The elements stay accessible by their titles.
+    Ids get a prefix, because all pictures have equal ids. Colours become variables of the page. The
+    elements stay accessible by their titles.
 
     Examples
     --------
@@ -68,7 +69,7 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
         if element.tag == "text" and element.get("fill") == _INK:  # as the whole picture
             del element.attrib["fill"]
     style = f"--width: {root.attrib.get('width', '100%')}"
-    for key in ("width", "height", "version", "font-family"):
+    for key in ("width", "height", "font-family"):
         root.attrib.pop(key, None)
     root.attrib |= {"role": "graphics-document", "aria-label": label, "style": style, "fill": _INK}
     return Markup(ET.tostring(root, encoding="unicode").replace(" />", "/>"))
@@ -86,15 +87,13 @@ def _fold(parent: ET.Element) -> None:
 
 
 def _local(name: str) -> str:
-    """Return a name without the XML namespace."""
-    return name.rpartition("}")[2]
+    """Return a name without the namespace of SVG, and ``xml:space`` with its prefix."""
+    return name.replace(_XML, "xml:").rpartition("}")[2]
 
 
 def _rewritten(key: str, value: str, prefix: str) -> str:
     if key == "id":
         return f"{prefix}-{value}"
-    if key == "href" and value.startswith("#"):
-        return f"#{prefix}-{value[1:]}"
     if key == "d":
         return short_path(value)
     if key in _PLACES:
@@ -173,7 +172,7 @@ def colour_name(colour: str) -> str:
     return _COLOUR_NAMES[colour]
 
 
-_TAG = re.compile(r"<(?:path|text|use|g)\b[^<>]*>")
+_TAG = re.compile(r"<(?:path|text|g)\b[^<>]*>")
 _KEY = r"(?:fill|stroke|opacity|font|text-anchor|paint-order)[-a-z]*"
 _CLASS = re.compile(' class="([^"<>]*)"')
 _LOOK = re.compile(f'(?: {_KEY}="[^"<>]*")+(?=[ />])')

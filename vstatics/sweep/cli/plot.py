@@ -16,7 +16,12 @@ from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.tables.file_suffixes import suffix_of
 from vstatics.sweep.pictures import render_sweep
 from vstatics.sweep.pictures.columns import drawn_columns
-from vstatics.sweep.pictures.map_options import FullLoad, MapOptions, OperatingPoint, checked_levels
+from vstatics.sweep.pictures.map_options import (
+    FullLoad,
+    MapOptions,
+    checked_levels,
+    operating_points,
+)
 
 if TYPE_CHECKING:
     from vstatics.pictures.cli.options import AskedPicture
@@ -61,20 +66,13 @@ def plot_written_sweep(
     sweep = sweep_tables.read(data, name)
     with wrong_value("--levels"):
         levels = checked_levels(asked.levels)
-    options = MapOptions(levels, best, _points(asked.duty), _limits(asked.limits))
+    duty = operating_points(*files.read_input(asked.duty, TABLE_BYTES)) if asked.duty else ()
+    options = MapOptions(levels, best, duty, _limits(asked.limits))
     columns = columns._replace(of_map=options)
     with files.problems_of_file(name):
         drawn = render_sweep(sweep, kind, cast("Format", to.form), style, columns)
     files.write_pages(drawn, to.output)
     return DONE
-
-
-def _points(file: str) -> list[OperatingPoint]:
-    """Read the operating points of a duty cycle."""
-    if not file:
-        return []
-    points = higher("duty_points")(*files.read_input(file, TABLE_BYTES))
-    return [OperatingPoint(*point) for point in points]
 
 
 def _limits(file: str) -> list[FullLoad]:

@@ -22,10 +22,9 @@ from vstatics.sweep.cli.estimate import check_room
 from vstatics.sweep.formats import Format
 from vstatics.sweep.output import Output, SweepReport, description, stream
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.results.linked import LinkedVariants
+from vstatics.sweep.results.linked import table_of
 from vstatics.sweep.results.selection import WhereCondition
 from vstatics.sweep.tasks import SweepTask
-from vstatics.sweep.variants.numbered import VariantTable
 
 UNSOLVED = [
     chunk.STATUS[code] for code in (chunk.TIED_UP, chunk.CONFLICT, chunk.INVALID, chunk.STOPPED)
@@ -72,8 +71,8 @@ def carry_out(run: SweepRun) -> Ended:
             return to_stream(run)
         return to_file(run, run.output)
     finally:
-        if isinstance(run.plan.variants, VariantTable | LinkedVariants):
-            run.plan.variants.close()
+        if table := table_of(run.plan.variants):
+            table.close()
 
 
 def to_file(run: SweepRun, output: str) -> Ended:

@@ -26,7 +26,6 @@ from vstatics.sweep.pictures.contours import contour_levels, even_levels, grid_o
 from vstatics.sweep.pictures.map_sheet import (
     MapSheet,
     Surface,
-    axis_scale,
     limit_look,
     map_pages,
     paint_levels,
@@ -57,7 +56,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
     surfaces = sheet.surfaces
     if not any(np.isfinite(surface.z).any() for surface in surfaces):
         raise CaseError("E433", f"no row of the sweep has {names[2]}, so there is nothing to draw")
-    x, y = (axis_scale(surfaces, name) for name in ("x", "y"))
+    x, y = sheet.scales
     overlays = [
         overlay.within(
             (x.low, y.low), (x.high, y.high), _gear_of(sweep, surface, overlay, names[2])
@@ -154,7 +153,7 @@ def _best_gears(
 
 
 def _gear_of(sweep: WrittenSweep, surface: Surface, points: Overlay, z: str) -> str:
-    """Return the gear of a surface: that of its rows, or that in the name of the column, or ""."""
+    """Return the gear whose values a surface shows, from its rows or its column; "" for several."""
     if surface.name in sweep.gears:
         return surface.name
     last = z.rpartition("]")[0].rpartition("[")[2].rpartition(",")[2]

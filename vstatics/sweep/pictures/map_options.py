@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from vstatics.core.extras import higher
+
 MOST_MAP_LEVELS = 100
 """Largest number of contours that a user can request."""
 
@@ -18,6 +20,17 @@ class OperatingPoint(NamedTuple):
     """Input speed. [rad/s]"""
     torque: float
     """Input torque. [N*m]"""
+
+
+def operating_points(data: bytes, file: str) -> list[OperatingPoint]:
+    """Read the operating points of a duty cycle in CSV.
+
+    Raises
+    ------
+    ReadError
+        If the file is in error.
+    """
+    return [OperatingPoint(*point) for point in higher("duty_points")(data, file)]
 
 
 FullLoad = Sequence[tuple[float, float]]

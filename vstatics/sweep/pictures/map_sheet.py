@@ -62,6 +62,12 @@ class MapSheet(NamedTuple):
     """Name of the colour bar."""
 
     @property
+    def scales(self) -> tuple[AxisScale, AxisScale]:
+        """Common scales of the axes of all panels."""
+        x, y = zip(*(surface[1:3] for surface in self.surfaces), strict=True)
+        return _scale_of(x), _scale_of(y)
+
+    @property
     def bar_texts(self) -> Sequence[str]:
         """Numbers at the colour bar."""
         return tick_texts(self.levels)
@@ -89,7 +95,6 @@ def map_pages(
         Text below the title.
     """
     surfaces = sheet.surfaces
-    scales = axis_scale(surfaces, "x"), axis_scale(surfaces, "y")
     columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
     room = (style.width - MARGIN - sheet.bar_room) / columns
     wide = min(MAP_SIZE[0], room - MAP_SCALE_WIDTH - MARGIN)
@@ -107,7 +112,7 @@ def map_pages(
         for place, number in enumerate(shown):
             row, column = divmod(place, columns)
             corner = column * pitch + MAP_SCALE_WIDTH, (rows - 1 - row) * up + MAP_SCALE_HEIGHT
-            panel = pen.panel(corner, size, *scales)
+            panel = pen.panel(corner, size, *sheet.scales)
             _draw_panel(panel, sheet, surfaces[number], names)
             overlays[number].draw(panel)
         bar = columns * pitch, (rows - 1) * up + MAP_SCALE_HEIGHT
@@ -128,9 +133,8 @@ def _head(
     return sheet_head(sheet.title, note, meanings, across - 2 * MARGIN, style)
 
 
-def axis_scale(surfaces: Sequence[Surface], name: str) -> AxisScale:
-    """Return the common scale of an axis, `x` or `y`, of all surfaces."""
-    values = np.concatenate([getattr(surface, name) for surface in surfaces])
+def _scale_of(axes: Sequence[Floats]) -> AxisScale:
+    values = np.concatenate(axes)
     return AxisScale(float(values.min()), float(values.max()))
 
 
@@ -153,8 +157,7 @@ def _draw_panel(pen: Pen, sheet: MapSheet, surface: Surface, names: tuple[str, s
 
 def _ends(pen: Pen, surface: Surface) -> Iterator[Segment]:
     """Yield the border of the part of a panel with values, without the edges of the panel."""
-    hidden = np.ma.masked_invalid(surface.z)
-    contours: Any = contour_generator(*_places_of(pen, surface), hidden, fill_type="OuterOffset")
+    contours = _contours_of(surface.z, *_places_of(pen, surface))
     for points, offsets in zip(*contours.filled(-math.inf, math.inf), strict=True):
         for start, end in pairwise(offsets):
             for (x, y), (next_x, next_y) in pairwise(points[start:end].tolist()):
@@ -173,10 +176,13 @@ def _places_of(pen: Pen, surface: Surface) -> tuple[Floats, Floats]:
     return across, up
 
 
+def _contours_of(values: Floats, across: Floats, up: Floats) -> Any:
+    return contour_generator(across, up, np.ma.masked_invalid(values), fill_type="OuterOffset")
+
+
 def paint_levels(pen: Pen, surface: Surface, levels: Sequence[float]) -> None:
     """Fill the bands between levels, and draw and label the contours."""
-    hidden = np.ma.masked_invalid(surface.z)
-    contours: Any = contour_generator(*_places_of(pen, surface), hidden, fill_type="OuterOffset")
+    contours = _contours_of(surface.z, *_places_of(pen, surface))
     edges = [-math.inf, *levels, math.inf]
     for place, (low, up) in enumerate(pairwise(edges)):
         _fill(pen, contours.filled(low, up), shade(place, len(levels), pen.style))
@@ -186,8 +192,7 @@ def paint_levels(pen: Pen, surface: Surface, levels: Sequence[float]) -> None:
         lines = contours.lines(level)
         title = f"{surface.name} {text}".strip()
         for piece in lines:
-            places = [(float(x), float(y)) for x, y in piece]
-            pen.line(*places, width=0.7, color=pen.style.ink, title=title)
+            pen.line(*piece.tolist(), width=0.7, color=pen.style.ink, title=title)
         _label(pen, lines, text, taken)
 
 
@@ -198,12 +203,10 @@ def paint_regions(
     places = _places_of(pen, surface)
     for region in regions:
         group = pen.within("gear", gear=region.gear)
-        hidden = np.ma.masked_invalid(region.lead)
-        contours: Any = contour_generator(*places, hidden, fill_type="OuterOffset")
+        contours = _contours_of(region.lead, *places)
         _fill(group, contours.filled(0.0, math.inf), colours[region.gear])
         for piece in contours.lines(0.0):
-            border = [(float(x), float(y)) for x, y in piece]
-            group.line(*border, width=1.0, color=pen.style.ink, zorder=0.3)
+            group.line(*piece.tolist(), width=1.0, color=pen.style.ink, zorder=0.3)
         row, column = deepest(region.lead > 0)
         at = float(places[0][column]), float(places[1][row])
         half = width(region.gear, SIZE, bold=True) / 2

@@ -22,7 +22,7 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_
 from vstatics.pictures.plotting import format_of_picture
 from vstatics.sweep.pictures import COLUMNS, render_sweep, sweep_pages
 from vstatics.sweep.pictures.columns import DrawnColumns, drawn_columns, numbers
-from vstatics.sweep.pictures.map_options import MapOptions, OperatingPoint, checked_levels
+from vstatics.sweep.pictures.map_options import MapOptions, checked_levels, operating_points
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -104,7 +104,8 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         CSV file of a duty cycle, whose operating points are drawn on a map over ``load.speed`` and
         ``load.torque``.
     limits : Transmission, optional
-        Case whose vehicle has the full-load curve to draw on such a map.
+        Case whose vehicle has the full-load curve to draw on a map over ``load.speed`` and
+        ``load.torque``.
     best_gear : bool, optional
         True for a map of the gear with the largest efficiency, of a sweep by gear.
     width : float, optional
@@ -149,22 +150,12 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         of_map=MapOptions(
             checked_levels(levels),
             best_gear,
-            [OperatingPoint(*point) for point in _points(duty)],
+            operating_points(read_file(duty, TABLE_BYTES), os.fspath(duty)) if duty else (),
             higher("full_load_curves")(limits) if limits else (),
         )
     )
     style = Style(lang, dark, width=checked_width(width), height=math.inf)
     return SweepPicture(sweep, kind, style, selected)
-
-
-def _points(duty: str | os.PathLike[str]) -> list[tuple[str, float, float]]:
-    """Read the operating points of a duty cycle: gear, speed [rad/s], torque [N*m]."""
-    if not duty:
-        return []
-    points: list[tuple[str, float, float]] = higher("duty_points")(
-        read_file(duty, TABLE_BYTES), os.fspath(duty)
-    )
-    return points
 
 
 def _check(sweep: WrittenSweep, kind: str, selected: DrawnColumns) -> None:
@@ -177,8 +168,8 @@ def _check(sweep: WrittenSweep, kind: str, selected: DrawnColumns) -> None:
     ValueError
         If the kind does not use a column.
     """
-    given_columns = zip(selected._fields[:4], selected[:4], strict=True)
-    for option, given in given_columns:
+    for option in COLUMNS["map"]:  # all columns
+        given = getattr(selected, option)
         if given and option not in COLUMNS[kind]:
             takes = spoken([f"`{name}`" for name in COLUMNS[kind]])
             raise ValueError(f"plot of kind {kind!r}: `{option}` is not for it; it takes {takes}")

@@ -53,10 +53,11 @@ class LinkedVariants:
             block[:, column] = np.where(np.isfinite(values), values, np.nan)
         return block
 
-    def close(self) -> None:
-        """Remove the temporary file of a table of variants."""
-        if isinstance(self.base, VariantTable):
-            self.base.close()
+
+def table_of(variants: Variants) -> VariantTable | None:
+    """Return the table of the user that variants are read from, also with linked numbers."""
+    base = variants.base if isinstance(variants, LinkedVariants) else variants
+    return base if isinstance(base, VariantTable) else None
 
 
 def _value(formula: Expression, block: Floats) -> Floats:
