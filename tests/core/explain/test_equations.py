@@ -1,14 +1,16 @@
 """The equations of a gear, as in the figures of the source."""
 
 import json
+import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.chance import count, seeded
 from tests.commands import CASES
 from tests.core.explain.explained import check, equations, explained, holds
-from tests.trains import random_slipping, random_train
+from tests.trains import random_slipping, random_train, with_variators
 from vstatics import explain_gear, load, solve
 from vstatics.core.explain.formula import SLIPS
 from vstatics.core.explain.sums import in_symbols
@@ -67,6 +69,31 @@ def test_equations_hold_and_formulas_give_the_ratios_of_random_trains() -> None:
     for _ in range(12):
         results = solve(random_train(rng, regular=False))
         check(results, range(len(results.case.gears)))
+
+
+def test_converters_have_their_speed_ratio_in_speeds_and_their_torque_ratio_in_torques() -> None:
+    """Interpolated by numpy, the torque ratio is in the column of both tables."""
+    chance = seeded(58)
+    for _ in range(count(12, 200)):
+        train = with_variators(chance, random_train(chance, regular=True))
+        points = ((0.0, chance.uniform(1.5, 3)), (chance.uniform(0.5, 0.9), 1.0))
+        mechanisms = [
+            part._replace(kind="converter", points=points, efficiency=1.0, back_efficiency=None)
+            if part.kind and part.ratio > 0
+            else part
+            for part in train.mechanisms
+        ]
+        case = train.replace(mechanisms=mechanisms)
+        results = solve(case)
+        check(results, range(len(case.gears)))
+        gear = explain_gear(results, 1)
+        for part in mechanisms:
+            if part.kind == "converter" and part.second and part.name in gear.columns:
+                column = gear.matrix[part.second - 1, gear.columns.index(part.name)]
+                K = np.interp(part.ratio, *np.transpose(points))  # noqa: N806
+                assert column == pytest.approx(-K, rel=1e-12)
+        if gear.lossy and not math.isnan(results.lossy_output_torque[0]):
+            assert gear.lossy.values["Mx"] == pytest.approx(results.lossy_output_torque[0])
 
 
 def test_a_given_slip_is_on_the_right_of_its_equation() -> None:

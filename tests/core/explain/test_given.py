@@ -11,6 +11,7 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.commands import CASES, SHIPPED
+from tests.core.explain.explained import equations
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
 from vstatics.core.errors import CaseError, ReadError
@@ -153,8 +154,12 @@ gears: {g: {speed_ratios: {TC: 0.3}}}
     _, blanks = asked(text)
     assert blanks["lossy_torques", "Mx"] == pytest.approx(k)
     assert blanks["losses", "TC"] == pytest.approx(1 - k * 0.3)
-    with pytest.raises(CaseError, match="gear g: TC is a converter"):
-        explain_gear(solve(loads(text)), "g")
+    gear = explain_gear(solve(loads(text)), "g")
+    assert equations(gear.speeds)[0] == "w_pump - 3.3333 w_turbine = 0"
+    assert equations(gear.torques)[1] == "-1.6 M_TC + Mx = 0"
+    assert gear.efficiency == pytest.approx(k * 0.3)
+    with pytest.raises(CaseError, match="gear g: TC has the speed ratio 0"):
+        explain_gear(solve(loads(text.replace("0.3}}}", "0}}}"))), "g")
 
 
 def test_sentences_of_a_sheet_are_as_wide_as_a_terminal() -> None:

@@ -137,25 +137,26 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_one_case(results, "explain_gear")
-    variators = {
-        mechanism.name: mechanism.kind for mechanism in results.case.mechanisms if mechanism.kind
-    }
+    asked, number = results, results.case.gear_number(gear) - 1
+    turning = case = results.case
+    variators = {mechanism.name for mechanism in case.mechanisms if mechanism.kind}
     if variators:
-        results = solve(_pairs(results.case, results.case.gear_number(gear) - 1))
-    number = results.case.gear_number(gear) - 1
+        turning, case = _with_pairs(results.gear_at(number))
+        results, number = solve(case), 0
     state = results.gear_at(number)
+    turning = as_solved(turning if variators else state.case)
     case, actual = as_solved(state.case), state.gear
-    names = names_of(case)
+    names = names_of(turning)
     matrix = structural_matrix(case) + 0.0
     elements = [element.name for element in case.shift_elements]
     loaded = loaded_devices(case, actual)
     torques, lossy = _torques(state, names, matrix)
     fault = FAULTS.get(state.status, "")
-    on_links = on_own_links(case)._replace(variators=variators)
+    on_links = on_own_links(turning)._replace(variators=variators)
     bodies = None if fault else structure(on_links, actual)
     together = list(_together(on_links, actual, bodies)) if bodies else []
     one_piece, standing = _pieces(on_links, bodies) if bodies else ([], [])
-    symbols = symbols_of(case, names, on_links)
+    symbols = symbols_of(turning, names, on_links)
     ratio, reason = _formula(state, names, symbols, on_links, bodies) if bodies else (None, fault)
     return Explanation(
         gear=actual.name,
@@ -165,7 +166,10 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         rows=case.link_names,
         columns=[case.devices[device] for device in loaded],
         matrix=matrix[:, loaded],
-        speeds=speed_system(case, actual, names, matrix, list(map(plain, state.speeds))),
+        speeds=speed_system(
+            *(turning, actual, names, structural_matrix(turning) + 0.0),
+            list(map(plain, state.speeds)),
+        ),
         torques=torques,
         signs=signs_of(state),
         lossy=lossy,
@@ -180,7 +184,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         reason=reason,
         ratio=float(results.ratio[number]),
         efficiency=float(results.efficiency[number]),
-        messages=[*_messages_about(results, actual.name), *_assumed_teeth(results, case)],
+        messages=[*_messages_about(asked, actual.name), *_assumed_teeth(results, case)],
         balance=machine_balance(results, number),
         tried=tried_signs(state) or None,
         slipping=[elements[n - 1] for n in actual.slipping] or None,
@@ -209,26 +213,32 @@ def _assumed_teeth(results: Results, case: Transmission) -> Iterator[str]:
                 )
 
 
-def _pairs(case: Transmission, place: int) -> Transmission:
-    """Return the case with gear pairs instead of variators, which have the equations of pairs."""
-    gear = case.gears[place]
-    if pairs := case.as_pairs(gear):
-        return pairs
-    ratios = case.gear_ratios(gear)
-    name, what = next(
-        (
-            mechanism.name,
-            "is a converter" if mechanism.kind == "converter" else "has the speed ratio 0",
-        )
-        for place, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True))
-        if place not in case.unloaded_converters(gear)
-        and (mechanism.kind == "converter" or (mechanism.kind and not ratio))
-    )
-    raise CaseError(
-        "E279",
-        f"gear {gear.name}: {name} {what}, of which no equations are written yet; its sheet, "
-        "`explain --worksheet`, has its rules",
-    )
+def _with_pairs(state: GearState) -> tuple[Transmission, Transmission]:
+    """Return the gear with gear pairs instead of variators and converters, and of variators only.
+
+    Speeds follow from gear pairs. Converters keep their torque ratios.
+    """
+    case, gear = state.case, state.gear
+    unloaded, ratios = case.unloaded_converters(gear), case.gear_ratios(gear)
+    mechanisms = list(case.mechanisms)
+    converters = {}
+    for place, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True)):
+        if not mechanism.kind or place in unloaded:
+            continue
+        if not ratio or math.isnan(ratio):
+            what = "has no speed ratio" if ratio else "has the speed ratio 0"
+            message = (
+                f"gear {gear.name}: {mechanism.name} {what}, so its equations cannot be written; "
+                "`explain --worksheet` gives its rules"
+            )
+            raise CaseError("E279", message)
+        if mechanism.kind == "converter":
+            converters[place] = mechanism._replace(ratio=ratio)
+            mechanisms[place] = mechanism._replace(kind="variator", points=(), ratio=ratio)
+    pairs = case.replace(mechanisms=mechanisms, gears=[gear]).as_pairs(gear)
+    assert pairs is not None  # noqa: S101 - the speed ratios are known, and not 0
+    both = (converters.get(place, pair) for place, pair in enumerate(pairs.mechanisms))
+    return pairs, pairs.replace(mechanisms=list(both))
 
 
 FAULTS = {
@@ -241,6 +251,7 @@ FAULTS = {
 def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | None, System | None]:
     if state.status in FAULTS:
         return None, None
+    names = names.with_torque_ratios(state.case)
     ideal = torque_system(state.case, state.gear, names, matrix, state.torques, drag={})
     ratios = list(map(plain, state.lossy_ratios))
     if any(not status.has_power for status in state.statuses) or np.isnan(ratios).any():

@@ -44,6 +44,22 @@ class Names(NamedTuple):
         ]
         return self._replace(ratios=ratios)
 
+    def with_torque_ratios(self, case: Transmission) -> Names:
+        """Return the symbols with the torque ratio K instead of u for each converter.
+
+        >>> from vstatics.core.model.transmission import Gear, Mechanism
+        >>> converter = Mechanism(1, 2, 0, 0.5, name="TC", kind="converter", points=((0, 2),))
+        >>> case = Transmission(2, [], [converter], [Gear()])
+        >>> names_of(case).with_torque_ratios(case).ratios
+        ['K_TC']
+        """
+        pairs = zip(self.ratios, case.mechanisms, strict=True)
+        ratios = [
+            f"K{ratio[1:]}" if mechanism.kind == "converter" else ratio
+            for ratio, mechanism in pairs
+        ]
+        return self._replace(ratios=ratios)
+
 
 def names_of(case: Transmission) -> Names:
     """Return the symbols of a case: ``w_`` link, ``M_`` device, ``u_`` and ``eta_`` mechanism.

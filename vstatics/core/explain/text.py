@@ -11,7 +11,7 @@ from typing import NamedTuple
 from vstatics.core.explain.explanation import Explanation
 from vstatics.core.explain.formula import FOLLOWS
 from vstatics.core.explain.machines import MACHINES
-from vstatics.core.explain.signs import PowerSign, TriedSigns
+from vstatics.core.explain.signs import TORQUE_RATIO, PowerSign, TriedSigns
 from vstatics.core.explain.sums import (
     EQUATION_WIDTH,
     INDENT,
@@ -21,6 +21,7 @@ from vstatics.core.explain.sums import (
     in_symbols,
     listed,
 )
+from vstatics.core.numerics.tolerances import SAME_FORMULA
 from vstatics.core.tables.grid import Column, Grid
 from vstatics.core.tables.numbers import fixed, short
 from vstatics.core.tables.text import lines as table_lines
@@ -210,6 +211,8 @@ def _losses(explanation: Explanation, digits: int | None) -> Iterator[str]:
         yield INDENT + _efficiency(explanation, digits)
     else:
         yield INDENT + tr("all u stay as they are, and so do the torques")
+        if abs(explanation.efficiency - 1) > SAME_FORMULA:  # by converters and slipping clutches
+            yield INDENT + _efficiency(explanation, digits)
 
 
 def _tried(signs_tried: TriedSigns, digits: int | None) -> Iterator[str]:
@@ -251,7 +254,8 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     """Yield lines about a mechanism: power at the first link, its sign, and ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
-        yield f"{label}{sign.told}, u = {short(sign.ratio, digits)}"
+        symbol = "K" if sign.why == TORQUE_RATIO else "u"
+        yield f"{label}{sign.told}, {symbol} = {short(sign.ratio, digits)}"
         return
     torque, motion, power = (
         short(number, digits) for number in (sign.torque, sign.motion, sign.power)
