@@ -232,7 +232,7 @@ def picture_options() -> Mapping[str, str]:
 
 
 def document_kind(kind: str) -> DocumentKind | None:
-    """Return the declaration of a kind of documents; None without the annex."""
+    """Return the declaration of a kind of documents; None if no annex here declares it."""
     return _first((annex.documents for annex in annexes()), kind)
 
 

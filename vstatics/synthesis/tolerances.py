@@ -18,7 +18,7 @@ MET_RATIO = 1e-9
 PART_FOR_ZERO_BOUND = 1e-3
 """Replacement of a bound of 0, as a share of the opposite bound. [-]"""
 NARROWEST_RATIO = 1e-3
-"""Least size of a ratio between bounds of opposite sign, as a share of the larger bound. [-]"""
+"""Least magnitude of a ratio whose bounds have opposite signs, as a share of the larger. [-]"""
 TINY_RATIO = 1e-4
 """Largest ratio that is printed with a power of ten. [-]"""
 NO_SQUARES = 1e-30

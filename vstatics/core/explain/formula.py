@@ -96,15 +96,15 @@ class RatioFormula(NamedTuple):
 def symbols_of(case: Transmission, names: Names, on_links: OwnLinks) -> list[Symbol]:
     """Return the symbols of the mechanisms between a case's own links.
 
-    Mechanisms of the equations keep their symbols; mechanisms between central gears get new
-    symbols.
+    Mechanisms that are also in the equations keep their symbols; mechanisms between central gears
+    get new symbols.
 
     Parameters
     ----------
     case : Transmission
         Case as calculated, with planets among the links.
     on_links : OwnLinks
-        Case on its own links.
+        Case without planets among the links.
     """
     symbols = []
     number, wheels = 0, 0

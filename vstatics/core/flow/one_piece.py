@@ -17,7 +17,7 @@ from vstatics.core.statics.state import GearState
 
 
 def links_of(state: GearState) -> dict[int, Node]:
-    """Return the links named by the case, without planets of drawn gear sets."""
+    """Return the nodes of links by number, without the planets of gear sets."""
     case = state.case
     return {link: Node("link", link, case.link_name(link)) for link in range(1, case.own_links + 1)}
 

@@ -68,14 +68,14 @@ def power_grid(flow: GearFlow) -> Grid:
 
 
 def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True) -> Iterator[str]:
-    """Yield remarks: nodes without power, the balance, recirculating power; loops are indented.
+    """Yield remarks: nodes without power, the balance, and recirculating power with its loops.
 
     Parameters
     ----------
     digits : int, optional
         Digits after the decimal point. Default: three.
     balanced : bool
-        True to include the balance of powers, unless the page shows it elsewhere.
+        False if the balance of powers is shown elsewhere.
     """
     if flow.ideal is None:
         return

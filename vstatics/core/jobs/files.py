@@ -230,7 +230,7 @@ def hash_of(case: bytes) -> str:
 
 
 def hash_of_file(name: str) -> str | None:
-    """Return the hash of a file, or `None` for a stream or a missing file."""
+    """Return the hash of a file, or `None` for a stream or an unreadable file."""
     try:
         if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
             with open(name, "rb") as file:  # noqa: PTH123

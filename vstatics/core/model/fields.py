@@ -374,7 +374,7 @@ class TransmissionFields:
     def gear_ratios(self, gear: Gear, ratios: Sequence[Any] | None = None) -> list[Any]:
         """Return the ratio of each mechanism in a gear [-], with the gear's own speed ratios.
 
-        A converter that is bypassed or open has the ratio 1.
+        A converter that is bypassed or open gets the ratio 1 as a placeholder.
 
         Parameters
         ----------

@@ -41,7 +41,7 @@ LEAST_SERVED = 1 / 64
 MOST_PLANS = 256
 """Most plans of a calculation; variants without a plan are calculated alone."""
 TRIALS = 6
-"""Number of successive plans for fewer than `WORTH` variants before the others are left alone."""
+"""Successive plans for fewer than `WORTH` variants each, after which no further plan is made."""
 WIDENING = (1.05, 1.25, 2.0)
 """Factors by which the bounds of a plan of fixed sign exceed the given numbers.
 

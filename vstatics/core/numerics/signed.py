@@ -224,7 +224,7 @@ def is_nothing(number: Either) -> bool:
 
 
 def _operand(number: Either) -> tuple[Operand, bool]:
-    """Return the operand of a number on the tape, and whether the sign is reversed there."""
+    """Return the tape operand that represents a number, and whether its sign is reversed."""
     if isinstance(number, Signed):
         return number.slot, number.negated
     return Plain(float(abs(number))), number < 0

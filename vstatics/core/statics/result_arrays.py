@@ -57,7 +57,7 @@ class Message(NamedTuple):
 
 
 Outside: TypeAlias = Mapping[str, Booleans]
-"""Marks of laws evaluated outside the given points, (variants, gears), by name."""
+"""For each law by name: true where it is evaluated outside its points, (variants, gears)."""
 NOWHERE: Outside = MappingProxyType({})
 
 

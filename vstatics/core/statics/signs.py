@@ -269,7 +269,7 @@ def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) ->
 
 
 def _flow(x: Number, turns: Number) -> float:
-    """Return a number that differs between flows: the sign, 0 without flow, 1 if traced."""
+    """Return a number to distinguish flows; traced numbers count as 1."""
     return (1.0 if is_traced(x) else plain(x)) * (1.0 if is_traced(turns) else plain(turns) ** 2)
 
 

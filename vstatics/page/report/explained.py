@@ -18,8 +18,8 @@ from vstatics.page.report.material import Material
 def explained(material: Material) -> list[Sequence[Markup]]:
     """Return the explanation of each gear shown: ratio, equations and signs.
 
-    The matrix, which all gears share, is shown among the tables. `no_formula` gives the reason why
-    ratios have no formula once for all gears.
+    The matrix, which all gears share, is shown among the tables. If ratios have no formula,
+    `no_formula` gives the reason, once for all gears.
     """
     return [
         list(_explained(material, gear.name))

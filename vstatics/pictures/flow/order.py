@@ -66,7 +66,7 @@ def neighbours(
 
 
 def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], cell: Key) -> float:
-    """Return the mean of the depths at which bands to neighbours are horizontal, weighted by power.
+    """Return the place of a cell: the mean, weighted by power, at which its bands are horizontal.
 
     A cell without neighbours keeps its place.
     """

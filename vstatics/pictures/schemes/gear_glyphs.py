@@ -83,7 +83,7 @@ class Glyph(NamedTuple):
     strokes: Sequence[Stroke]
     taps: Sequence[Tap]
     texts: Sequence[tuple[Point, str, str]] = ()
-    """Names and tooth numbers: left end, ``top`` or ``bottom`` alignment, text."""
+    """Left end, vertical alignment (``top`` or ``bottom``) and text of names and tooth numbers."""
 
     @property
     def wheels(self) -> tuple[Point, Point]:

@@ -1,4 +1,4 @@
-"""Run of a scenario among the cases of a command, for pictures and pages."""
+"""Run of a scenario that a command gets beside its cases, for pictures and pages."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ MOST_ROWS, MOST_OTHER_ROWS = 14, 6
 BETWEEN_PANELS = 9.0
 """Distance between panels. [pt]"""
 NARROW = 150.0
-"""Width of a panel below which the names of lines are above the panel. [pt]"""
+"""Least width of a panel with the names of its lines at the side. [pt]"""
 TICKS_APART = 28.0
 """Least distance between numbers of the time scale. [pt]"""
 

@@ -148,7 +148,7 @@ class StraightForm(NamedTuple):
     offset: Tree
 
     def plus(self, other: StraightForm, factor: float = 1.0) -> StraightForm:
-        """Return the sum with a second form, multiplied by a factor."""
+        """Return the sum of this form and a second form times a factor."""
         addend = other.times(factor)
         offset = plus(self.offset, addend.offset)
         return StraightForm(self.speed + addend.speed, self.angle + addend.angle, offset)

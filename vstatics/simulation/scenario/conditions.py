@@ -107,7 +107,7 @@ def _speed(written: str, at: int) -> Constant | None:
 
 
 def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]]) -> Any:
-    """Return joined comparisons with speeds of wheels instead of velocities."""
+    """Return comparisons, also joined by `and`, with wheel speeds instead of velocities."""
     if not isinstance(tree, Applied):
         return tree
     if not _compares(tree):

@@ -217,7 +217,7 @@ class _CodeWriter:
         return _call(str(tree.name), *operands)
 
     def condition(self, tree: Any) -> ast.expr:
-        """Return the Python expression for the value of a part of the formula, as true or false."""
+        """Return a Python expression for the truth value of a part of the formula."""
         if not _is_truth(tree):
             return _call("truth", self.number(tree))
         if tree.name in _COMPARISONS:

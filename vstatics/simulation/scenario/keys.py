@@ -55,7 +55,7 @@ _ABOVE_0 = {"exclusiveMinimum": 0}
 
 
 def _points(x: Shape, y: Shape, names: str, what: str = "points") -> ListOf:
-    """Return the shape of points, or of other pairs, which can repeat."""
+    """Return the shape of a list of points or other pairs; equal pairs are allowed."""
     return ListOf(RowOf((x, y), names), what, unique=False)
 
 

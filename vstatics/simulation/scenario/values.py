@@ -50,7 +50,7 @@ _STRAIGHT = ", since the link moves straight"
 
 
 class ScenarioValues:
-    """Builder of the parts of a scenario, which reports units that do not belong.
+    """Builder of the parts of a scenario; reports units that do not fit the quantity.
 
     Parameters
     ----------

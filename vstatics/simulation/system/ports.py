@@ -386,8 +386,8 @@ class Ports:
         """Set up a slipping contact with feedback capacity and slip-dependent friction.
 
         At slips near rounding, the torque approaches its value at 0 linearly, as a damper torque.
-        The line continues behind the end of the slip, which only trial points reach. So no law is
-        too steep for floating-point numbers (a square root is, at 0), and trial points can return.
+        The line continues beyond zero slip, which only trial points of the search reach, so that the
+        search returns. No law is too steep then for floating-point numbers, as a root is at 0.
         """
         value, slope = friction
         looks = [look for look in (programme.look, programme.rub) if look]

@@ -37,7 +37,7 @@ _LAST_PREFERENCE = 1e2
 _FIRST = 1e-2
 """Weights in the norm of redundant torques.
 
-The constraints of mechanisms carry a torque first; drags and sticking meshes share it last.
+Redundant torques go to the constraints of mechanisms first, to drags and sticking meshes last.
 """
 
 

@@ -53,7 +53,7 @@ class VariatorTorques:
         first = [variator.first for variator in self.variators]
         self.references = np.array([variator.reference for variator in self.variators])
         self.lacks = False
-        """Whether no torques agreed with the efficiencies in the last evaluation."""
+        """True if the last evaluation found no torques that agree with the efficiencies."""
         self.is_lawful = any(
             isinstance(number, Law)
             for variator in self.variators

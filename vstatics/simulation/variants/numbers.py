@@ -123,7 +123,7 @@ class ScenarioNumbers:
         return self._read(trees.scenario, reading)
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
-        """Return the names of the rows of tables of a kind."""
+        """Return the row names of a kind of table."""
         from vstatics.simulation.record.row_names import rows_of_kind
 
         return rows_of_kind(kind, self.own.scenario)

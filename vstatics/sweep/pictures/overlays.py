@@ -34,7 +34,10 @@ class Overlay(NamedTuple):
     """Full-load curves, each of shape (points, 2)."""
 
     def within(self, low: tuple[float, float], high: tuple[float, float], gear: str) -> Overlay:
-        """Return the overlay with the points of a gear between two corners; of all gears for ""."""
+        """Return the overlay with the points of a gear between two corners.
+
+        An empty name means all gears.
+        """
         inside = ((self.points >= low) & (self.points <= high)).all(axis=1)
         shown = inside & np.array([gear in ("", other) for other in self.gears], bool)
         gears = [self.gears[place] for place in np.flatnonzero(shown).tolist()]

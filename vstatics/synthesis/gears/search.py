@@ -327,7 +327,7 @@ def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices
 
 
 def count_text(count: float) -> str:
-    """Return a number of combinations in words.
+    """Return a number of combinations as text.
 
     >>> count_text(66), count_text(10**30), count_text(math.inf)
     ('66', 'about 1e+30', 'more than 1e+200')

@@ -85,7 +85,7 @@ class TeethCondition(NamedTuple):
 
 
 def teeth_conditions(layout: TeethLayout, limits: TeethLimits) -> Iterator[TeethCondition]:
-    """Yield all conditions on the tooth numbers of a gear set except the equations of axes."""
+    """Yield all conditions on the tooth numbers of a gear set except the coaxiality conditions."""
     yield from _in_rings(layout)
     if limits.largest_diameter is not None:
         yield from _within(layout, limits.largest_diameter)

@@ -54,7 +54,7 @@ class TeethRows:
 
     @cached_property
     def ranges(self) -> Integers:
-        """Smallest and largest tooth number of each gear, including undercut gears, (wheels, 2)."""
+        """Smallest and largest tooth number of each gear, undercut allowed, shape (wheels, 2)."""
         return np.array(self.limits.of_wheels(self.layout), dtype=np.int64)
 
     @cached_property

@@ -95,7 +95,7 @@ def _roots(pencils: Pencils, shapes: Complex) -> Complex:
 
 
 def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[Complex, Floats]:
-    """Return eigenvalues, NaN without convergence, and the part of each in a mode."""
+    """Return eigenvalues (NaN if not converged) and the share of a mode in each eigenvector."""
     values = settled(near.eigenvalues.real + 1j * np.abs(near.eigenvalues.imag))
     parts = np.abs(near.shapes[np.arange(len(modes)), modes])
     parts /= pencil.lengths(near.shapes.T, near.eigenvalues)

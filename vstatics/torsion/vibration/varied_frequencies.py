@@ -159,7 +159,7 @@ def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[st
 def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
     """Number the variants so that equal ratios have equal numbers.
 
-    Efficiencies count if freewheels or the slopes of springs with points depend on torques.
+    Freewheels and springs with points depend on torques, so efficiencies must be equal as well.
     """
     by_torque = case.freewheels or any(spring.points for spring in case.springs)
     deciding = ("ratio", "efficiency") if by_torque else ("ratio",)

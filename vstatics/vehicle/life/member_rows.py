@@ -34,7 +34,7 @@ class MemberRows(NamedTuple):
     weights: Floats
     """Durations [s], or shares with the sum 1, of the points that move."""
     standing: float
-    """Duration or share of the points that stand."""
+    """Duration [s] or share of the points at standstill."""
     members: Members
     speeds: Floats
     """Speeds of links with the housing first, shape (points, links). [rad/s]"""

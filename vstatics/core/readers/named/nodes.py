@@ -74,7 +74,7 @@ class DocumentText:
 
     @cached_property
     def text(self) -> str:
-        """Text with a single character at the end of each line, not needed for long tables."""
+        """Text with a line feed after each line, made on demand: long tables do not need it."""
         return "\n".join(self.source.lines)
 
     @cached_property

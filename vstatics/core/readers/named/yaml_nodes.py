@@ -86,7 +86,9 @@ class _Builder:
             event = next(self.events)
         except yaml.MarkedYAMLError as error:
             if error.problem == _READ_AHEAD:
-                _Builder(self.document, yaml.SafeLoader).root()  # stops at level 17
+                _Builder(
+                    self.document, yaml.SafeLoader
+                ).root()  # raises an error at nesting level 17
             mark = error.problem_mark or error.context_mark
             place = self.document.place(mark.index) if mark else self.last
             reason = reason_of(error, self.document.text)

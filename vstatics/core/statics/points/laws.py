@@ -111,7 +111,10 @@ def laws_of(case: Transmission) -> Laws:
 
 
 def without_laws(case: Transmission) -> Transmission:
-    """Return the case with numbers instead of laws: no drag, no loss, and efficiencies at 0."""
+    """Return the case with numbers instead of laws.
+
+    Drag and losses are 0, and an efficiency has its value at speed and torque 0.
+    """
 
     def plain(number: Any, instead: float) -> Any:
         return instead if isinstance(number, Law) else number

@@ -114,7 +114,7 @@ def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> No
 
 
 def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
-    """Draw a device on the line, below the line with lines to its links, or at the housing."""
+    """Draw a device on the row of links, below it with leaders to its links, or at the housing."""
     pen = axis.pen
     colour, wide = (pen.style.ink, 1.2) if device.elastic else (pen.style.faint, 0.9)
     look: Look = {"color": colour, "width": wide, "title": device.name}

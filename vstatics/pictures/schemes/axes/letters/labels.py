@@ -54,7 +54,7 @@ class WantedLabel(NamedTuple):
     device: int
     text: str
     above: Point
-    """Middle of the lower edge of a text above, or of the upper edge if `up` is -1."""
+    """Middle of the lower edge if the text is above the part, of the upper edge if below."""
     below: float
     """Height at which a text on the far side begins. [pt]"""
     up: int

@@ -12,7 +12,7 @@ from vstatics.pictures.drawing.labels import Segment
 def passed(
     lines: Sequence[Segment], met: set[Point]
 ) -> tuple[list[tuple[Segment, bool]], set[Point]]:
-    """Return the pieces of lines with torque and without torque, and the points with torque.
+    """Return the pieces of lines, each with True if it carries torque, and the points with torque.
 
     Parameters
     ----------

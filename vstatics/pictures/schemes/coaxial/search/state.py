@@ -31,7 +31,7 @@ class SweepStep(NamedTuple):
     kind: str
     """Kind of component: ``top``, ``pair``, ``wall`` or ``set``."""
     number: int
-    """Number of the top, pair or set; link of a wall."""
+    """Number of the top, pair or set; for a wall, of its link."""
     bars: Sequence[tuple[Bars, Bars]]
     """Bars at the component; for a set, at the left arm, at each plane and at the right arm."""
     place: int = -1
