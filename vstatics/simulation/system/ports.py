@@ -386,7 +386,7 @@ class Ports:
         """Set up a slipping contact with feedback capacity and slip-dependent friction.
 
         At slips near rounding, the torque approaches its value at 0 linearly, as a damper torque.
-        The line continues beyond zero slip, which only trial points of the search reach, so that the
+        The line continues beyond zero slip, where only trial points of the search are, so that the
         search returns. No law is too steep then for floating-point numbers, as a root is at 0.
         """
         value, slope = friction

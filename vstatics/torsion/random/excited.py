@@ -41,7 +41,7 @@ class FirstOrder:
     drift : ndarray, shape (links, states)
         Speeds of links in rigid motions.
     at_once, drift_at_once : ndarray, shape (links,)
-        Direct effect of the input on angles of links (vector h), and on their speeds in rigid motions.
+        Direct effect of the input on angles of links (vector h), and on speeds in rigid motions.
     """
 
     matrix: Floats
