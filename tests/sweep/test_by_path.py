@@ -104,6 +104,7 @@ def test_what_is_wrong_is_told_at_its_place(file: Path, tmp_path: Path) -> None:
     for vary, said in {
         "load.sped=1 rpm": "expected `load.` and one of speed, torque; did you mean `load.speed`",
         "vehicle.mass=1 kg,2 kg": "numbers of `vehicle` cannot vary in a sweep of a case",
+        "bearings.pin.dynamic=1 N,2 N": "numbers of `bearings` cannot vary in a sweep of a case",
         "load.torque=100..400": "a list such as 0.95,0.97; such as `100:400:50`",
         "gears.*.balance.battery=1 W": "expected `gears.*.` and one of load, speeds, torques",
         "gears.on.drag.mid=1 N*m": "did you mean `gears.one`",

@@ -12,7 +12,8 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.commands import json_answer, vstatics
-from vstatics import CaseError, ReadError, Transmission, loads
+from vstatics import Bearing, CaseError, ReadError, Transmission, example, load, loads, solve
+from vstatics.core.explain import explain_gear
 from vstatics.core.writers.named import write_yaml
 from vstatics.vehicle.case.fatigue import TorqueStrength
 from vstatics.vehicle.operation.load_spectrum import Spectrum, spectrum
@@ -37,7 +38,7 @@ fatigue:
 bearings:
   pin: {on: P1.planet, torque_of: P1.carrier, load_per_torque: 12 N/(N*m), dynamic: 24 kN}
   main: {on: [s, c], torque_of: P1.sun, load_per_torque: 30, dynamic: 9 kN, exponent: 3}
-  out: {on: out, load_per_torque: 4, dynamic: 12 kN, exponent: 3}
+  out: {on: [out, housing], torque_of: out, load_per_torque: 4, dynamic: 12 kN, exponent: 3}
 """
 
 
@@ -166,6 +167,55 @@ def test_a_torque_at_a_bound_belongs_below_it() -> None:
     found = duty(rows, [50.0, 100.0]).spectrum
     assert found is not None
     assert [each.time > 0 for each in found["P1.sun"].classes] == [True, False, False]
+    rows.torques[:] = 0.4 * 300 / (1 + Z_RING / Z_SUN) * (1 - 1e-12)  # at the threshold of `pair`
+    life = duty(rows).life
+    assert life is not None
+    assert life["pair"].damage > 0
+
+
+def test_rounding_neither_turns_a_member_nor_loads_it() -> None:
+    """In gear 2 nothing holds the carrier, in gear 3 the gear set rotates as a block."""
+    bearing = Bearing("set.long", 9.0, 9e3, "set.ring")
+    case = example("ravigneaux-aod").replace(bearings={"pin": bearing})
+    gears = np.array([1, 2, 0])
+    points = DutyPoints(gears, np.full(3, 250.0), np.array([97.0, 80, 70]), np.array([9.0, 5, 3]))
+    found = spectrum(case, points, classes=2).spectrum
+    assert found is not None
+    for name in ("carrier", "set.carrier"):
+        assert found[name].idle.time == 9
+    assert sum(each.time for each in found["set.carrier"].classes if each.to < 0) == 0
+    points = DutyPoints(gears[1:2], np.array([250.0]), np.array([97.0]), np.array([9.0]))
+    bearings = spectrum(case, points).bearings
+    assert bearings is not None
+    assert bearings["pin"][:2] == (0, 0)
+    assert math.isnan(bearings["pin"].equivalent_load)
+    assert bearings["pin"].hours is None
+
+
+def test_a_case_with_strengths_of_members_is_explained() -> None:
+    """Explanations have mechanisms instead of gear sets."""
+    case = loads(CASE % STRENGTH)
+    for ratios in (None, [-2.6, 2.0]):
+        assert "u_pair (1 - u_P1)" in str(explain_gear(solve(case, ratios=ratios), "1"))
+
+
+@pytest.mark.usefixtures("folder")
+def test_strengths_follow_mechanisms_that_become_gear_sets() -> None:
+    strength = "{torque: 9, cycles: 9, exponent: 3}"
+    text = f"""\
+links: [a, b]
+mechanisms: {{D: {{first: a, second: housing, third: b, ratio: -2.5}}}}
+gears: {{"1": []}}
+fatigue: {{D.first: {strength}}}
+bearings: {{b: {{on: [a, b], torque_of: D.third, load_per_torque: 1, dynamic: 9}}}}
+"""
+    Path("case.yaml").write_text(text, encoding="utf-8")
+    assert vstatics("synth", "teeth", "case.yaml", "--write", "teeth.yaml").status == 0
+    made = load("teeth.yaml")
+    assert [*made.fatigue] == ["D.sun"]
+    assert Bearing.of(made)["b"].torque_of == "D.carrier"
+    Path("teeth.yaml").rename("case.yaml")
+    assert vstatics("synth", "teeth", "case.yaml").status == 0
 
 
 def test_shares_give_classes_in_parts_and_a_life_in_hours() -> None:
@@ -228,6 +278,10 @@ def test_strengths_and_bearings_are_written_as_they_were_read() -> None:
             "does not turn against",
         ),
         ("fatigue: {s: {torque: 9, cycles: 9, exponent: 3, flanks: apart}}", "is a magnitude"),
+        (
+            "fatigue: {P1.sun: {torque_of: s, torque: 9, cycles: 9, exponent: 3, flanks: apart}}",
+            "is a magnitude",
+        ),
         ("bearings: {b: {on: s, load_per_torque: 0, dynamic: 9 kN}}", "a load per torque above 0"),
         ("bearings: {b: {on: s, load_per_torque: 1 N, dynamic: 9}}", "load_per_torque: read '1 N'"),
     ],
@@ -287,6 +341,9 @@ def test_steps_of_a_cycle_are_points_of_a_duty_cycle() -> None:
     )
     assert first["idle"] == {"revolutions": 0, "time": 7}
     assert energy["lost"]["p"] == pytest.approx(duty["energy"]["lost"]["p"], rel=1e-9)
+    Path("car.yaml").write_text(f"{CAR}coast: true\n", encoding="utf-8")
+    coasting = json_answer("summary", "car.yaml", "--duty", "steps.csv", "-f", "json")["duty"]
+    assert coasting["energy"] == duty["energy"]
 
 
 @pytest.mark.parametrize(
@@ -327,6 +384,10 @@ def test_points_are_read_below_a_comment_beside_other_speeds_and_stand_in_no_gea
         answers.append(json_answer("summary", "case.yaml", "--duty", "d.csv", "-f", "json")["duty"])
     assert answers == 3 * answers[:1]
     assert answers[0]["members"]["s"]["revolutions"] == pytest.approx(150)
+    for changed in (rows.replace(" [s]", ""), rows.replace("5,,0,0", "5,N,0,9")):
+        Path("d.csv").write_text(changed, encoding="utf-8")
+        again = json_answer("summary", "case.yaml", "--duty", "d.csv", "-f", "json")["duty"]
+        assert again == answers[0]
     Path("d.csv").write_text(rows.replace(",10,", ",-1,"), encoding="utf-8")
     said = vstatics("summary", "case.yaml", "--duty", "d.csv")
     assert "duration: read -1, expected 0 or more" in said.err

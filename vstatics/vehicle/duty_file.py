@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple, get_args
 
 from vstatics.core.errors import CaseError, Problem, ReadError, of_file, spoken
@@ -91,20 +92,28 @@ class DutyTable(NamedTuple):
             If a point cannot be calculated; problems have lines of the file.
         """
         table = self.table
+        is_cycle = "duration" in table.numbers
         try:
-            points = points_of(results.case, table.texts["gear"], table.numbers)
-            found = spectrum(results.case, points, self.exponent, self.classes)
+            case = _driven(results.case) if is_cycle else results.case
+            points = points_of(case, table.texts["gear"], table.numbers)
+            found = spectrum(case, points, self.exponent, self.classes)
         except CaseError as error:
             raise ReadError(
                 Problem(problem.id, problem.message, (), table.place(_row(problem)))
                 for problem in error.problems
             ) from None
-        notes = without_inertias(results.case) if "duration" in table.numbers else ()
+        notes = without_inertias(results.case) if is_cycle else ()
         if self.load is not None and self.load is results.case.load:
             rpm, torque = self.load.speed, self.load.torque
             text = f"the case has no load: gears are calculated at {rpm:g} rpm and {torque:g} N*m"
             notes = Message("N423", f"{text}, the first of these points with a power"), *notes
         return found._replace(messages=(*found.messages, *notes))
+
+
+def _driven(case: Transmission) -> Transmission:
+    """Return the case without coasting, as the steps of a cycle have their signs."""
+    gears = [gear._replace(coast=None) for gear in case.gears]
+    return replace(case, gears=gears, coast=None)
 
 
 def without_inertias(case: Transmission) -> Iterator[Message]:
@@ -123,7 +132,7 @@ def _row(problem: Problem) -> int:
     return first if isinstance(first, int) else 0
 
 
-_STEP_COLUMNS = (TableColumn("duration", "time"), *_COLUMNS[2:])
+_STEP_COLUMNS = (TableColumn("duration", "time", may_be_bare=True), *_COLUMNS[2:])
 """Columns of the steps of a driving cycle; others are skipped."""
 _DURATION = re.compile(r"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
 _SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)

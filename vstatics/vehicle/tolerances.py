@@ -9,7 +9,7 @@ SAME_ENGINE_TORQUE = 1e-9
 NO_DRAG = 1e-9
 """Sum of torques on a link that counts as rounding noise, relative to the largest. [-]"""
 SAME_TORQUE_CLASS = 1e-9
-"""Relative difference up to which a torque at the bound of a class belongs below it. [-]"""
+"""Relative difference up to which a torque is at the bound of a class, or at a threshold. [-]"""
 SAME_POWER = 1e-9
 """Relative difference up to which the powers of two gears count as equal. [-]"""
 NO_CYCLE_ENERGY = 1e-13

@@ -70,6 +70,7 @@ def test_the_command_tells_the_distribution() -> None:
             ["--endurance", "normal(9 MPa, 1)", "--samples", "9"],
             "a unit of both numbers, or of none",
         ),
+        (["--endurance", "normal(9 MPa)", "--samples", "9"], "or a distribution such as"),
         (["--endurance", "normal(9 MPa, 1 MPa)"], "expected --samples as well"),
         (["--endurance", "9 MPa", "--samples", "9"], "--samples: expected a distribution of"),
         (["--endurance", "9 MPa", "--seed", "9"], "--seed: expected --samples as well"),

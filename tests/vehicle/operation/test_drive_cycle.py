@@ -243,7 +243,11 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
         drive(CASE, text, GearChoice())
     named = trace((0, 4, "1"), (2, 8, "1"))
     both = (GearChoice(least, shifts), text), (GearChoice(least), named)
-    for choice, given in (*both, (GearChoice(shifts=shifts), named)):
+    for choice, given in (
+        *both,
+        (GearChoice(shifts=shifts), named),
+        (GearChoice(least, (), True), text),
+    ):
         with pytest.raises(CaseError, match=r"and --\S+ both give the gears, expected one of them"):
             drive(case, given, choice)
     turned = read_shifts("2-1: 6 m/s/3.6 m/s")

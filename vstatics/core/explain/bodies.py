@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vstatics.core.elements.drawing import drawing_of, parts_of
 from vstatics.core.elements.kinds import Planetary
@@ -70,7 +70,7 @@ def as_solved(case: Transmission) -> Transmission:
     alike = [mechanism.ratio for mechanism in drawn] == [
         mechanism.ratio for mechanism in case.mechanisms
     ]
-    return case if alike else replace(case, drawing=None)
+    return case if alike else _undrawn(case)
 
 
 def on_own_links(case: Transmission) -> OwnLinks:
@@ -81,14 +81,18 @@ def on_own_links(case: Transmission) -> OwnLinks:
     # these include the pairs for variators, which the drawing does not have
     given = case.mechanisms[case.own_mechanisms]
     reduced = parts(replace(drawing, mechanisms=given, losses="reduced"))
-    plain = replace(
+    plain = _undrawn(
         case,
         links=drawing.links,
         link_names=case.link_names[: drawing.links],
         mechanisms=[lowered.mechanism for part in reduced for lowered in part.lowered],
-        drawing=None,
     )
     return OwnLinks(plain, reduced)
+
+
+def _undrawn(case: Transmission, **changes: Any) -> Transmission:
+    # strengths and bearings name members of the drawn gear sets
+    return replace(case, drawing=None, fatigue={}, bearings={}, **changes)
 
 
 def structure(on_links: OwnLinks, gear: Gear) -> Structure:

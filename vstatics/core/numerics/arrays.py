@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from vstatics.core.errors import CaseError, quoted
-from vstatics.core.numerics.tolerances import LAST_BITS
+from vstatics.core.numerics.tolerances import LAST_BITS, NO_POWER
 
 Floats = np.ndarray[Any, np.dtype[np.float64]]
 Complex = np.ndarray[Any, np.dtype[np.complex128]]
@@ -80,6 +80,16 @@ def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
     (3.0, 0.0)
     """
     return float(np.abs(values).max(initial=0.0))
+
+
+def rounding_as_zero(values: Floats) -> Floats:
+    """Return values with 0 for those that are rounding beside the largest of their column.
+
+    >>> rounding_as_zero(np.array([[3.0, np.nan], [1e-15, 1e-15]])).tolist()
+    [[3.0, nan], [0.0, 1e-15]]
+    """
+    sizes = np.abs(values)
+    return np.where(sizes <= NO_POWER * np.fmax.reduce(sizes), 0.0, values)
 
 
 def without(values: Floats, flags: Booleans) -> Floats:

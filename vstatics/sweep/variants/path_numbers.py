@@ -28,7 +28,7 @@ EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 
 _RELATIVE = ("speeds", "slip", "torques", "drag", "open_drag")
 """Quantities of a gear that are relative to the load, unless they have a unit."""
-_FIXED = ("vehicle", "cylinders", "fatigue", "dump")
+_FIXED = ("vehicle", "cylinders", "fatigue", "bearings", "dump")
 """Keys of a case whose numbers do not affect any table of a gear."""
 
 

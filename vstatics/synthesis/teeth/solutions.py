@@ -163,6 +163,7 @@ def case_with_teeth(
         for element in drawing.elements
     ]
     left: list[Mechanism] = []
+    names: dict[str, str] = {}
     for mechanism in drawing.mechanisms:
         layout = layouts.get(mechanism.name)
         if layout is None or layout.is_drawn:
@@ -176,10 +177,23 @@ def case_with_teeth(
                 damping=mechanism.damping,
             )
             elements.append(gear_set)
+            parts = zip(("first", "second", "third"), gear_set.members, strict=False)
+            names |= {f"{gear_set.name}.{old}": f"{gear_set.name}.{new}" for old, new in parts}
     drawn = replace(drawing, elements=tuple(elements), mechanisms=tuple(left))
-    if given is None:
-        return case.replace(mechanisms=(), drawing=drawn, description="", source="")
-    return case.replace(drawing=drawn, description="", source="")
+    changes = {} if given else {"mechanisms": ()}
+    for key in ("fatigue", "bearings"):
+        changes[key] = _renamed(getattr(case, key), names)
+    return case.replace(drawing=drawn, description="", source="", **changes)
+
+
+def _renamed(data: Any, names: Mapping[str, str]) -> Any:
+    """Return data of a case with other names of members."""
+    if isinstance(data, Mapping):
+        return {names.get(key, key): _renamed(value, names) for key, value in data.items()}
+    if isinstance(data, tuple):
+        values = (_renamed(value, names) for value in data)
+        return type(data)(*values) if hasattr(data, "_fields") else tuple(values)
+    return names.get(data, data) if isinstance(data, str) else data
 
 
 def _with_teeth(element: Element, layout: TeethLayout, solution: TeethSolution) -> Element:

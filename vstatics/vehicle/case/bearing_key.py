@@ -98,8 +98,8 @@ def _of_places(bearing: Bearing, members: Members, path: tuple[Any, ...]) -> Ite
         message = f"{quoted(bearing.on[0])} does not turn against itself, expected two links"
         yield Problem("E880", message, path)
     for place, link in enumerate(bearing.on, 1):
-        if link not in members.links:
-            yield members.fault(link, members.links, "link", (*path, place))
+        if link not in (known := ["housing", *members.links]):
+            yield members.fault(link, known, "link", (*path, place))
 
 
 def _record(case: TransmissionFields) -> dict[str, Any]:

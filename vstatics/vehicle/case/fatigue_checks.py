@@ -59,8 +59,9 @@ def _of_members(case: TransmissionFields) -> Iterator[Problem]:
         path = ("fatigue", places[name])
         yield from members.unknown(name, path)
         yield from members.at_rest(name, path)
-        if name in members.links and strength.flanks == "apart":
-            message = f"the torque of link {quoted(name)} is a magnitude, the same for both flanks"
+        owner = strength.torque_of or name
+        if owner in members.links and strength.flanks == "apart":
+            message = f"the torque of link {quoted(owner)} is a magnitude, the same for both flanks"
             yield Problem("E881", f"{message}: expected a member of a gear set", path)
         if strength.torque_of is not None:
             yield from members.without_torque(strength.torque_of, (*path, "torque_of"))

@@ -15,5 +15,6 @@ def expect_damage(reading: Reading) -> None:
     ReadError
     """
     if not Fatigue.of(reading.case):
-        message = "the case has no `fatigue`, expected data of a spring or another component"
+        message = "the case has no `fatigue` by `endurance`"
+        message += ", expected data of a spring or another component"
         raise ReadError([reading.locate(Problem("E882", message))])

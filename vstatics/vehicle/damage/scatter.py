@@ -20,6 +20,7 @@ SHARES = np.arange(1, 100) / 100
 LARGEST_LOG_DEVIATION = 10.0
 """Largest standard deviation of the natural logarithm of a stress. [-]"""
 _DISTRIBUTION = re.compile(r"\s*(normal|lognormal)\s*\((.*),(.*)\)\s*")
+_CALL = re.compile(r"\s*[A-Za-z]+\s*\(")
 
 
 class Scattered(float):
@@ -73,6 +74,9 @@ def read_scattered(text: str) -> Scattered | None:
     (100000000.0, 'normal', 8000000.0, None)
     """
     match = _DISTRIBUTION.fullmatch(text)
+    if match is None and _CALL.match(text):
+        form = "lognormal(100 MPa, 0.08)"
+        raise ValueError(f"expected a stress, or a distribution such as {form!r}")
     if match is None:
         return None
     kind: Any = match[1]

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats, rounding_as_zero
 from vstatics.vehicle.case.members import Members
 
 
@@ -72,6 +72,7 @@ class MemberRows(NamedTuple):
 
     def turns_between(self, first: str, second: str) -> Floats:
         """Return the revolutions of a link against another during each point."""
-        places = [self.members.links.index(name) + 1 for name in (first, second)]
-        relative = np.abs(self.speeds[:, places[0]] - self.speeds[:, places[1]])
-        return np.nan_to_num(relative) * self.weights / (2 * math.pi)
+        places = [["housing", *self.members.links].index(name) for name in (first, second)]
+        both = self.speeds[:, places].T
+        relative: Floats = rounding_as_zero(np.array([*both, both[0] - both[1]]))[-1]
+        return np.nan_to_num(np.abs(relative)) * self.weights / (2 * math.pi)

@@ -13,6 +13,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.grid import Grid, grid_of
 from vstatics.vehicle.case.fatigue import TorqueStrength
 from vstatics.vehicle.life.member_rows import MemberRows
+from vstatics.vehicle.tolerances import SAME_TORQUE_CLASS
 
 SECONDS_PER_HOUR = 3600.0
 
@@ -62,7 +63,7 @@ def _life(name: str, strength: TorqueStrength, rows: MemberRows) -> MemberLife:
     parts = np.abs(torques) / strength.torque
     with np.errstate(over="ignore"):
         harm = contacts / strength.cycles * parts**strength.exponent
-    harm = np.where(parts >= strength.threshold, harm, 0.0)
+    harm = np.where(parts >= strength.threshold * (1 - SAME_TORQUE_CLASS), harm, 0.0)
     damage = _worse(torques, harm) if strength.flanks == "apart" else float(harm.sum())
     repeats, hours = life_of(damage, strength.sum, rows.duration)
     return MemberLife(damage, float(contacts.sum()), repeats, hours)

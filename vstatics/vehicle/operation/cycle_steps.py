@@ -41,6 +41,11 @@ class GearChoice(NamedTuple):
     least_loss: bool = False
     """Whether the gear with the least energy of engine or battery is chosen in each step."""
 
+    @property
+    def slowest(self) -> float | None:
+        """Least speed of the engine, for `least_loss` in steps with no gear within full load."""
+        return 0.0 if self.least_loss else self.least_speed
+
 
 class CycleLosses(NamedTuple):
     """Losses over the steps, and torques of engaged shift elements."""
@@ -109,13 +114,7 @@ class CycleSteps(NamedTuple):
             ratios[index] = converter.per_output[2:]
         engine = EngineSpeeds(wheels, engine_ratios, vehicle.may_turn, converters)
         driving = np.where(engine_alone(case), results.ratio, math.nan)
-        if choice.least_loss and trace.gears:
-            message = "the column `gear` and --strategy both give the gears, expected one of them"
-            raise CaseError("E426", message, place=trace.place)
-        by_speed = (
-            choice._replace(least_speed=0.0, least_loss=False) if choice.least_loss else choice
-        )
-        gears = _gears(case, trace, by_speed, engine, driving)
+        gears = _gears(case, trace, choice, engine, driving)
         lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
             gear = case.gears[gears[lacking[0]]]
@@ -128,7 +127,7 @@ class CycleSteps(NamedTuple):
             )
             raise CaseError("E428", message, (int(lacking[0]),))
         names = [gear.name for gear in case.gears]
-        ways = directions(driving, names) if by_speed.least_speed is not None else []
+        ways = directions(driving, names) if choice.slowest is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
         speeds = wheels * engine_ratios[gears]
         steps = cls(case, vehicle, trace, gears, ratios, converters, engine_ratios, speeds, guessed)
@@ -272,11 +271,11 @@ class CycleSteps(NamedTuple):
         return torque
 
     @property
-    def inertia_energy(self) -> float:
-        """Increase of the kinetic energy of links during all steps [J]."""
+    def inertia_energies(self) -> Floats:
+        """Increase of the kinetic energy of links during the steps, link by link [J]."""
         before, after = self.trace.ends
         factor = self.vehicle.final_drive / self.vehicle.radius
-        total = 0.0
+        energies = [np.zeros(0)]
         for link, inertia in self.case.heavy.items():
             turned = self.ratios[self.gears, link - 1] * factor
             change = np.where(self.trace.speed > 0, turned**2 * (after**2 - before**2), 0.0)
@@ -286,8 +285,8 @@ class CycleSteps(NamedTuple):
                 change = np.where(
                     (self.gears == gear) & (self.trace.speed > 0), change + mixed, change
                 )
-            total += float(np.nan_to_num(inertia / 2 * change).sum())
-        return total
+            energies.append(np.nan_to_num(inertia / 2 * change))
+        return np.concatenate(energies)
 
     def _from_wheels(self, rows: Integers) -> PointLoads:
         """Solve the transmission with output and input exchanged."""
@@ -480,13 +479,14 @@ def _gears(
         "the column `gear`": bool(trace.gears),
         "--shift": bool(choice.shifts),
         "--least-speed": choice.least_speed is not None,
+        "--strategy": choice.least_loss,
     }
     if len(means := [name for name, given in ways.items() if given]) > 1:
         message = f"{' and '.join(means)} both give the gears, expected one of them"
         raise CaseError("E426", message, place=trace.place)
-    if choice.least_speed is not None:
+    if choice.slowest is not None:
         ahead = next(iter(directions(ratios, names)), [])
-        return by_least_speed(engine, choice.least_speed, ahead)
+        return by_least_speed(engine, choice.slowest, ahead)
     if choice.shifts:
         try:
             return by_shift_speeds(case, choice.shifts, trace.speed, engine, ratios)

@@ -141,7 +141,7 @@ def drive(
     energy = CycleEnergy(
         _total(engine * speeds * trace.duration),
         _total(steps.forces * trace.speed * trace.duration),
-        steps.inertia_energy,
+        _total(steps.inertia_energies),
         brakes,
         lost.energies,
     )

@@ -6,14 +6,14 @@ Results are the energies of ports and losses, and the loads of links, members an
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, not_allowed
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.arrays import Floats, Integers, rounding_as_zero
 from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
@@ -187,7 +187,7 @@ def spectrum(
     losses = loads.losses() | loads.other_losses()
     lost = {name: float(powers @ weights) for name, powers in losses.items()}
     entering, leaving = (float(powers @ weights) for powers in loads.port_powers())
-    by_member = dict(loads.members())
+    by_member = _without_rounding(loads.members())
     members = {
         name: _member(torques, speeds, weights, exponent, moving)
         for name, (torques, speeds) in by_member.items()
@@ -223,6 +223,18 @@ def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> Point
         return PointLoads.of(case, parts)
     except CaseError as error:
         raise at_rows(error, moving) from None
+
+
+def _without_rounding(
+    members: Iterable[tuple[str, tuple[Floats, Floats]]],
+) -> dict[str, tuple[Floats, Floats]]:
+    """Return torques and speeds with 0 for what is rounding beside the largest of a point.
+
+    Otherwise a gear set that rotates as a block turns, and an unloaded link has torques.
+    """
+    names, loads = zip(*members, strict=True)
+    torques, speeds = (rounding_as_zero(np.array(kind)) for kind in zip(*loads, strict=True))
+    return {name: (torques[row], speeds[row]) for row, name in enumerate(names)}
 
 
 def _doubts(case: Transmission, loads: PointLoads, moving: Integers) -> Iterator[Message]:
@@ -273,7 +285,7 @@ def points_of(
     problems = [
         Problem("E416", f"there is no gear {gear!r} in the case", (row,))
         for row, (gear, speed) in enumerate(zip(gears, numbers["speed"], strict=True))
-        if gear not in names and (gear or speed)
+        if gear not in names and speed
     ]
     kind = next(name for name in ("share", "duration", "time") if name in numbers)
     problems += [
@@ -292,5 +304,5 @@ def points_of(
     if problems:
         raise CaseError(problems)
     speeds, torques, weights = (np.array(numbers[name]) for name in ("speed", "torque", kind))
-    indices = np.array([names.index(gear) if gear else 0 for gear in gears])
+    indices = np.array([names.index(gear) if gear in names else 0 for gear in gears])
     return DutyPoints(indices, speeds, torques, weights, kind == "share")
