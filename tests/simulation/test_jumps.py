@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import count, each_seed, seeded
 from tests.simulation.boxes import held, planetary_set, points
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
@@ -227,7 +227,7 @@ def random_switch(rng: Random) -> Switch:
     return Switch(*(round(rng.uniform(*one), 3) for one in ranges))
 
 
-@pytest.mark.parametrize("seed", with_marked(range(3), range(3, count(18, 150)), pytest.mark.slow))
+@each_seed(range(3), range(3, count(18, 150)))
 def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
     """Two links and a damped spring: the same by an integrator that knows no jumps."""
     rng = seeded(seed)

@@ -13,7 +13,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seed_ranges, seeded
 from tests.oracle import gears as oracle
 from tests.oracle.cases import NASTY
 from tests.oracle.gears import OracleGear
@@ -114,9 +114,7 @@ KINDS: dict[str, Callable[[Random, Transmission], Transmission]] = {
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize(
-    "seeds", [range(50), pytest.param(range(1000, 1000 + count(120, 500)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(50), range(1000, 1000 + count(120, 500)))
 def test_every_number_is_that_of_exact_arithmetic(seeds: range, kind: str) -> None:
     """Every other train has one input, one output and the right count of conditions."""
     for seed in seeds:

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.chance import count, generator, seeded
+from tests.chance import count, generator, seed_ranges, seeded
 from tests.core.statics.batches import (
     KINDS,
     disagreements,
@@ -331,9 +331,7 @@ def check_state(case: Transmission, results: Results, number: int) -> None:
     )
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(6), pytest.param(range(6, count(120, 400)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(6), range(6, count(120, 400)))
 def test_the_state_of_random_trains_is_one_that_trying_them_all_finds(seeds: range) -> None:
     """About one of 300 has a set of freewheels that turns the output, but can't balance it."""
     for seed in seeds:

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.simulation.control.written import faults, simulated, steps_of, written
+from tests.simulation.control.written import DOG, faults, simulated, steps_of, written
 from vstatics.core.errors import path_text
 from vstatics.simulation import simulate
 
@@ -105,11 +105,6 @@ gears: {"1": [L], "2": [C]}
 
 def test_a_dog_clutch_closes_and_opens_by_steps() -> None:
     """Equal parts of the momentum, 2*90/5 rad/s, then the engine is alone again."""
-    case = """links: [e, o]
-inertias: {e: 2, o: 3}
-shift_elements: {D: {links: [e, o], kind: dog_clutch}}
-gears: {g: [D]}
-"""
     motion = simulated(
         """duration: 3
 start: {speeds: {e: 80, o: 0}}
@@ -117,7 +112,7 @@ torques: {e: 20}
 sequences:
   join: [{when: "speed('e') > 90", dog: {D: closed}}, {wait: 1, dog: {D: open}}]
 """,
-        case,
+        DOG,
     )
     joined = 2 * 90 / 5
     assert motion.energy.impact == pytest.approx(0.5 * 2 * 90**2 - 0.5 * 5 * joined**2)

@@ -15,6 +15,8 @@ shift_elements: {C: {links: [e, o]}}
 gears: {g: [C]}
 """
 """An engine, an output, and a clutch between."""
+DOG = TWO_WHEELS.replace("C", "D").replace("{links: [e, o]}", "{links: [e, o], kind: dog_clutch}")
+"""The same with a dog clutch."""
 
 
 def written(scenario: str, case: str = TWO_WHEELS) -> Scenario:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import count, each_seed, seeded
 from tests.simulation.control.written import TWO_WHEELS, written
 from tests.simulation.runs import random_run
 from vstatics import CaseError
@@ -211,22 +211,19 @@ def test_a_converter_tells_its_ratios_and_what_its_turbine_gives(
     assert torques["t"] == pytest.approx(-factor * taken, abs=1e-9)
 
 
-@pytest.mark.parametrize(
-    "home",
-    [
+def test_a_converter_of_the_case_has_the_same_columns() -> None:
+    """K i = (2.5 - 1.5 i) i; the turbine gives K lambda w_P^2."""
+    text = "duration: 1\nspeeds: {p: 200, t: 140}"
+    for home in (
         f"converters: {{TC: {{links: [p, t], points: {POINTS}}}}}",
         "mechanisms: {TC: {kind: converter, first: p, second: t, speed_ratio: 0.7, "
         f"points: {POINTS}}}}}",
-    ],
-)
-def test_a_converter_of_the_case_has_the_same_columns(home: str) -> None:
-    """K i = (2.5 - 1.5 i) i; the turbine gives K lambda w_P^2."""
-    text, case = "duration: 1\nspeeds: {p: 200, t: 140}", f"{CONVERTER}{home}\n"
-    assert "TC.turbine" in rows_of_kind("device", written(text, case))
-    motion, found = asked(text, case, "ratio[TC]", "efficiency[TC]")
-    assert [one[-1] for one in found] == pytest.approx([0.7, 0.7 * 1.45])
-    given = motion.torques[-1, motion.devices.index("TC.turbine")]
-    assert given == pytest.approx(1.45 * 0.0009 * 200**2)
+    ):
+        assert "TC.turbine" in rows_of_kind("device", written(text, f"{CONVERTER}{home}\n"))
+        motion, found = asked(text, f"{CONVERTER}{home}\n", "ratio[TC]", "efficiency[TC]")
+        assert [one[-1] for one in found] == pytest.approx([0.7, 0.7 * 1.45])
+        given = motion.torques[-1, motion.devices.index("TC.turbine")]
+        assert given == pytest.approx(1.45 * 0.0009 * 200**2)
 
 
 PACK = """links: [o]
@@ -241,19 +238,17 @@ shift_elements:
 def test_a_column_without_values_gets_a_warning() -> None:
     """Of two brakes one has an area; a column of the other is NaN throughout."""
     scenario = "duration: 1\nstart: {speeds: {o: 9}}\ncontrols: {A: 3, B: 1000 Pa}"
-    for columns in (("heat_per_area[B]",), ("heat[A]", "heat_per_area[B]")):
-        assert [one.id for one in asked(scenario, PACK, *columns)[0].messages] == []
+
+    def said(*columns: str, case: str = PACK) -> list[tuple[str, str]]:
+        return [(one.id, one.text) for one in asked(scenario, case, *columns)[0].messages]
+
+    assert said("heat_per_area[B]") == said("heat[A]", "heat_per_area[B]") == []
+    assert said("heat_per_area[A]", case=f"{PACK}allow: [W896]\n") == []
+    missing = "has no value; give an `area` in `friction` of the shift element"
     for columns in (("heat_per_area[A]",), ("slip_power_per_area[A]", "heat_per_area[B]")):
-        [message] = asked(scenario, PACK, *columns)[0].messages
-        table = columns[0]
-        assert (message.id, message.text) == (
-            "W896",
-            f"column {table} has no value; give an `area` in `friction` of the shift element",
-        )
-    [both] = asked(scenario, PACK, "heat_per_area[A]", "slip_power_per_area[A]")[0].messages
-    assert both.text.startswith("columns heat_per_area[A], slip_power_per_area[A] have no value")
-    allowed = f"{PACK}allow: [W896]\n"
-    assert [*asked(scenario, allowed, "heat_per_area[A]")[0].messages] == []
+        assert said(*columns) == [("W896", f"column {columns[0]} {missing}")]
+    [(_, both)] = said("heat_per_area[A]", "slip_power_per_area[A]")
+    assert both.startswith("columns heat_per_area[A], slip_power_per_area[A] have no value")
 
 
 def test_slip_power_and_heat_by_the_area_of_a_pack() -> None:
@@ -284,10 +279,7 @@ def test_what_there_is_not_is_told() -> None:
         assert caught.value.problems[0].message == said
 
 
-@pytest.mark.parametrize(
-    "seed",
-    with_marked(range(2), range(2, count(6, 40)), pytest.mark.slow),
-)
+@each_seed(range(2), range(2, count(6, 40)))
 def test_changes_are_those_of_the_speeds_and_powers_are_work(seed: int) -> None:
     """Between instants v grows by (a0 + a1) h/2 - (j1 - j0) h^2/12: Euler and Maclaurin."""
     scenario = random_run(seeded(seed), losses=True)

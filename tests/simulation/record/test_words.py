@@ -167,19 +167,14 @@ def test_a_note_says_that_the_output_turns_opposite_to_its_target(seed: int) -> 
 
 
 def test_a_link_that_slows_down_towards_its_target_has_no_note() -> None:
-    motion = simulated(
-        "duration: 1\nstart: {speeds: {in: -10}}\ntorques: {in: 1}\ntargets: {out: 90}\n",
-        AXLE.format(ratio=4),
-    )
-    assert not motion.messages
+    text = "duration: 1\nstart: {speeds: {in: -10}}\ntorques: {in: 1}\ntargets: {out: 90}\n"
+    assert not simulated(text, AXLE.format(ratio=4)).messages
 
 
 def test_a_run_is_a_data_frame_with_the_columns_of_its_file() -> None:
     pytest.importorskip("pandas")
-    motion = simulated(
-        "duration: 1\nstart: {speeds: {in: 0}}\ntorques: {in: 21}\n", AXLE.format(ratio=4)
-    )
-    frame = motion.to_dataframe()
+    text = "duration: 1\nstart: {speeds: {in: 0}}\ntorques: {in: 21}\n"
+    frame = simulated(text, AXLE.format(ratio=4)).to_dataframe()
     assert list(frame) == ["speeds[in]", "speeds[out]", "torques[g]"]
     assert (frame.index.name, frame.index[-1]) == ("time", 1.0)
     assert frame["speeds[out]"].iloc[-1] == pytest.approx(4 * 21 / (16 + 5))

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seed_ranges, seeded
 from tests.oracle.drag import solve_gear
 from tests.oracle.systems import Speeds
 from tests.trains import is_regular, random_train
@@ -188,9 +188,7 @@ def exact_gear(case: Transmission, gear: Gear, speed: float, torque: float) -> A
     )
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(4), pytest.param(range(4, count(24, 200)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(4), range(4, count(24, 200)))
 def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     """From torques that drag takes in all up to large ones: dragged, locked and ordinary."""
     states = set()
