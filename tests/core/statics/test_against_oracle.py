@@ -35,7 +35,6 @@ def _same(got: float, expected: Fraction | None) -> bool:
 def _pairs(
     results: Results, gear: int, exact: OracleGear
 ) -> Iterator[tuple[str, float, Fraction | None]]:
-    """Every number of a gear beside the exact one."""
     vectors: list[tuple[str, Sequence[float], Exact]] = [
         ("speeds", results.speeds[gear], exact.speeds),
         ("planet_speeds", results.planet_speeds[gear], exact.planet_speeds),
@@ -62,7 +61,6 @@ def _pairs(
 
 
 def _disagreements(case: Transmission) -> list[str]:
-    """What differs, in words."""
     results = solve(case)
     found = []
     for gear, exact in enumerate(oracle.solve(case)):

@@ -94,7 +94,6 @@ def test_two_freewheels() -> None:
 
 
 def pair(ratio: float = -1.0, first: int = 2, second: int = 0) -> Transmission:
-    """A gear pair with a freewheel at its output."""
     elements = [ShiftElement(first, second, "L", "freewheel")]
     return Transmission(2, elements, [Mechanism(1, 2, 0, ratio)], [Gear()])
 
@@ -166,9 +165,6 @@ def test_the_set_that_holds_is_one_whose_torques_balance() -> None:
     assert not other_way.holds.any()
     said = "nothing supports the torque of m2, because freewheel F overruns"
     assert said in texts(other_way, "both")[-1]
-
-
-# -- the input turns backward --------------------------------------------------------------
 
 
 def backward(case: Transmission) -> Transmission:
@@ -251,9 +247,6 @@ def test_plans_know_which_way_the_input_turns() -> None:
         assert np.isnan(solved(case, ratios=u).ratio).all()
         for other in (backward(case), replace(case, load=Load(-900.0))):
             assert solved(other, ratios=u).ratio[:, 0] == pytest.approx(u[:, 1])
-
-
-# -- random trains ----------------------------------------------------------------------
 
 
 def with_freewheels(seed: int) -> Transmission:
@@ -347,9 +340,6 @@ def test_variants_hold_as_each_alone(seed: int) -> None:
     u = ratios(numbers, case, 12, KINDS[seed % len(KINDS)])
     assert not disagreements(case, u, None, range(4))
     assert not disagreements(case, u, efficiencies(numbers, case, 12, "any"), range(4))
-
-
-# -- reading, writing, checking ----------------------------------------------------------
 
 
 def test_yaml_and_json_keep_freewheels_and_a_deck_cannot() -> None:

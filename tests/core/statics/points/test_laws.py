@@ -140,9 +140,6 @@ def test_a_law_is_taken_for_no_number_and_survives_another_process() -> None:
         assert repr(law) != repr(float(law))
 
 
-# -- random trains against all sets of signs in fractions ----------------------------------
-
-
 def of_random_laws(seed: int) -> Transmission:
     """A random train of regular gears with laws: two links, all open elements, one efficiency."""
     random = seeded(seed)
@@ -214,8 +211,6 @@ def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> N
                 assert abs(found.power_balance[point, number]) < 1e-12 * largest
     assert len(states) > 1
 
-
-# -- torques that depend on efficiencies that depend on torques ----------------------------
 
 TORQUES = """\
 links: [s, r, c]
@@ -313,8 +308,6 @@ def test_freewheels_hold_as_the_drags_of_their_own_state_let_them(seed: int) -> 
         size = max(1.0, float(np.abs(np.nan_to_num(expected)).max()))
         np.testing.assert_allclose(results.lossy_torques[index], expected, atol=1e-11 * size)
 
-
-# -- drawn gear sets -----------------------------------------------------------------------
 
 DRIVE = """\
 links: [a, b, c]
