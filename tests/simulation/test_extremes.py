@@ -78,7 +78,6 @@ def random_law(rng: Random, number: Numbers) -> str:
 
 
 def random_texts(rng: Random) -> tuple[str, str]:
-    """A case and its scenario."""
     number = Numbers(rng)
     damping = rng.choice([number(0.1, 10), f"{{ratio: {number(0.01, 0.2)}}}"])
     case = CASE.format(

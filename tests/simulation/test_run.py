@@ -29,7 +29,7 @@ def test_a_steady_run_closes(number: int) -> None:
     """Torques that take what others give leave rounding alone, of any size."""
     rng = seeded(number)
     torque = rng.uniform(0.1, 1000) * 10 ** rng.uniform(-3, 3)
-    speed, parts, engaged, controls = rng.uniform(-1000, 1000), [1, -1], 1, None
+    speed, parts, engaged, controls = rng.uniform(-1000, 1000), [1.0, -1.0], 1, None
     case = links(0.3, 7.0, elements=(ShiftElement(1, 2, "C"),))
     if number % 2:  # a planetary set as one piece
         case, parts, engaged, controls = planetary_set(), [1, -0.3, -0.7], 2, {2: held(1e9)}

@@ -50,8 +50,7 @@ def test_a_mistake_is_told() -> None:
 
 
 def test_speeds_that_contradict_each_other_or_are_tied_are_told() -> None:
-    pair = """links: [a, b]
-inertias: {a: 2, b: 3}
+    pair = """inertias: {a: 2, b: 3}
 mechanisms: {pair: {first: a, second: b, ratio: 2}}
 """
     text = "duration: 1\nstart: {speeds: {a: 10}}\nspeeds: {%s}\n"
@@ -61,8 +60,7 @@ mechanisms: {pair: {first: a, second: b, ratio: 2}}
         simulate(written(text % "a: 10, b: 5", pair))
 
 
-HYDRO = """links: [a, b]
-inertias: {{a: 2, b: 3}}
+HYDRO = """inertias: {{a: 2, b: 3}}
 mechanisms: {{hydro: {{kind: variator, first: a, second: b, speed_ratio: .2, efficiency: {eta!r}}}}}
 """
 

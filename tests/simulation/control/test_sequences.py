@@ -35,14 +35,12 @@ TIMED = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("sequences", "expected"), TIMED)
-def test_steps_are_done_in_their_order_and_time(
-    sequences: str, expected: list[tuple[str, int, float]]
-) -> None:
-    motion = simulated(f"{REST}set: {{a: 0, b: 0}}\nsequences:\n  {sequences}\n")
-    assert [(one.element, one.step) for one in motion.events] == [one[:2] for one in expected]
-    times = [one[2] for one in expected]
-    assert [one.time for one in motion.events] == pytest.approx(times, abs=1e-9)
+def test_steps_are_done_in_their_order_and_time() -> None:
+    for sequences, expected in TIMED:
+        motion = simulated(f"{REST}set: {{a: 0, b: 0}}\nsequences:\n  {sequences}\n")
+        assert [(one.element, one.step) for one in motion.events] == [one[:2] for one in expected]
+        times = [one[2] for one in expected]
+        assert [one.time for one in motion.events] == pytest.approx(times, abs=1e-9)
 
 
 def test_what_is_not_true_in_time_stops_the_run_and_names_its_step() -> None:

@@ -9,8 +9,7 @@ from vstatics.core import readers
 from vstatics.simulation import Motion, Scenario, simulate
 from vstatics.simulation.scenario.file import read_scenario
 
-TWO_WHEELS = """links: [e, o]
-inertias: {e: 2, o: 3}
+TWO_WHEELS = """inertias: {e: 2, o: 3}
 shift_elements: {C: {links: [e, o]}}
 gears: {g: [C]}
 """

@@ -144,8 +144,7 @@ def test_a_step_of_a_sequence_has_a_word_as_all_events() -> None:
     assert [(one.event, one.word, one.step) for one in motion.events] == [("step", "step", 1)]
 
 
-AXLE = """links: [in, out]
-inertias: {{in: 1, out: 5}}
+AXLE = """inertias: {{in: 1, out: 5}}
 mechanisms: {{g: {{first: in, second: out, ratio: {ratio!r}}}}}
 """
 
