@@ -172,7 +172,7 @@ def random_chain(rng: Random) -> Chain:
     )
 
 
-@each_seed(range(4), range(4, count(60, 600)))
+@each_seed(range(4), range(4, count(60, 600)), pytest.mark.slow)
 def test_random_gears_with_play_agree_with_events_of_scipy(seed: int) -> None:
     chain = random_chain(seeded(seed))
     motion = simulate(chain.scenario)

@@ -222,7 +222,7 @@ def random_switch(rng: Random) -> Switch:
     return Switch(*(round(rng.uniform(*one), 3) for one in ranges))
 
 
-@each_seed(range(3), range(3, count(18, 150)))
+@each_seed(range(3), range(3, count(18, 150)), pytest.mark.slow)
 def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
     """Two links and a damped spring: the same by an integrator that knows no jumps."""
     rng = seeded(seed)

@@ -203,7 +203,7 @@ def test_random_chains_agree_with_an_independent_integrator(seed: int) -> None:
     assert motion.speeds[-1] == pytest.approx(integrated(scenario, lines), rel=1e-6, abs=1e-6)
 
 
-@each_seed(range(2), range(2, count(8, 100)))
+@each_seed(range(2), range(2, count(8, 100)), pytest.mark.slow)
 def test_the_energy_of_random_chains_with_friction_closes(seed: int) -> None:
     rng = seeded(100 + seed)
     scenario, _ = random_chain(rng)

@@ -128,7 +128,7 @@ def random_pair(rng: Random) -> Lossy:
     )
 
 
-@each_seed(range(4), range(4, count(12, 300)))
+@each_seed(range(4), range(4, count(12, 300)), pytest.mark.slow)
 def test_a_random_gear_sticks_and_moves_when_an_integrator_says_so(seed: int) -> None:
     pair = random_pair(seeded(seed))
     motion = simulated(RUN.format(**pair._asdict()), PAIR.format(**pair._asdict()))

@@ -112,7 +112,7 @@ KINDS: dict[str, Callable[[Random, Transmission], Transmission]] = {
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@seed_ranges(range(50), range(1000, 1000 + count(120, 500)))
+@seed_ranges(range(50), range(1000, 1000 + count(120, 500)), pytest.mark.slow)
 def test_every_number_is_that_of_exact_arithmetic(seeds: range, kind: str) -> None:
     """Every other train has one input, one output and the right count of conditions."""
     for seed in seeds:

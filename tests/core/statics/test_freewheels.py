@@ -324,7 +324,7 @@ def check_state(case: Transmission, results: Results, number: int) -> None:
     )
 
 
-@seed_ranges(range(6), range(6, count(120, 400)))
+@seed_ranges(range(6), range(6, count(120, 400)), pytest.mark.slow)
 def test_the_state_of_random_trains_is_one_that_trying_them_all_finds(seeds: range) -> None:
     """About one of 300 has a set of freewheels that turns the output, but can't balance it."""
     for seed in seeds:

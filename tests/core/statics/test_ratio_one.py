@@ -52,7 +52,7 @@ def test_wheels_that_turn_alike_get_a_note() -> None:
     )
 
 
-@seed_ranges(range(5), range(5, count(20, 60)))
+@seed_ranges(range(5), range(5, count(20, 60)), pytest.mark.slow)
 def test_variants_go_through_1_as_they_go_alone(seeds: range) -> None:
     for seed in seeds:
         rng, numbers = seeded(seed), generator(seed)

@@ -129,7 +129,7 @@ def is_unloaded(case: Transmission, exact: oracle.OracleGear) -> bool:
     return idle and exact.ideal_torques_exist and case.gear_output(gear) not in free
 
 
-@seed_ranges(range(40), range(1000, 1000 + count(600, 3000)))
+@seed_ranges(range(40), range(1000, 1000 + count(600, 3000)), pytest.mark.slow)
 def test_unloaded_links_are_those_of_exact_arithmetic(seeds: range) -> None:
     counts = Counter[str]()
     for seed in seeds:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 import yaml
 
 from tests.chance import count, seed_ranges, seeded
@@ -49,7 +50,7 @@ def alike(there: Path, here: Path) -> None:
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 
-@seed_ranges(range(4), range(4, count(150, 1500)))
+@seed_ranges(range(4), range(4, count(150, 1500)), pytest.mark.slow)
 def test_each_drag_and_efficiency_keeps_its_place(seeds: range, tmp_path: Path) -> None:
     for seed in seeds:
         folder = tmp_path / str(seed)

@@ -224,7 +224,7 @@ def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
     return times[0], times[1], np.array([end, end])
 
 
-@each_seed(range(1), range(1, count(6, 60)))
+@each_seed(range(1), range(1, count(6, 60)), pytest.mark.slow)
 def test_random_closed_loops_agree_with_other_solvers(seed: int) -> None:
     random = seeded(seed)
     given = {

@@ -112,7 +112,7 @@ def chain(rng: Random) -> Chain:
     return Chain(states, table, control, torque)
 
 
-@each_seed(range(4), range(4, count(100, 1000)))
+@each_seed(range(4), range(4, count(100, 1000)), pytest.mark.slow)
 def test_a_chain_of_lags_over_a_corner_agrees_with_dop853(seed: int) -> None:
     given = chain(seeded(seed))
     end, speeds = given.integrated()

@@ -113,7 +113,7 @@ def some_sets(random: Random) -> list[Set]:
     ]
 
 
-@each_seed(range(2), range(2, count(20, 300)))
+@each_seed(range(2), range(2, count(20, 300)), pytest.mark.slow)
 def test_any_cascade_runs(seed: int) -> None:
     random = seeded(seed)
     sets = some_sets(random)

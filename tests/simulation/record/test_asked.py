@@ -264,7 +264,7 @@ def test_what_there_is_not_is_told() -> None:
         assert caught.value.problems[0].message == said
 
 
-@each_seed(range(2), range(2, count(6, 40)))
+@each_seed(range(2), range(2, count(6, 40)), pytest.mark.slow)
 def test_changes_are_those_of_the_speeds_and_powers_are_work(seed: int) -> None:
     """Between instants v grows by (a0 + a1) h/2 - (j1 - j0) h^2/12: Euler and Maclaurin."""
     scenario = random_run(seeded(seed), losses=True)

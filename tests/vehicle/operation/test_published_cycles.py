@@ -115,7 +115,7 @@ class Layout:
         return text.encode(rng.choice(["utf-8", "utf-8-sig", "utf-16"]))
 
 
-@each_seed(range(1), range(1, count(8, 100)))
+@each_seed(range(1), range(1, count(8, 100)), pytest.mark.slow)
 def test_layouts_of_published_cycles(seed: int) -> None:
     """Distance by exact fractions; work at the wheels by the equation of motion, row by row."""
     for number in range(30):

@@ -162,7 +162,7 @@ def random_trip(rng: Random) -> RoundTrip:
     return RoundTrip(u, eta, of, *speeds, rng.uniform(-200, 200), rng.uniform(-25e3, 25e3))
 
 
-@seed_ranges(range(14, 21), range(100, 100 + count(60, 300)))
+@seed_ranges(range(14, 21), range(100, 100 + count(60, 300)), pytest.mark.slow)
 def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
     """Also beside torques at which friction locks the gear, and where there are none, or two."""
     counts = set()

@@ -185,7 +185,7 @@ def exact_gear(case: Transmission, gear: Gear, speed: float, torque: float) -> A
     )
 
 
-@seed_ranges(range(4), range(4, count(24, 200)))
+@seed_ranges(range(4), range(4, count(24, 200)), pytest.mark.slow)
 def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     """From torques that drag takes in all up to large ones: dragged, locked and ordinary."""
     states = set()
