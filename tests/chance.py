@@ -37,3 +37,13 @@ def with_marked(
 ) -> list[Any]:
     """Return parameters of a test: plain ones, then others that carry a mark."""
     return [*plain, *(pytest.param(each, marks=mark) for each in others)]
+
+
+def each_seed(seeds: range, more: range, mark: pytest.MarkDecorator) -> pytest.MarkDecorator:
+    """Parametrise a test by seeds, of which further ones carry a mark."""
+    return pytest.mark.parametrize("seed", with_marked(seeds, more, mark))
+
+
+def seed_ranges(seeds: range, more: range, mark: pytest.MarkDecorator) -> pytest.MarkDecorator:
+    """Parametrise a test by a range of seeds, and by a further one that carries a mark."""
+    return pytest.mark.parametrize("seeds", with_marked([seeds], [more], mark))

@@ -16,18 +16,15 @@ RPM = 0.10471975511965977
 
 
 def points(*pairs: tuple[float, float]) -> Points:
-    """A law over time by pairs."""
     x, y = zip(*pairs, strict=True)
     return Points(tuple(map(float, x)), tuple(map(float, y)))
 
 
 def capacity(*pairs: tuple[float, float]) -> Capacity:
-    """A capacity over time by pairs."""
     return Capacity(points(*pairs))
 
 
 def held(value: float) -> Capacity:
-    """A capacity that never changes."""
     return Capacity(constant(value))
 
 

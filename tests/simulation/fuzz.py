@@ -81,7 +81,6 @@ def _varied() -> VariedScenario:
 
 
 def kinds_of_scenarios() -> dict[str, Kind]:
-    """Return them by their names."""
     return {
         "scenario": Kind(
             (

@@ -71,7 +71,6 @@ def _capacities(scenario: Scenario) -> list[tuple[int, Any]]:
 
 
 def _breaks(scenario: Scenario) -> list[float]:
-    """Instants between which laws of time are smooth."""
     laws: list[Any] = [law for _, law in (*scenario.torques, *_capacities(scenario))]
     over_time = (law for law in laws if isinstance(law, Points) and law.over == "time")
     inner = {x for law in over_time for x in law.x if 0 < x < scenario.duration}

@@ -25,7 +25,6 @@ from vstatics.simulation.scenario.parts import Control
 
 
 def random_box(rng: Random, *, losses: bool = False) -> Transmission:
-    """A train with inertia on each link; nothing but mechanisms and shift elements."""
     while True:
         case = random_train(rng, regular=True, gears=1, coast=False)
         columns = np.array([mechanism_column(one, case.links) for one in case.mechanisms])
@@ -38,7 +37,6 @@ def random_box(rng: Random, *, losses: bool = False) -> Transmission:
 
 
 def allowed_speeds(case: Transmission, rng: Random) -> Floats:
-    """Random speeds of all links that the mechanisms allow."""
     columns = np.array([mechanism_column(one, case.links) for one in case.mechanisms])
     basis = null_space(columns)
     speeds: Floats = basis @ np.array([rng.uniform(-100, 100) for _ in range(basis.shape[1])])
@@ -51,7 +49,6 @@ def as_start(speeds: Floats) -> Start:
 
 
 def random_capacity(rng: Random) -> Points:
-    """Constant, a ramp, or steps."""
     top = round(rng.uniform(5, 200), 1)
     kind = rng.randrange(4)
     at = round(rng.uniform(0, 0.4), 2)
@@ -65,7 +62,6 @@ def random_capacity(rng: Random) -> Points:
 
 
 def random_torque(rng: Random, *, rests: bool) -> TorqueLaw:
-    """Constant, over time, over speed, by a formula; with `rests` dry friction, too."""
     size = round(rng.uniform(-60, 60), 1)
     kind = rng.randrange(5 if rests else 4)
     if kind == 0:
@@ -82,7 +78,6 @@ def random_torque(rng: Random, *, rests: bool) -> TorqueLaw:
 def random_run(
     rng: Random, *, losses: bool = False, rests: bool = True, dogs: bool = False
 ) -> Scenario:
-    """A random box with random controls and torques, for .8 s."""
     case = random_box(rng, losses=losses)
     count = len(case.shift_elements)
     used = rng.sample(range(1, count + 1), rng.randint(min(1, count), count))

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import count, each_seed, seeded
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_closed_forms import links
 from vstatics import CaseError, Spring
@@ -17,8 +17,7 @@ from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Points, Scenario, Start, simulate
 
-BACKLASH = """links: [a]
-inertias: {a: 5}
+BACKLASH = """inertias: {a: 5}
 springs: {s: {links: [a], points: [[0, 0], [0.39269908169872414, 0], [1.3926990816987241, 20000]],
   damping: 50}}
 """
@@ -173,10 +172,7 @@ def random_chain(rng: Random) -> Chain:
     )
 
 
-@pytest.mark.parametrize(
-    "seed",
-    with_marked(range(4), range(4, count(60, 600)), pytest.mark.slow),
-)
+@each_seed(range(4), range(4, count(60, 600)), pytest.mark.slow)
 def test_random_gears_with_play_agree_with_events_of_scipy(seed: int) -> None:
     chain = random_chain(seeded(seed))
     motion = simulate(chain.scenario)
@@ -192,16 +188,9 @@ def test_random_gears_with_play_agree_with_events_of_scipy(seed: int) -> None:
 def test_a_link_without_inertia_between_a_shaft_and_a_play_leaps_where_contact_begins() -> None:
     """Kelvin-Voigt behind a shaft: the link turns with the rate at which both torques are equal."""
     shaft, stop, damping, inertia, speed, gap = 3e3, 2e4, 40.0, 2.0, 3.0, 0.05
-    case = links(
-        inertia,
-        0.0,
-        springs=(
-            Spring(between(1, 2), shaft, name="shaft"),
-            Spring(
-                between(2), points=[(0, 0), (gap, 0), (1 + gap, stop)], damping=damping, name="S"
-            ),
-        ),
-    )
+    play = [(0, 0), (gap, 0), (1 + gap, stop)]
+    springs = Spring(between(1, 2), shaft), Spring(between(2), points=play, damping=damping)
+    case = links(inertia, 0.0, springs=springs)
     begin = gap / speed
     motion = simulate(Scenario(case, begin + 0.05, Start(speeds={1: speed})))
 
@@ -233,10 +222,8 @@ springs:
   grip: {links: [belt], stiffness: 5e4, limit: {base: 0, of: pad, times: -0.5}}
 """
     motion = simulated(
-        """duration: 0.25
-start: {speeds: {block: -1, belt: 60}, twists: {pad: 0.02}}
-torques: {block: -29.43}
-""",
+        "duration: 0.25\nstart: {speeds: {block: -1, belt: 60}, twists: {pad: 0.02}}\n"
+        "torques: {block: -29.43}\n",
         case,
     )
 
@@ -282,12 +269,11 @@ def test_a_damper_alone_slows_what_turns_otherwise(seed: int, written_as: str) -
 
 def test_a_settled_start_lets_a_damper_alone_slip() -> None:
     """5 N*m through 20 N*m*s/rad slip by 0.25 rad/s: so the shaft carries 5 N*m from the start."""
-    case = """links: [a, b, c]
-inertias: {a: 1, b: 1e6, c: 1}
-springs: {shaft: {links: [a, c], stiffness: 100}, visc: {links: [c, b], damping: 20}}
-"""
-    start = "{speeds: {a: 0.25, b: 0, c: 0.25}, settled: true}"
-    motion = simulated(f"duration: 1\nstart: {start}\ntorques: {{a: 5}}\n", case)
+    motion = simulated(
+        "duration: 1\nstart: {speeds: {a: 0.25, b: 0, c: 0.25}, settled: true}\ntorques: {a: 5}\n",
+        "inertias: {a: 1, b: 1e6, c: 1}\n"
+        "springs: {shaft: {links: [a, c], stiffness: 100}, visc: {links: [c, b], damping: 20}}\n",
+    )
     shaft = motion.torques[:, motion.devices.index("shaft")]
     assert shaft.tolist() == pytest.approx([5.0] * len(shaft), rel=1e-5)
 
@@ -304,8 +290,7 @@ def test_what_is_neither_spring_nor_damper_is_refused() -> None:
             written("duration: 1\nstart: {speeds: {a: 1, b: 1}}\n", DAMPER % (1, 1, spring))
 
 
-LOOP = """links: [a, b, c]
-inertias: {a: 1, b: 1, c: 1}
+LOOP = """inertias: {a: 1, b: 1, c: 1}
 mechanisms: {pair: {first: b, second: c, ratio: 2}}
 springs:
   left: {links: [a, b], stiffness: 300}
@@ -324,9 +309,8 @@ def test_springs_in_a_loop_have_the_twist_that_one_of_them_is_given(given: str) 
     assert motion.energy.balance == pytest.approx(0.0, abs=1e-8)
 
 
-@pytest.mark.parametrize(
-    ("start", "fault"),
-    [
+def test_twists_and_angles_that_cannot_be_are_refused() -> None:
+    for start, fault in (
         ("twists: {left: 0.1, right: 0.2}", "give 0.1 rad"),
         ("angles: {a: 0.3, c: 0.1}, twists: {left: 0.2}", "give 0.1 rad"),
         ("angles: {b: 0.3, c: 0.1}", "give 0.15 rad"),
@@ -334,20 +318,15 @@ def test_springs_in_a_loop_have_the_twist_that_one_of_them_is_given(given: str) 
         ("twists: {left: 0.1 m}", "expected a number in rad"),
         ("twists: {left: 0.1}, settled: true", "`twists` and `settled`"),
         ("angles: {d: 0.1}", "expected the name of a link"),
-    ],
-)
-def test_twists_and_angles_that_cannot_be_are_refused(start: str, fault: str) -> None:
-    with pytest.raises(CaseError, match=fault):
-        simulate(written(f"duration: 1\nstart: {{speeds: {{a: 0, b: 0}}, {start}}}\n", LOOP))
+    ):
+        with pytest.raises(CaseError, match=fault):
+            simulate(written(f"duration: 1\nstart: {{speeds: {{a: 0, b: 0}}, {start}}}\n", LOOP))
 
 
 def test_three_springs_in_a_ring_need_two_twists() -> None:
-    case = """links: [a, b, c]
-inertias: {a: 1, b: 1, c: 1}
-springs:
-  x: {links: [a, b], stiffness: 1}
-  y: {links: [b, c], stiffness: 1}
-  z: {links: [c, a], stiffness: 1}
+    case = """inertias: {a: 1, b: 1, c: 1}
+springs: {x: {links: [a, b], stiffness: 1}, y: {links: [b, c], stiffness: 1},
+  z: {links: [c, a], stiffness: 1}}
 """
     text = "duration: 1\nstart: {speeds: {a: 0, b: 0, c: 0}, twists: %s}\n"
     with pytest.raises(CaseError, match="how y and z share"):
@@ -358,16 +337,10 @@ springs:
 
 def test_a_torque_over_the_angle_begins_at_the_angle_that_is_given() -> None:
     """2 sin(angle) at 90 degrees is 2 N*m; the shaft behind the crank is not twisted."""
-    case = """links: [crank, mass]
-inertias: {crank: 1, mass: 1}
-springs: {shaft: {links: [crank, mass], stiffness: 100}}
-"""
     motion = simulated(
-        """duration: 1e-4
-start: {speeds: {crank: 0, mass: 0}, angles: {crank: 90 deg}}
-torques: {crank: "2*sin(angle)"}
-""",
-        case,
+        "duration: 1e-4\nstart: {speeds: {crank: 0, mass: 0}, angles: {crank: 90 deg}}\n"
+        'torques: {crank: "2*sin(angle)"}\n',
+        "inertias: {crank: 1, mass: 1}\nsprings: {shaft: {links: [crank, mass], stiffness: 100}}\n",
     )
     assert motion.speeds[-1, 0] == pytest.approx(2e-4, rel=1e-6)
     assert motion.energy.elastic == pytest.approx(0.0, abs=1e-9)

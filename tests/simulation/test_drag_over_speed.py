@@ -94,14 +94,10 @@ def test_a_clutch_that_closes_drags_no_more() -> None:
     assert motion.energy.heat["B"] == pytest.approx(0.5 * after**2 / 2, rel=1e-7)
 
 
-def test_a_formula_that_turns_below_0_is_told() -> None:
-    with pytest.raises(
-        CaseError, match=r"the drag torque of 1 is -0\.\d+ N\*m, expected 0 or more"
-    ):
+def test_drag_that_turns_below_0_or_that_a_freewheel_cannot_have_is_refused() -> None:
+    said = r"the drag torque of 1 is -0\.\d+ N\*m, expected 0 or more"
+    with pytest.raises(CaseError, match=said):
         run(dragged_link(DragFormula("1 - w/30")), 30.0, {1: 50.0})
-
-
-def test_a_freewheel_takes_a_number_only() -> None:
     wheel = ShiftElement(1, 0, "F", kind="freewheel", drag=DragFormula("w/10"))
     with pytest.raises(CaseError, match="the drag of F depends on speed") as caught:
         run(joined(wheel, 0.5), 1.0, {1: 50.0})

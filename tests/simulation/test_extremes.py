@@ -78,7 +78,6 @@ def random_law(rng: Random, number: Numbers) -> str:
 
 
 def random_texts(rng: Random) -> tuple[str, str]:
-    """A case and its scenario."""
     number = Numbers(rng)
     damping = rng.choice([number(0.1, 10), f"{{ratio: {number(0.01, 0.2)}}}"])
     case = CASE.format(
@@ -110,26 +109,17 @@ def floats(value: Any) -> Iterator[float]:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("command", [("simulate", "run.yaml"), ("torsion", "modes", "case.yaml")])
 @settings(max_examples=count(15, 50))
-@given(st.integers(0, 10**6))
-def test_extreme_numbers_run_right_or_are_refused_where_they_stand(seed: int) -> None:
+@given(seed=st.integers(0, 10**6))
+def test_extreme_numbers_are_right_or_refused_where_they_stand(
+    command: tuple[str, ...], seed: int
+) -> None:
     """No exception, no warning of NumPy, no NaN; energy closes where a run comes to its end."""
     with TemporaryDirectory() as folder:
-        file = Path(folder) / "scenario.yaml"
-        case, scenario = random_texts(seeded(seed))
-        (Path(folder) / "case.yaml").write_text(case)
-        file.write_text(scenario)
-        check_answer("simulate", str(file))
-
-
-@pytest.mark.slow
-@settings(max_examples=count(15, 50))
-@given(st.integers(0, 10**6))
-def test_extreme_numbers_vibrate_right_or_are_refused_where_they_stand(seed: int) -> None:
-    with TemporaryDirectory() as folder:
-        file = Path(folder) / "case.yaml"
-        file.write_text(random_texts(seeded(seed))[0])
-        check_answer("torsion", "modes", str(file))
+        for name, text in zip(("case.yaml", "run.yaml"), random_texts(seeded(seed)), strict=True):
+            (Path(folder) / name).write_text(text)
+        check_answer(*command[:-1], f"{folder}/{command[-1]}")
 
 
 @pytest.mark.parametrize("ratio", ["1e12", "1e300"])

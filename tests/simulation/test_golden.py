@@ -26,12 +26,10 @@ from vstatics.simulation import Dog, Motion, Scenario, Start, constant, simulate
 
 
 def happened(motion: Motion) -> list[tuple[str, str, Any]]:
-    """Events in short."""
     return [(one.element, one.event, one.time) for one in motion.events]
 
 
 def closes(motion: Motion, part: float = 1e-8) -> bool:
-    """Whether the energy does."""
     energy = motion.energy
     largest = max(
         abs(energy.work), sum(energy.heat.values()), abs(energy.kinetic), abs(energy.elastic)

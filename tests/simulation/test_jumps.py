@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import count, each_seed, seeded
 from tests.simulation.boxes import held, planetary_set, points
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
@@ -23,7 +23,7 @@ from vstatics.simulation import Formula, Points, Resistance, Scenario, Start, co
 from vstatics.simulation.bounds import wall_limit
 from vstatics.simulation.scenario.laws import TorqueLaw
 
-LIMITERS = [
+LIMITERS: list[str | Points] = [
     Points((0.0, 300.0, 300.0), (100.0, 100.0, 0.0), "speed"),
     "100*(speed < 300)",
     "100 - 50*(1 + sign(speed - 300))",
@@ -57,7 +57,7 @@ def test_a_limiter_on_a_link_without_inertia() -> None:
 
 
 LOAD = points((0, -50), (10, -50), (20, -150))
-ENDS = [
+ENDS: list[tuple[str | Points, TorqueLaw, float, float, float]] = [
     # 100 N*m of load at 15 s: 62.5 rad/s are lost in 5 s more
     *((limiter, LOAD, 300.0, 20.0, 237.5) for limiter in LIMITERS),
     # from rest, a jump that pushes away starts as the formula has it: 0, 100 and -100 N*m
@@ -71,31 +71,26 @@ ENDS = [
 ]
 
 
-@pytest.mark.parametrize(("law", "other", "start", "duration", "end"), ENDS)
-def test_a_jump_holds_up_to_its_torques(
-    law: str | Points, other: TorqueLaw, start: float, duration: float, end: float
-) -> None:
+def test_a_jump_holds_up_to_its_torques() -> None:
     """On 2 kg*m^2; what a jump holds does not move."""
-    own = Formula(law) if isinstance(law, str) else law
-    motion = run(links(2.0), duration, {1: start}, ((1, own), (1, other)))
-    assert motion.speeds[-1, 0] == pytest.approx(end, rel=EXACT, abs=1e-12)
+    for law, other, start, duration, end in ENDS:
+        own = Formula(law) if isinstance(law, str) else law
+        motion = run(links(2.0), duration, {1: start}, ((1, own), (1, other)))
+        assert motion.speeds[-1, 0] == pytest.approx(end, rel=EXACT, abs=1e-12)
 
 
-@pytest.mark.parametrize(
-    "law",
-    [
+def test_a_jump_over_the_angle_is_passed() -> None:
+    """100 N*m over 30 rad, then -50: J w^2/2 is 3000 J there, and 0 after 60 rad more."""
+    for law in (
         Points((0.0, 30.0, 30.0), (100.0, 100.0, -50.0), "angle"),
         Formula("100*(angle < 30) - 50*(angle >= 30)"),
-    ],
-)
-def test_a_jump_over_the_angle_is_passed(law: TorqueLaw) -> None:
-    """100 N*m over 30 rad, then -50: J w^2/2 is 3000 J there, and 0 after 60 rad more."""
-    there, back = math.sqrt(2 * 30 * 2 / 100), math.sqrt(3000.0) / 25
-    start = Start(speeds={1: 0.0})
-    motion = simulate(Scenario(links(2.0), there + back, start, torques=((1, law),)))
-    assert motion.stopped is None
-    assert motion.speeds[-1, 0] == pytest.approx(0.0, abs=1e-6)
-    assert motion.energy.work == pytest.approx(0.0, abs=1e-6)
+    ):
+        there, back = math.sqrt(2 * 30 * 2 / 100), math.sqrt(3000.0) / 25
+        start = Start(speeds={1: 0.0})
+        motion = simulate(Scenario(links(2.0), there + back, start, torques=((1, law),)))
+        assert motion.stopped is None
+        assert motion.speeds[-1, 0] == pytest.approx(0.0, abs=1e-6)
+        assert motion.energy.work == pytest.approx(0.0, abs=1e-6)
 
 
 def test_bounces_that_become_ever_shorter_come_to_rest() -> None:
@@ -227,7 +222,7 @@ def random_switch(rng: Random) -> Switch:
     return Switch(*(round(rng.uniform(*one), 3) for one in ranges))
 
 
-@pytest.mark.parametrize("seed", with_marked(range(3), range(3, count(18, 150)), pytest.mark.slow))
+@each_seed(range(3), range(3, count(18, 150)), pytest.mark.slow)
 def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
     """Two links and a damped spring: the same by an integrator that knows no jumps."""
     rng = seeded(seed)

@@ -21,7 +21,6 @@ Q = math.sqrt(3000 / 2)
 
 
 def begins(limit: Callable[[float], float], torque: float) -> float:
-    """When the spring carries a limit over time."""
     first = math.pi / Q
     return brentq(lambda t: torque * (1 - math.cos(Q * t)) - limit(t), 0, first, xtol=1e-15)
 

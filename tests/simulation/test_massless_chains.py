@@ -5,21 +5,11 @@ from random import Random
 import pytest
 
 from tests.chance import count, seeded
-from tests.simulation.runs import random_capacity
+from tests.simulation.runs import random_capacity, random_torque
 from tests.simulation.test_closed_forms import links, run
 from vstatics import CaseError, ShiftElement, Spring
 from vstatics.core.model.springs import between
-from vstatics.simulation import (
-    Capacity,
-    Formula,
-    Points,
-    Resistance,
-    Scenario,
-    Start,
-    constant,
-    simulate,
-)
-from vstatics.simulation.scenario.laws import TorqueLaw
+from vstatics.simulation import Capacity, Formula, Points, Scenario, Start, constant, simulate
 from vstatics.simulation.scenario.parts import Control
 
 OVER_SPEED = Points((-50.0, 0.0, 60.0), (20.0, 0.0, -15.0), "speed")
@@ -45,22 +35,12 @@ def random_chain(rng: Random) -> Scenario:
             ShiftElement(link, link + 1, name=f"C{link}", stiffness=stiffness if bends else None)
         )
         controls[len(elements)] = Capacity(random_capacity(rng))
-    laws = tuple((link, random_law(rng)) for link in rng.sample(range(1, count + 1), 3))
+    laws = tuple(
+        (link, random_torque(rng, rests=True)) for link in rng.sample(range(1, count + 1), 3)
+    )
     speeds = {link: rng.uniform(-100, 100) for link, one in enumerate(inertias, 1) if one}
     case = links(*inertias, elements=tuple(elements), springs=tuple(springs))
     return Scenario(case, 0.8, Start(speeds=speeds), controls, laws)
-
-
-def random_law(rng: Random) -> TorqueLaw:
-    size = rng.uniform(-100, 100)
-    laws: tuple[TorqueLaw, ...] = (
-        constant(size),
-        Points((0.0, 0.3, 0.6), (size, -size, size / 2), "time"),
-        OVER_SPEED,
-        Formula(f"-{abs(size) / 100:.3f}*speed"),
-        Resistance(abs(size)),
-    )
-    return rng.choice(laws)
 
 
 def test_where_a_torque_no_longer_changes_with_speed_a_link_follows_its_shaft() -> None:

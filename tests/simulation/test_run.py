@@ -22,7 +22,6 @@ from vstatics import ShiftElement
 from vstatics.simulation import Motion, Scenario, Start, constant, load_scenario, simulate
 from vstatics.simulation.examples import ScenarioName
 from vstatics.simulation.record.record import Record
-from vstatics.simulation.scenario.laws import TorqueLaw
 
 
 @pytest.mark.parametrize("number", range(40))
@@ -30,22 +29,13 @@ def test_a_steady_run_closes(number: int) -> None:
     """Torques that take what others give leave rounding alone, of any size."""
     rng = seeded(number)
     torque = rng.uniform(0.1, 1000) * 10 ** rng.uniform(-3, 3)
-    speed = rng.uniform(-1000, 1000)
-    torques: tuple[tuple[int, TorqueLaw], ...]
+    speed, parts, engaged, controls = rng.uniform(-1000, 1000), [1.0, -1.0], 1, None
+    case = links(0.3, 7.0, elements=(ShiftElement(1, 2, "C"),))
     if number % 2:  # a planetary set as one piece
-        torques = (
-            (1, constant(torque)),
-            (2, constant(-0.3 * torque)),
-            (3, constant(-0.7 * torque)),
-        )
-        clutch = {2: held(1e9)}
-        start = Start(speeds={1: speed}, engaged=(2,))
-        scenario = Scenario(planetary_set(), rng.uniform(0.1, 10), start, clutch, torques)
-    else:
-        case = links(0.3, 7.0, elements=(ShiftElement(1, 2, "C"),))
-        torques = ((1, constant(torque)), (2, constant(-torque)))
-        start = Start(speeds={1: speed}, engaged=(1,))
-        scenario = Scenario(case, rng.uniform(0.1, 10), start, torques=torques)
+        case, parts, engaged, controls = planetary_set(), [1, -0.3, -0.7], 2, {2: held(1e9)}
+    torques = tuple((link, constant(part * torque)) for link, part in enumerate(parts, 1))
+    start = Start(speeds={1: speed}, engaged=(engaged,))
+    scenario = Scenario(case, rng.uniform(0.1, 10), start, controls, torques)
     motion = simulate(scenario)
     assert motion.stopped is None
     assert motion.speeds == pytest.approx(np.full_like(motion.speeds, speed), rel=1e-9)

@@ -13,7 +13,6 @@ TENTH = 0.1
 
 
 def table(name: str) -> Any:
-    """A printed table."""
     return json.loads((Path(__file__).parent / f"{name}.json").read_text(encoding="utf-8"))
 
 

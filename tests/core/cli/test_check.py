@@ -129,8 +129,6 @@ def test_a_drag_that_no_torque_can_be_is_told_at_its_place(
     assert not Path("result.json").exists()
 
 
-# neutral gears
-
 TWO_SPEED = """name: two-speed
 links: [in, ring, carrier]
 shift_elements: {B: [ring, housing], C: [in, ring]}
@@ -206,27 +204,24 @@ def test_a_case_without_gears_that_only_moves_is_no_fault() -> None:
     assert [problem.id for problem in library.check(io.StringIO(text))] == ["N420"]
 
 
-@pytest.mark.parametrize(
-    ("teeth", "words"),
-    [
+def test_a_planet_without_teeth_gets_a_note() -> None:
+    """The teeth of two planets in mesh do not follow from sun and ring."""
+    for teeth, words in (
         ("", "`teeth` has no number for planets inner and outer, so their speeds are unknown"),
         (", inner: 22", "`teeth` has no number for planet outer, so its speed is unknown"),
         (", inner: 22, outer: 24", ""),
-    ],
-)
-def test_a_planet_without_teeth_gets_a_note(teeth: str, words: str) -> None:
-    """The teeth of two planets in mesh do not follow from sun and ring."""
-    case = f"""
+    ):
+        case = f"""
 links: [a, b, c]
 shift_elements: {{B: [b, housing]}}
 gears: {{1: [B]}}
 elements:
   P: {{kind: double_planet, sun: a, ring: b, carrier: c, teeth: {{sun: 30, ring: 90{teeth}}}}}
 """
-    stdin = case.encode()
-    said = json_answer("check", "-", stdin=stdin)
-    assert [one["message"] for one in said if one["id"] == "N305"] == [
-        f"elements.P: {words}"
-    ] * bool(words)
-    speeds = json_answer("run", "-", stdin=stdin)["planet_speeds"]
-    assert ([None] in speeds) == bool(words)
+        stdin = case.encode()
+        said = json_answer("check", "-", stdin=stdin)
+        assert [one["message"] for one in said if one["id"] == "N305"] == [
+            f"elements.P: {words}"
+        ] * bool(words)
+        speeds = json_answer("run", "-", stdin=stdin)["planet_speeds"]
+        assert ([None] in speeds) == bool(words)

@@ -17,7 +17,6 @@ FILES = ("bad.yaml", "open.yaml", "tied.yaml", "none.yaml")
 
 @pytest.fixture
 def records() -> list[dict[str, str]]:
-    """The problems as JSON tells them."""
     found: list[dict[str, str]] = json_answer("check", *FILES)
     assert {one["severity"] for one in found} == {"error", "warning"}
     return found

@@ -69,9 +69,6 @@ def test_a_bad_case_alone_prints_nothing_on_stdout(form: str) -> None:
     assert (said.status, bool(said.out)) == (1, form != "listing")
 
 
-# conventions
-
-
 def test_coasting_turns_the_reverse_gears_of_the_published_train() -> None:
     """.9014 and .9212, and locked where 1/6 of the power would have to pass: the method."""
     driven = json_answer("run", MZKT, "--coast")
@@ -85,39 +82,23 @@ def test_coasting_turns_the_reverse_gears_of_the_published_train() -> None:
     assert said.json["locked"] == [True]
 
 
-@pytest.mark.parametrize(
-    ("idle", "signs"), [("published", PRINTED["IX"][2]), ("exact", [1, 1, 0, 0, 1, 0])]
-)
-def test_idle_convention_is_overridden(idle: str, signs: list[int]) -> None:
+def test_idle_convention_is_overridden() -> None:
     """D3 turns as one piece in gears 3, 4 and 6; `exact` has 0 there."""
-    said = vstatics("run", MZKT, "--unloaded", idle, "-f", "json")
-    assert said.json["power_sign"][2] == signs
+    for idle, signs in (("published", PRINTED["IX"][2]), ("exact", [1, 1, 0, 0, 1, 0])):
+        said = vstatics("run", MZKT, "--unloaded", idle, "-f", "json")
+        assert said.json["power_sign"][2] == signs
 
 
-# wrong use
-
-WRONG = {
-    "nonsense": "",
-    "run": "",
-    "check": "",
-    "convert": "",
-    "convert one.yaml": "",
-    "compare one.json": "",
-    "run - -": "",
-    "check - -": "",
-    "compare - -": "",
-    "run a.dat --format xml": "",
-    "run a.dat --lang fr": "",
-    "run a.dat --from xml": "",
-    "run a.dat --unloaded never": "",
-    "run a.dat --nonsense": "",
-    "check a.dat --coast": "",
-    "convert a.dat b.txt": "",
-    "convert a.dat b": "",
-    "convert a.dat -": "",
-    "convert a.dat b.dat --to csv": "",
-    "compare a b --atol -1": "",
-    "compare a b --rtol nothing": "",
+WRONG = dict.fromkeys(
+    [
+        *("nonsense", "run", "check", "convert", "convert one.yaml", "compare one.json"),
+        *("run - -", "check - -", "compare - -", "run a.dat --format xml", "run a.dat --lang fr"),
+        *("run a.dat --from xml", "run a.dat --unloaded never", "run a.dat --nonsense"),
+        *("check a.dat --coast", "convert a.dat b.txt", "convert a.dat b", "convert a.dat -"),
+        *("convert a.dat b.dat --to csv", "compare a b --atol -1", "compare a b --rtol nothing"),
+    ],
+    "",
+) | {
     "summary - -": "standard input",
     "rnu box.yaml": "there is no command `rnu`; did you mean `run`?",
     "sumary box.yaml": "there is no command `sumary`; did you mean `summary`?",
@@ -158,8 +139,6 @@ def test_a_command_in_one_language_names_those_in_several() -> None:
         said = vstatics(*line.split(), "--lang", "ru")
         assert said.is_wrong_use(f"and {installed(WITH_LANGUAGES)[-1]} have it.")
 
-
-# files
 
 FORMATS = ("deck", "yaml", "json")
 

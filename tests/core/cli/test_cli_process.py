@@ -158,17 +158,14 @@ def test_help_fits_a_terminal_without_colours(command: str) -> None:
     assert "\x1b" not in shown
 
 
-@pytest.mark.parametrize(
-    ("which", "words"),
-    [
+def test_shell_completion_is_produced() -> None:
+    for which, words in (
         ("bash", "complete -o nosort -F"),
         ("zsh", "#compdef vstatics"),
         ("fish", "complete --no-files"),
-    ],
-)
-def test_shell_completion_is_produced(which: str, words: str) -> None:
-    status, out, _ = process(_VSTATICS_COMPLETE=f"{which}_source")
-    assert (status, words in out.decode()) == (0, True)
+    ):
+        status, out, _ = process(_VSTATICS_COMPLETE=f"{which}_source")
+        assert (status, words in out.decode()) == (0, True)
 
 
 @pytest.mark.parametrize(

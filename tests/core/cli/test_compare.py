@@ -14,7 +14,6 @@ pytestmark = pytest.mark.usefixtures("files")
 
 
 def results(output: str, *cases: object, raw: bool = False) -> str:
-    """The name of a file with the results of cases."""
     assert vstatics("run", *cases, "-o", output, "-q", *["--raw"] * raw).status <= 1
     return output
 
@@ -274,9 +273,6 @@ def test_mechanisms_of_a_deck_are_not_elements_of_a_drawing_by_their_place() -> 
     torques = [one for one in document["cases"][0]["numbers"] if one["table"] == "torques"]
     assert torques
     assert not [one for one in torques if one["deviation"] is not None]
-
-
-# sweeps
 
 
 def sweep(output: str, values: str = "-2,-3,-4") -> str:

@@ -65,7 +65,6 @@ if os.geteuid() == 0:
 
 
 def seen() -> dict[str, tuple[int, int]]:
-    """Kinds and sizes of all files."""
     status = {str(path): path.lstat() for path in Path().rglob("*")}
     return {name: (entry.st_mode, entry.st_size) for name, entry in status.items()}
 

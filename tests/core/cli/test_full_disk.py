@@ -57,7 +57,6 @@ def goes_on(command: StatedCommand, expected: dict[str, bytes]) -> None:
 
 @pytest.fixture
 def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """A small file system with the inputs."""
     place = tmp_path / "small"
     place.mkdir()
     mount = ["mount", "-t", "tmpfs", "-o", "size=256k,nr_inodes=64", "tmpfs", str(place)]
@@ -74,14 +73,12 @@ def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 
 def fill_pages(place: Path, free: int) -> None:
-    """Leave a number of pages."""
     status = os.statvfs(place)
     with (place / "ballast").open("wb") as file:
         file.write(bytes((status.f_bavail * status.f_frsize // PAGE - free) * PAGE))
 
 
 def fill_inodes(place: Path, free: int) -> None:
-    """Leave room for a number of files."""
     for number in range(os.statvfs(place).f_favail - free):
         (place / f"ballast {number}").touch()
 

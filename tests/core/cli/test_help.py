@@ -122,30 +122,28 @@ FORMER = [
 """Command, option, former name and a value of each renamed option."""
 
 
-@pytest.mark.parametrize(("name", "option", "former", "value"), FORMER)
-def test_a_former_name_works_but_is_neither_listed_nor_completed(
-    name: str, option: str, former: str, value: list[str]
-) -> None:
-    if missing(used_in(f"vstatics {name} {option}")):
-        pytest.skip("the annex of the option is not installed")
-    command = COMMANDS[name]
-    [renamed] = [one for one in command.params if option in one.opts]
-    values = [
-        command.make_context(name, arguments, resilient_parsing=True).params[str(renamed.name)]
-        for arguments in ([option, *value], [former, *value], [])
-    ]
-    assert values[0] == values[1] != values[2]
-    shown = vstatics(*name.split(), "--help").out
-    assert re.search(rf"{option}\b", shown)
-    assert not re.search(rf"(?<!\w){former}\b", shown)
-    words = ["vstatics", *name.split(), "--"]
-    _, out, _ = process(
-        _VSTATICS_COMPLETE="bash_complete",
-        COMP_WORDS=" ".join(words),
-        COMP_CWORD=str(len(words) - 1),
-    )
-    completed = out.decode().split()
-    assert (f"plain,{option}" in completed, f"plain,{former}" in completed) == (True, False)
+def test_a_former_name_works_but_is_neither_listed_nor_completed() -> None:
+    for name, option, former, value in FORMER:
+        if missing(used_in(f"vstatics {name} {option}")):
+            pytest.skip("the annex of the option is not installed")
+        command = COMMANDS[name]
+        [renamed] = [one for one in command.params if option in one.opts]
+        values = [
+            command.make_context(name, arguments, resilient_parsing=True).params[str(renamed.name)]
+            for arguments in ([option, *value], [former, *value], [])
+        ]
+        assert values[0] == values[1] != values[2]
+        shown = vstatics(*name.split(), "--help").out
+        assert re.search(rf"{option}\b", shown)
+        assert not re.search(rf"(?<!\w){former}\b", shown)
+        words = ["vstatics", *name.split(), "--"]
+        _, out, _ = process(
+            _VSTATICS_COMPLETE="bash_complete",
+            COMP_WORDS=" ".join(words),
+            COMP_CWORD=str(len(words) - 1),
+        )
+        completed = out.decode().split()
+        assert (f"plain,{option}" in completed, f"plain,{former}" in completed) == (True, False)
 
 
 def test_all_former_names_are_tried() -> None:

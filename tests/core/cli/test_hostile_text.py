@@ -2,6 +2,7 @@
 
 import json
 import re
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -84,13 +85,11 @@ LINES = (
     ("synth", "combinations", CASE, "--shift-elements", ATTACK),
     *(("synth", "fit", CASE, "--ratios", one) for one in (ATTACK, f"{ATTACK}=2", f"low={ATTACK}")),
     *((*FIT, option, f"{ATTACK}=-4:-1") for option in ("--bounds", "--weights", "--write")),
-    *(
-        ("synth", "structures", "--sets", "2", "-o", NOWHERE),
-        ("torsion", "modes", CASE, "-o", NOWHERE),
-    ),
+    ("synth", "structures", "--sets", "2", "-o", NOWHERE),
+    ("torsion", "modes", CASE, "-o", NOWHERE),
     *(
         (one, CASE, "-o", NOWHERE)
-        for one in ("run", "flow", "convert", "plot", "report", "summary")
+        for one in ["run", "flow", "convert", "plot", "report", "summary"]
     ),
     *((*group, ATTACK) for group in ((), ("torsion",), ("synth",))),
     *((command, f"--{ATTACK}") for command in COMMANDS),
@@ -147,12 +146,10 @@ SWEEP_FILES = (
     f"case: box.yaml\nvary: {{{HOSTILE}: 1}}\n",
     f"case: box.yaml\nvary: {{D.ratio: {HOSTILE}}}\n",
     *(
-        f"case: box.yaml\nvary: {{D.ratio: -3:-2:3}}\n{key}: [{HOSTILE}]\n"
-        for key in ("out", "where", "min", "output", "method")
-    ),
-    *(
-        f"case: box.yaml\nvary: {{D.ratio: -3:-2:3}}\n{key}: {HOSTILE}\n"
-        for key in ("out", "where", "min", "output", "method")
+        f"case: box.yaml\nvary: {{D.ratio: -3:-2:3}}\n{key}: {value}\n"
+        for key, value in product(
+            ("out", "where", "min", "output", "method"), (HOSTILE, f"[{HOSTILE}]")
+        )
     ),
 )
 SPRING = "links: [a, b]\ninertias: {a: 1, b: 2}\nsprings: {s: {links: [a, b], stiffness: 9}}\n"

@@ -102,7 +102,6 @@ def begin(work: Work, folder: Path, *more: str) -> subprocess.Popen[bytes]:
 
 
 def end(process: subprocess.Popen[bytes]) -> tuple[int, str]:
-    """The exit status, and what was said."""
     said = process.communicate(timeout=120)[1].decode()
     assert "Traceback" not in said
     assert "an error of vstatics" not in said

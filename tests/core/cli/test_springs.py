@@ -83,9 +83,12 @@ def test_every_command_takes_every_case(command: str, form: str) -> None:
         assert said.status == int(name in TIED_UP), said.err
 
 
-def test_a_workbook_takes_every_case() -> None:
+def test_a_workbook_and_other_formats_take_every_case() -> None:
     for name in CASES:
         assert vstatics("run", f"{name}.yaml", "-o", "out.xlsx").status == int(name in TIED_UP)
+        for again in ("again.yaml", "again.json"):
+            assert vstatics("convert", "-q", f"{name}.yaml", again).status == 0
+            assert library.load(again) == library.load(f"{name}.yaml")
 
 
 @pytest.mark.slow
@@ -160,14 +163,6 @@ def test_a_deck_is_refused_what_it_cannot_hold(target: str) -> None:
     said = vstatics("convert", "-", "-", "--to", "deck", stdin=(text + "inertias: {1: 0}").encode())
     assert (said.status, "KG= 1" in said.out) == (1, True)
     assert said.err.splitlines() == ["-: not kept: source", "-: not kept: inertias"]
-
-
-@pytest.mark.parametrize("name", CASES)
-def test_yaml_and_json_keep_everything(name: str) -> None:
-    case = library.load(f"{name}.yaml")
-    for suffix in ("yaml", "json"):
-        assert vstatics("convert", "-q", f"{name}.yaml", f"again.{suffix}").status == 0
-        assert library.load(f"again.{suffix}") == case
 
 
 def test_a_sweep_over_ratios_has_torques_of_springs() -> None:

@@ -92,7 +92,6 @@ def efficiencies(
 
 
 def with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:
-    """The case of one variant, with numbers of its own."""
     mechanisms = list(case.mechanisms)
     for name, given in (("ratio", u), ("efficiency", eta)):
         if given is not None:
@@ -115,7 +114,6 @@ def no_plans() -> Iterator[None]:
 
 
 def plainly(case: Transmission) -> Results:
-    """A single case, calculated with floats."""
     with no_plans():
         return solve(case)
 
@@ -207,7 +205,6 @@ def chain(count: int, into: Transmission | None = None) -> Transmission:
 
 
 def random_case(seed: int, largest: int = 6) -> tuple[Transmission, Floats, Floats | None]:
-    """A random train with variants of a random kind."""
     random, rng = seeded(seed), generator(seed)
     case = random_train(random) if seed % 2 else large_train(random, largest)
     count = random.choice((2, 5, 6, 20, 60))

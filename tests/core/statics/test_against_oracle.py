@@ -13,7 +13,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seed_ranges, seeded
 from tests.oracle import gears as oracle
 from tests.oracle.cases import NASTY
 from tests.oracle.gears import OracleGear
@@ -35,7 +35,6 @@ def _same(got: float, expected: Fraction | None) -> bool:
 def _pairs(
     results: Results, gear: int, exact: OracleGear
 ) -> Iterator[tuple[str, float, Fraction | None]]:
-    """Every number of a gear beside the exact one."""
     vectors: list[tuple[str, Sequence[float], Exact]] = [
         ("speeds", results.speeds[gear], exact.speeds),
         ("planet_speeds", results.planet_speeds[gear], exact.planet_speeds),
@@ -62,7 +61,6 @@ def _pairs(
 
 
 def _disagreements(case: Transmission) -> list[str]:
-    """What differs, in words."""
     results = solve(case)
     found = []
     for gear, exact in enumerate(oracle.solve(case)):
@@ -114,9 +112,7 @@ KINDS: dict[str, Callable[[Random, Transmission], Transmission]] = {
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize(
-    "seeds", [range(50), pytest.param(range(1000, 1000 + count(120, 500)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(50), range(1000, 1000 + count(120, 500)), pytest.mark.slow)
 def test_every_number_is_that_of_exact_arithmetic(seeds: range, kind: str) -> None:
     """Every other train has one input, one output and the right count of conditions."""
     for seed in seeds:

@@ -12,24 +12,21 @@ def test_a_set_that_clutches_hold_as_one_piece_is_idle_without_a_word() -> None:
     assert ([*results.efficiency], texts(results)) == ([1], [])
 
 
-def test_a_direct_gear_is_one_body() -> None:
-    """The clutch makes sun and ring one piece; by Willis the carrier turns with them."""
-    case = train([(1, 2), (2, 0)], Gear([1]))
-    assert solve(case).gear(1).bodies == [0, 1, 1, 1]
-    assert case.bodies(case.gears[0]) == [0, 1, 1, 3]
+def test_links_that_turn_alike_are_one_body() -> None:
+    """By Willis the carrier turns with sun and ring, joined by a clutch or by a given speed.
 
-
-def test_what_stands_joins_no_bodies() -> None:
-    """Ring held: it is one piece with the housing by its brake, yet turns with no link."""
-    case = train([(1, 2), (2, 0)], Gear([2]))
-    assert solve(case).gear(1).bodies == [0, 1, 2, 3]
-    assert case.bodies(case.gears[0]) == [0, 1, 0, 3]
-
-
-def test_one_piece_by_its_speeds_is_one_body_without_a_clutch() -> None:
-    """The ring is turned at the speed of the sun."""
-    assert solve(train([], Gear(speeds={2: 1.0}))).gear(1).bodies == [0, 1, 1, 1]
-    assert solve(train([], Gear(speeds={2: 0.5}))).gear(1).bodies == [0, 1, 2, 3]
+    A ring that is held is one piece with the housing by its brake, yet turns with no link.
+    """
+    both = [(1, 2), (2, 0)]
+    for elements, gear, by_speeds, by_elements in (
+        (both, Gear([1]), [0, 1, 1, 1], [0, 1, 1, 3]),
+        (both, Gear([2]), [0, 1, 2, 3], [0, 1, 0, 3]),
+        ([], Gear(speeds={2: 1.0}), [0, 1, 1, 1], [0, 1, 2, 3]),
+        ([], Gear(speeds={2: 0.5}), [0, 1, 2, 3], [0, 1, 2, 3]),
+    ):
+        case = train(elements, gear)
+        assert solve(case).gear(1).bodies == by_speeds
+        assert case.bodies(case.gears[0]) == by_elements
 
 
 def test_bodies_that_are_joined_take_the_least_link() -> None:

@@ -185,21 +185,12 @@ def test_straight_ahead_with_sets_that_drag_is_a_note() -> None:
 
 def test_a_freewheel_that_cannot_support_the_input_is_no_reason() -> None:
     """Links 4, the input, and 5 are joined to nothing; the freewheel is on the held link 2."""
-    elements = [
-        ShiftElement(2, 0, "B"),
-        ShiftElement(3, 0, "D"),
-        ShiftElement(4, 1, "K"),
-        ShiftElement(2, 0, "F", "freewheel"),
-    ]
+    elements = [ShiftElement(2, 0, "B"), ShiftElement(3, 0, "D"), ShiftElement(4, 1, "K")]
+    elements.append(ShiftElement(2, 0, "F", "freewheel"))
     sets = [Mechanism(1, 2, 3, -2.0)]
     case = Transmission(4, elements, sets, [Gear([1, 2])], input=4, output=3)
-    told = texts(solve(case))
-    assert told[-1] == (
-        "warning: no torques are in equilibrium: nothing supports the torque of the input"
-    )
-
-
-# -- usual gears ---------------------------------------------------------------------------
+    said = "warning: no torques are in equilibrium: nothing supports the torque of the input"
+    assert texts(solve(case))[-1] == said
 
 
 @pytest.mark.slow

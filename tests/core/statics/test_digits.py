@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seed_ranges, seeded
 from tests.core.statics.test_against_oracle import _disagreements as differences
 from tests.oracle import gears as oracle
 from tests.oracle import linear, losses, systems
@@ -58,9 +58,7 @@ def test_the_rounding_of_a_ratio_counts_too() -> None:
     assert reduced(1e-15)[0].startswith("1 digit of")
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(15), pytest.param(range(15, count(60, 400)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(15), range(15, count(60, 400)), pytest.mark.slow)
 def test_every_wrong_speed_is_told(seeds: range) -> None:
     """Random trains whose ratios are nearly 1, against exact fractions of their decimals."""
     wrong = 0
@@ -107,9 +105,7 @@ def nearly_singular(seed: int) -> Transmission:
 
 
 @pytest.mark.usefixtures("as_doubles")
-@pytest.mark.parametrize(
-    "seeds", [range(8), pytest.param(range(8, count(40, 320)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(8), range(8, count(40, 320)), pytest.mark.slow)
 def test_every_number_is_that_of_exact_arithmetic(seeds: range) -> None:
     for seed in seeds:
         case = nearly_singular(seed)
@@ -139,10 +135,7 @@ def of_one_ratio(seed: int) -> Transmission:
 
 
 @pytest.mark.usefixtures("as_doubles")
-@pytest.mark.parametrize(
-    "seeds",
-    [range(376, 386), pytest.param(range(1000, 1000 + count(400, 4000)), marks=pytest.mark.slow)],
-)
+@seed_ranges(range(376, 386), range(1000, 1000 + count(400, 4000)), pytest.mark.slow)
 def test_speeds_and_torques_of_nearly_one_ratio_are_those_of_fractions(seeds: range) -> None:
     """But for speeds of some units in the last place of the input's, which are those of ratios."""
     for seed in seeds:

@@ -197,8 +197,6 @@ def test_drag_of_0_is_none() -> None:
         assert all(same(getattr(one, name), getattr(other, name)) for name in ARRAYS), seed
 
 
-# -- reading, writing, checking ----------------------------------------------------------
-
 TEXT = """\
 links: [in, out]
 shift_elements:

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.chance import count, generator, seeded
+from tests.chance import count, generator, seed_ranges, seeded
 from tests.core.statics.batches import (
     KINDS,
     disagreements,
@@ -94,7 +94,6 @@ def test_two_freewheels() -> None:
 
 
 def pair(ratio: float = -1.0, first: int = 2, second: int = 0) -> Transmission:
-    """A gear pair with a freewheel at its output."""
     elements = [ShiftElement(first, second, "L", "freewheel")]
     return Transmission(2, elements, [Mechanism(1, 2, 0, ratio)], [Gear()])
 
@@ -166,9 +165,6 @@ def test_the_set_that_holds_is_one_whose_torques_balance() -> None:
     assert not other_way.holds.any()
     said = "nothing supports the torque of m2, because freewheel F overruns"
     assert said in texts(other_way, "both")[-1]
-
-
-# -- the input turns backward --------------------------------------------------------------
 
 
 def backward(case: Transmission) -> Transmission:
@@ -253,9 +249,6 @@ def test_plans_know_which_way_the_input_turns() -> None:
             assert solved(other, ratios=u).ratio[:, 0] == pytest.approx(u[:, 1])
 
 
-# -- random trains ----------------------------------------------------------------------
-
-
 def with_freewheels(seed: int) -> Transmission:
     """A random train, some of whose elements are freewheels; some inputs turn backward."""
     rng = seeded(seed)
@@ -331,9 +324,7 @@ def check_state(case: Transmission, results: Results, number: int) -> None:
     )
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(6), pytest.param(range(6, count(120, 400)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(6), range(6, count(120, 400)), pytest.mark.slow)
 def test_the_state_of_random_trains_is_one_that_trying_them_all_finds(seeds: range) -> None:
     """About one of 300 has a set of freewheels that turns the output, but can't balance it."""
     for seed in seeds:
@@ -349,9 +340,6 @@ def test_variants_hold_as_each_alone(seed: int) -> None:
     u = ratios(numbers, case, 12, KINDS[seed % len(KINDS)])
     assert not disagreements(case, u, None, range(4))
     assert not disagreements(case, u, efficiencies(numbers, case, 12, "any"), range(4))
-
-
-# -- reading, writing, checking ----------------------------------------------------------
 
 
 def test_yaml_and_json_keep_freewheels_and_a_deck_cannot() -> None:

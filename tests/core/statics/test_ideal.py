@@ -15,11 +15,8 @@ def test_drag_takes_from_the_torques_that_decide_the_signs_only() -> None:
     ideal = solve(PAIR).gear(2).ideal
     assert ideal.torques.on_first_link == pytest.approx([1, 4])
     assert ideal.torques_with_drag.on_first_link == pytest.approx([1, 4 - 0.1])
-
-
-def test_where_nothing_drags_there_is_one_set_of_torques() -> None:
-    ideal = solve(PAIR).gear(1).ideal
-    assert ideal.torques_with_drag is ideal.torques
+    undragged = solve(PAIR).gear(1).ideal
+    assert undragged.torques_with_drag is undragged.torques
 
 
 def test_a_set_that_hangs_on_the_input_carries_nothing() -> None:

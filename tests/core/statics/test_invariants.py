@@ -44,8 +44,6 @@ def test_renumbering_links_permutes_the_result(case: Transmission, rng: Random) 
 
 
 def renumbered(case: Transmission, new: Mapping[int, int]) -> Transmission:
-    """The same train with other numbers of links."""
-
     def keys(given: Mapping[int, Any]) -> dict[int, Any]:
         return {
             new[link]: value._replace(link=new[value.link]) if isinstance(value, SpeedOf) else value

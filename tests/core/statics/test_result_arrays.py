@@ -106,9 +106,6 @@ def test_every_array_of_results_has_its_values() -> None:
     assert list(map(str, gone)) == ["nan", "0.0"]  # what overflowed does not exist
 
 
-# -- planets -------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("losses", ["meshes", "reduced"])
 def test_planets_have_the_same_speeds_in_both_forms(losses: str) -> None:
     given = shown(AOD)["planet_speeds"].values

@@ -47,7 +47,6 @@ def by_device(results: Results, array: Floats) -> dict[str, list[float]]:
 
 
 def assert_agree(with_springs: Transmission, with_mechanisms: Transmission) -> None:
-    """Both have the same results, by the names of devices."""
     one, other = solve(with_springs), solve(with_mechanisms)
     for name in ALIKE:
         same(getattr(one, name), getattr(other, name))

@@ -1,7 +1,7 @@
 """The status of a gear: one for each kind of faulty gear, the same from state and arrays."""
 
 import math
-from typing import TypedDict, get_args
+from typing import Any, get_args
 
 import pytest
 
@@ -28,25 +28,12 @@ FAULTY = {
 }
 
 
-class Marks(TypedDict):
-    """The arguments of `statuses`."""
-
-    tied_up: bool
-    conflict: bool
-    output_speed: float
-    balanced: bool
-    locked: bool
-    undecided: bool
-
-
-SOUND: Marks = {
-    "tied_up": False,
-    "conflict": False,
+SOUND: dict[str, Any] = {
+    **dict.fromkeys(("tied_up", "conflict", "locked", "undecided"), False),
     "output_speed": 0.5,
     "balanced": True,
-    "locked": False,
-    "undecided": False,
 }
+"""Arguments of `statuses` for a gear without a fault."""
 
 
 @pytest.mark.parametrize("words", FAULTY)
@@ -60,20 +47,16 @@ def test_each_kind_of_faulty_gear_has_its_status(words: str) -> None:
     assert results.status(number).is_fault == (fails or words == "self-locking")
 
 
-def test_a_sound_gear_has_none() -> None:
+def test_a_sound_gear_has_none_but_where_a_search_was_cut_short() -> None:
     results = solve(train([(2, 0)], Gear([1])))
     assert results.status(1) == results.gear(1).status == OK
     assert statuses(**SOUND) == []
-
-
-def test_a_search_that_was_cut_short_is_told() -> None:
-    marks: Marks = {**SOUND, "undecided": True}
-    assert statuses(**marks) == [UNDECIDED]
+    assert statuses(**SOUND | {"undecided": True}) == [UNDECIDED]
 
 
 def test_what_explains_the_others_comes_first() -> None:
     """What is tied up turns nothing, balances nothing."""
-    marks: Marks = {**SOUND, "tied_up": True, "output_speed": math.nan, "balanced": False}
+    marks = SOUND | {"tied_up": True, "output_speed": math.nan, "balanced": False}
     assert [one.name for one in statuses(**marks)] == ["tied up", "open", "no torques"]
 
 

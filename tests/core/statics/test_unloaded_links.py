@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seed_ranges, seeded
 from tests.oracle import gears as oracle
 from tests.trains import random_ratio, random_train, shown
 from vstatics import Mechanism, ShiftElement, Transmission, solve
@@ -129,10 +129,7 @@ def is_unloaded(case: Transmission, exact: oracle.OracleGear) -> bool:
     return idle and exact.ideal_torques_exist and case.gear_output(gear) not in free
 
 
-@pytest.mark.parametrize(
-    "seeds",
-    [range(40), pytest.param(range(1000, 1000 + count(600, 3000)), marks=pytest.mark.slow)],
-)
+@seed_ranges(range(40), range(1000, 1000 + count(600, 3000)), pytest.mark.slow)
 def test_unloaded_links_are_those_of_exact_arithmetic(seeds: range) -> None:
     counts = Counter[str]()
     for seed in seeds:

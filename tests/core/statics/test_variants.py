@@ -7,6 +7,7 @@ import copy
 import threading
 from collections.abc import Sequence
 from dataclasses import fields, replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -39,13 +40,7 @@ from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import IdleConvention
 from vstatics.core.statics import variants
 
-CONVENTIONS: list[tuple[bool, IdleConvention]] = [
-    (False, "exact"),
-    (True, "exact"),
-    (False, "published"),
-    (True, "published"),
-]
-# -- variants together are variants alone ------------------------------------------------
+IDLE: tuple[IdleConvention, ...] = "exact", "published"
 
 
 @pytest.mark.slow
@@ -53,7 +48,7 @@ CONVENTIONS: list[tuple[bool, IdleConvention]] = [
 def test_shipped_cases(path: Path) -> None:
     case = vstatics.load(path)
     rng = generator(1)
-    for number, (coast, idle) in enumerate(CONVENTIONS):
+    for number, (idle, coast) in enumerate(product(IDLE, (False, True))):
         own = replace(case, coast=coast, idle=idle)
         u = ratios(rng, own, 3, ("ordinary", "near 1", "coincidences", "extreme")[number])
         assert not disagreements(own, u, efficiencies(rng, own, 3, LOSSES[number]))
@@ -115,9 +110,6 @@ def test_few_variants(count: int) -> None:
     for _ in range(8):
         u = ratios(rng, case, count, "ordinary")
         assert not disagreements(case, u, efficiencies(rng, case, count, "any"), [0])
-
-
-# -- numbers at the ends -----------------------------------------------------------------
 
 
 @pytest.mark.slow
@@ -195,9 +187,6 @@ def test_numbers_of_other_types_are_those_of_floats() -> None:
         case = Transmission(4, [ShiftElement(2)], sets, [Gear([1])])
         u = np.stack([np.full(8, float(whole)), np.linspace(-2.5, -2.0, 8)], axis=1)
         assert not disagreements(case, u)
-
-
-# -- whatever came before -------------------------------------------------------------
 
 
 @pytest.mark.slow
@@ -279,8 +268,6 @@ def test_threads_may_solve_at_the_same_time(monkeypatch: pytest.MonkeyPatch) -> 
         thread.join()
     assert not wrong
 
-
-# -- the key of plans ----------------------------------------------------------------------
 
 KEYED = Transmission(
     4,

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import yaml
 
-from tests.chance import count, seeded
+from tests.chance import count, seed_ranges, seeded
 from tests.commands import vstatics
 from tests.core.statics.batches import ARRAYS
 from tests.dragging import random_case
@@ -50,9 +50,7 @@ def alike(there: Path, here: Path) -> None:
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(4), pytest.param(range(4, count(150, 1500)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(4), range(4, count(150, 1500)), pytest.mark.slow)
 def test_each_drag_and_efficiency_keeps_its_place(seeds: range, tmp_path: Path) -> None:
     for seed in seeds:
         folder = tmp_path / str(seed)

@@ -24,7 +24,6 @@ CASE = """\
 links: [m, n]
 inertias: {m: 1, n: 1}
 springs: {k: {links: [m, housing], stiffness: 100}}
-gears: {g: []}
 """
 SCENARIO = "{case: mass.yaml, duration: DURATION, start: {speeds: {m: 1, n: 0}}}"
 LONG, SHORT = "1e9", "2"

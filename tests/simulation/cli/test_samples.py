@@ -17,7 +17,6 @@ LOCKS = 0.410054006
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    """A folder with case and scenario, the current one."""
     (folder / "set.yaml").write_bytes(CASE)
     (folder / "lock.yaml").write_bytes(SCENARIO)
 
@@ -58,9 +57,8 @@ def test_the_runs_are_written_and_give_the_same_statistics() -> None:
     assert [float(row["locks[brake]"]) for row in rows] == pytest.approx(times, rel=1e-11)
 
 
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
+def test_wrong_use_of_samples() -> None:
+    for options, said in (
         (["--seed", "1"], "--seed belongs to --samples."),
         (["--samples", "3", "--time-step", ".1"], "--time-step is for one run, without --samples."),
         (["--samples", "3", "-o", "out.md"], "--samples writes .csv .jsonl .ndjson .npz .parquet"),
@@ -68,12 +66,10 @@ def test_the_runs_are_written_and_give_the_same_statistics() -> None:
         (["--out", "jerks"], "--out asks for columns over time: expected -o with .csv .json"),
         (["--out", "jerks", "--method", "tarasik"], "--out is for the method `events`."),
         (["--samples", "0"], "0 is not in the range"),
-    ],
-)
-def test_wrong_use_of_samples(options: list[str], said: str) -> None:
-    shown = vstatics("simulate", "lock.yaml", *options)
-    assert shown.is_wrong_use(said)
-    assert not Path("out.md").exists()
+    ):
+        shown = vstatics("simulate", "lock.yaml", *options)
+        assert shown.is_wrong_use(said)
+        assert not Path("out.md").exists()
 
 
 def test_runs_that_cannot_be_are_counted() -> None:
@@ -116,9 +112,8 @@ def test_two_processes_give_what_one_gives() -> None:
     assert two == one
 
 
-@pytest.mark.parametrize(
-    ("options", "status", "said"),
-    [
+def test_mistakes_in_a_sweep_of_a_scenario() -> None:
+    for options, status, said in (
         (["--vary", "duratio=1,2"], 1, "has a key `duratio`; did you mean `duration`?"),
         (["--vary", "duration=1,2", "--out", "gears"], 1, "a run has no table `gears`"),
         (["--vary", "duration=1,2", "--coast"], 2, "--coast is for a case"),
@@ -127,13 +122,11 @@ def test_two_processes_give_what_one_gives() -> None:
             2,
             "cannot determine the format of set.yaml",
         ),
-    ],
-)
-def test_mistakes_in_a_sweep_of_a_scenario(options: list[str], status: int, said: str) -> None:
-    shown = vstatics("sweep", "lock.yaml", *options)
-    assert (shown.status, shown.out) == (status, "")
-    assert said in shown.err
-    assert Path("set.yaml").read_bytes() == CASE
+    ):
+        shown = vstatics("sweep", "lock.yaml", *options)
+        assert (shown.status, shown.out) == (status, "")
+        assert said in shown.err
+        assert Path("set.yaml").read_bytes() == CASE
 
 
 def test_a_case_that_is_not_there_is_told_where_it_is_named() -> None:

@@ -19,7 +19,6 @@ from vstatics.simulation import run as module
 
 CASE = """\
 name: one set
-links: [in, ring, "out, too"]
 inertias: {in: 0.5, ring: 0.7, "out, too": 0.8}
 mechanisms: {set: {first: in, second: ring, third: "out, too", ratio: -1.5}}
 shift_elements: {brake: [ring, housing], clutch: [in, ring]}
@@ -37,7 +36,6 @@ LOCKS = 0.410054006
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    """A folder with case and scenario, the current one."""
     (folder / "box.yaml").write_text(CASE, encoding="utf-8")
     (folder / "lock.yaml").write_text(SCENARIO, encoding="utf-8")
 
@@ -140,25 +138,20 @@ def test_a_case_on_the_command_line_replaces_that_of_the_scenario() -> None:
     assert said.gives_nothing("<stdin>:1:1: error: `case` is missing: give the file of the case")
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "said"),
-    [
+def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:
+    for old, new, said in (
         ("brake: 120", "brakes: 120", "4:12: error: controls: read 'brakes', expected the name"),
         ("box.yaml", "bax.yaml", "1:7: error: bax.yaml cannot be read: No such file"),
         ("box.yaml", '"b\\0x"', "1:7: error: b\\u0000x cannot be read: "),
         ("in: 500 rpm", "in: 500 rpm, ring: 100", "3:"),
         ("in: 500 rpm, ", "", "3:"),
-    ],
-)
-def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written(
-    old: str, new: str, said: str
-) -> None:
-    Path("lock.yaml").write_text(SCENARIO.replace(old, new), encoding="utf-8")
-    shown = vstatics("simulate", "lock.yaml", "-o", "out.csv")
-    assert shown.gives_nothing()
-    assert shown.err.startswith(f"lock.yaml:{said}")
-    assert ("did you mean `box.yaml`?" in shown.err) == (new == "bax.yaml")
-    assert names() == ["box.yaml", "lock.yaml"]
+    ):
+        Path("lock.yaml").write_text(SCENARIO.replace(old, new), encoding="utf-8")
+        shown = vstatics("simulate", "lock.yaml", "-o", "out.csv")
+        assert shown.gives_nothing()
+        assert shown.err.startswith(f"lock.yaml:{said}")
+        assert ("did you mean `box.yaml`?" in shown.err) == (new == "bax.yaml")
+        assert names() == ["box.yaml", "lock.yaml"]
 
 
 @pytest.mark.parametrize("form", ["json", "csv", "text"])

@@ -117,7 +117,6 @@ class Smooth(NamedTuple):
 
 
 def smooth(rng: Random) -> Smooth:
-    """A random scenario."""
     many = Writer(rng)
     states, tables = many.states(), many.tables
     controls = {"C": many.formula(many.capacity, rng.choice([0, 1, 1, 2]))}
@@ -240,7 +239,6 @@ def integrated(given: Smooth) -> np.ndarray:
 
 
 def _integrated(given: Smooth, method: Any, tolerance: float, most: float) -> np.ndarray:
-    """Speeds at the end by a solver of scipy."""
     change, calls = _equations(given), count()
 
     def counted(t: float, y: np.ndarray, numbers: dict[str, float]) -> list[float]:
@@ -310,7 +308,6 @@ def _plain(text: str, slips: Mapping[str, str], link: str = "") -> str:
 
 
 def _straight(points: Sequence[tuple[float, float]], at: float) -> float:
-    """Interpolate linearly between points, with the end values outside."""
     before, value = points[0]
     if at <= before:
         return value

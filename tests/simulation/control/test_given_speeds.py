@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded
-from tests.simulation.control.written import faults, simulated, written
+from tests.simulation.control.written import DOG, faults, simulated, written
 from vstatics import CaseError, loads, solve
 from vstatics.simulation import Motion, simulate
 
@@ -30,13 +30,8 @@ torques: {e: 7}
 
 def test_an_impact_leaves_a_given_speed_and_counts_the_work_of_its_impulse() -> None:
     """3 kg*m^2 are taken to 90 rad/s: half of what the drive gives is lost."""
-    case = """links: [e, o]
-inertias: {e: 2, o: 3}
-shift_elements: {D: {links: [e, o], kind: dog_clutch}}
-gears: {g: [D]}
-"""
     start = "duration: 1\nstart: {speeds: {o: 0}}\nspeeds: {e: 90}\n"
-    motion = simulated(f"{start}controls: {{D: {{dog: [[0.5, closed]]}}}}\n", case)
+    motion = simulated(f"{start}controls: {{D: {{dog: [[0.5, closed]]}}}}\n", DOG)
     assert motion.speeds[-1].tolist() == pytest.approx([90.0, 90.0])
     assert motion.energy.impact == pytest.approx(0.5 * 3 * 90**2)
     assert motion.energy.work == pytest.approx(3 * 90**2)
@@ -55,8 +50,7 @@ def test_a_mistake_is_told() -> None:
 
 
 def test_speeds_that_contradict_each_other_or_are_tied_are_told() -> None:
-    pair = """links: [a, b]
-inertias: {a: 2, b: 3}
+    pair = """inertias: {a: 2, b: 3}
 mechanisms: {pair: {first: a, second: b, ratio: 2}}
 """
     text = "duration: 1\nstart: {speeds: {a: 10}}\nspeeds: {%s}\n"
@@ -66,8 +60,7 @@ mechanisms: {pair: {first: a, second: b, ratio: 2}}
         simulate(written(text % "a: 10, b: 5", pair))
 
 
-HYDRO = """links: [a, b]
-inertias: {{a: 2, b: 3}}
+HYDRO = """inertias: {{a: 2, b: 3}}
 mechanisms: {{hydro: {{kind: variator, first: a, second: b, speed_ratio: .2, efficiency: {eta!r}}}}}
 """
 

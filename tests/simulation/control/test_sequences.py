@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.simulation.control.written import faults, simulated, steps_of, written
+from tests.simulation.control.written import DOG, faults, simulated, steps_of, written
 from vstatics.core.errors import path_text
 from vstatics.simulation import simulate
 
@@ -35,14 +35,12 @@ TIMED = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("sequences", "expected"), TIMED)
-def test_steps_are_done_in_their_order_and_time(
-    sequences: str, expected: list[tuple[str, int, float]]
-) -> None:
-    motion = simulated(f"{REST}set: {{a: 0, b: 0}}\nsequences:\n  {sequences}\n")
-    assert [(one.element, one.step) for one in motion.events] == [one[:2] for one in expected]
-    times = [one[2] for one in expected]
-    assert [one.time for one in motion.events] == pytest.approx(times, abs=1e-9)
+def test_steps_are_done_in_their_order_and_time() -> None:
+    for sequences, expected in TIMED:
+        motion = simulated(f"{REST}set: {{a: 0, b: 0}}\nsequences:\n  {sequences}\n")
+        assert [(one.element, one.step) for one in motion.events] == [one[:2] for one in expected]
+        times = [one[2] for one in expected]
+        assert [one.time for one in motion.events] == pytest.approx(times, abs=1e-9)
 
 
 def test_what_is_not_true_in_time_stops_the_run_and_names_its_step() -> None:
@@ -105,11 +103,6 @@ gears: {"1": [L], "2": [C]}
 
 def test_a_dog_clutch_closes_and_opens_by_steps() -> None:
     """Equal parts of the momentum, 2*90/5 rad/s, then the engine is alone again."""
-    case = """links: [e, o]
-inertias: {e: 2, o: 3}
-shift_elements: {D: {links: [e, o], kind: dog_clutch}}
-gears: {g: [D]}
-"""
     motion = simulated(
         """duration: 3
 start: {speeds: {e: 80, o: 0}}
@@ -117,7 +110,7 @@ torques: {e: 20}
 sequences:
   join: [{when: "speed('e') > 90", dog: {D: closed}}, {wait: 1, dog: {D: open}}]
 """,
-        case,
+        DOG,
     )
     joined = 2 * 90 / 5
     assert motion.energy.impact == pytest.approx(0.5 * 2 * 90**2 - 0.5 * 5 * joined**2)

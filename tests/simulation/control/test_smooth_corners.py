@@ -125,8 +125,7 @@ JUMPS_OF_LIMITS = [
 @pytest.mark.parametrize("text", JUMPS_OF_LIMITS)
 def test_an_undamped_limit_that_jumps_with_its_own_motion_is_reported(text: str) -> None:
     """On each side of the jump, the twist goes to the other side at once."""
-    case = """links: [wheel, road]
-inertias: {wheel: 1.2, road: 40}
+    case = """inertias: {wheel: 1.2, road: 40}
 springs: {tyre: {links: [wheel, road], stiffness: 20000}}
 """
     start = "duration: 2\nstart: {speeds: {wheel: 0, road: 0}}\n"

@@ -9,12 +9,13 @@ from vstatics.core import readers
 from vstatics.simulation import Motion, Scenario, simulate
 from vstatics.simulation.scenario.file import read_scenario
 
-TWO_WHEELS = """links: [e, o]
-inertias: {e: 2, o: 3}
+TWO_WHEELS = """inertias: {e: 2, o: 3}
 shift_elements: {C: {links: [e, o]}}
 gears: {g: [C]}
 """
 """An engine, an output, and a clutch between."""
+DOG = TWO_WHEELS.replace("C", "D").replace("{links: [e, o]}", "{links: [e, o], kind: dog_clutch}")
+"""The same with a dog clutch."""
 
 
 def written(scenario: str, case: str = TWO_WHEELS) -> Scenario:

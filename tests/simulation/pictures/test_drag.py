@@ -23,7 +23,6 @@ from vstatics.simulation.pictures.gears import ShiftPhase, element_sets, gear_pi
 from vstatics.simulation.report.runs.record import recorded
 
 BOX = """
-links: [in, ring, out]
 inertias: {{in: 0.3, ring: 0.05, out: 7}}
 mechanisms:
   set: {{first: in, second: ring, third: out, ratio: -1.5, efficiency: 0.98}}

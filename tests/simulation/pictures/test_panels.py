@@ -55,7 +55,6 @@ class Shown(NamedTuple):
 
 
 def parsed(svg: str | bytes) -> ET.Element:
-    """A picture that we made ourselves."""
     return ET.fromstring(svg)  # noqa: S314
 
 

@@ -173,15 +173,13 @@ J_IN = {
 """Of figure 2, calculated apart: gear -> time [s] -> [kg*m^2]."""
 
 
-@pytest.mark.parametrize(
-    ("gear", "time", "inertia"), [(g, t, j) for g, row in J_IN.items() for t, j in row.items()]
-)
-def test_inertia_at_the_input(gear: int, time: float, inertia: float) -> None:
+def test_inertia_at_the_input() -> None:
     """Gear 1: 500 - 10t and 30t rpm; gear 2: 1500 - 10t and 600 + 20t rpm."""
-    masses = masses_of_set()
-    fast, slow = (500, 0) if gear == 1 else (1500, 600)
-    speeds = (fast - 10 * time, slow + (30 if gear == 1 else 20) * time)
-    assert masses.input_inertia(*speeds) == pytest.approx(inertia, abs=6e-7)
+    for gear, time, inertia in [(g, t, j) for g, row in J_IN.items() for t, j in row.items()]:
+        masses = masses_of_set()
+        fast, slow = (500, 0) if gear == 1 else (1500, 600)
+        speeds = (fast - 10 * time, slow + (30 if gear == 1 else 20) * time)
+        assert masses.input_inertia(*speeds) == pytest.approx(inertia, abs=6e-7)
 
 
 def test_points_a_and_c() -> None:
@@ -197,7 +195,6 @@ def test_points_a_and_c() -> None:
 
 
 def masses_of_set() -> TwoMasses:
-    """The planetary set with its brake as the clutch."""
     scenario = first_gear()
     system = motion_system(scenario, programmes(scenario, ()), None)
     return two_masses(system, (0, 1), (), 0)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import count, each_seed, seeded
 from tests.simulation.control.written import TWO_WHEELS, written
 from tests.simulation.runs import random_run
 from vstatics import CaseError
@@ -13,13 +13,12 @@ from vstatics.simulation.record.answer import AskedAnswer
 from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.row_names import rows_of_kind
 
-WHEEL = "links: [o]\ninertias: {o: 2}\ngears: {g: []}\n"
+WHEEL = "inertias: {o: 2}\n"
 OSCILLATOR = """links: [m, o]
 inertias: {o: 2}
 springs:
   soft: {links: [m, housing], stiffness: 300 N*m/rad}
   hard: {links: [o, m], stiffness: 600 N*m/rad}
-gears: {g: []}
 """
 """2 kg*m^2 on two springs in a row, of 200 N*m/rad together; the link between has no inertia."""
 AT_REST = "start: {speeds: {o: 0}}"
@@ -88,7 +87,7 @@ def test_springs_have_heat_of_their_friction_and_of_limits() -> None:
     """Two wheels at given 3 rad/s on springs to the housing: 7 N*m that rub, 50 N*m that slip."""
     motion, [rubbed, slipped] = asked(
         "duration: 2\nstart: {speeds: {e: 3, o: 3}}\nspeeds: {e: 3, o: 3}\nlimits: {s: 50}",
-        "links: [e, o]\ninertias: {e: 2, o: 2}\ngears: {g: []}\nsprings:\n"
+        "inertias: {e: 2, o: 2}\nsprings:\n"
         "  r: {links: [e, housing], stiffness: 100 N*m/rad, friction: 7 N*m}\n"
         "  s: {links: [o, housing], stiffness: 100 N*m/rad}\n",
         "heat[r]",
@@ -100,7 +99,7 @@ def test_springs_have_heat_of_their_friction_and_of_limits() -> None:
 
 def test_a_vehicle_goes_by_its_radius_and_rolling_takes_of_the_power() -> None:
     """90 kg*m^2 are 1000 kg on .3 m, which roll with .01 g: F = m a."""
-    case = "links: [o]\ninertias: {o: 90}\ngears: {g: []}\n"
+    case = "inertias: {o: 90}\n"
     road = "{road: {mass: 1000, radius: 0.3, rolling: 0.01}}"
     columns = [f"vehicle_{one}[o]" for one in ("speed", "acceleration", "jerk")]
     motion, [speed, acceleration, jerk, power] = asked(
@@ -131,7 +130,7 @@ def test_columns_of_a_control_are_its_states_and_temperatures() -> None:
     _, [state, temperature] = asked(
         "duration: 2\nstart: {speeds: {o: 20}}\nspeeds: {o: 20}\ncontrols: {B: 30}\n"
         "states: {x: {start: 1, rate: 2}}",
-        "links: [o]\ninertias: {o: 1}\ngears: {g: []}\n"
+        "inertias: {o: 1}\n"
         "shift_elements: {B: {links: [o, housing], friction: {heat_capacity: 50 J/K, "
         "cooling: 0, ambient: 20}}}\n",
         "states[x]",
@@ -141,29 +140,22 @@ def test_columns_of_a_control_are_its_states_and_temperatures() -> None:
     assert (temperature[0], temperature[-1]) == pytest.approx((20.0, 44.0), rel=1e-8)
 
 
-SET = """links: [sun, ring, carrier]
-inertias: {sun: 0.5, ring: 0.7, carrier: 0.8}
+SET = """inertias: {sun: 0.5, ring: 0.7, carrier: 0.8}
 mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -1.5}}
-gears: {g: []}
 """
 
 
-@pytest.mark.parametrize(
-    ("sun", "carrier", "printed"),
-    [
+def test_the_reduced_inertia_is_that_of_all_links_but_the_output() -> None:
+    """Tarasik, figure 2: J_a + J_b (w_b/w_a)^2 by (3), at speeds that are given over time."""
+    for sun, carrier, printed in (
         ((500, 200), (0, 900), {0: 0.811111, 1: 0.723162, 2: 0.647049, 3: 0.584538, 5: 0.508642}),
         ((1500, 1200), (600, 1200), {0: 0.5, 5: 0.513317, 10: 0.557143, 20: 0.765089, 30: 1.2}),
-    ],
-)
-def test_the_reduced_inertia_is_that_of_all_links_but_the_output(
-    sun: tuple[int, int], carrier: tuple[int, int], printed: dict[int, float]
-) -> None:
-    """Tarasik, figure 2: J_a + J_b (w_b/w_a)^2 by (3), at speeds that are given over time."""
-    given = [f"[[0, {begin} rpm], [30, {end} rpm]]" for begin, end in (sun, carrier)]
-    text = f"duration: 30\nspeeds: {{sun: {given[0]}, carrier: {given[1]}}}"
-    motion, [reduced] = asked(text, SET, "reduced_inertia[]", step=1)
-    for time, inertia in printed.items():
-        assert reduced[motion.time == time] == pytest.approx(inertia, abs=6e-7)
+    ):
+        given = [f"[[0, {begin} rpm], [30, {end} rpm]]" for begin, end in (sun, carrier)]
+        text = f"duration: 30\nspeeds: {{sun: {given[0]}, carrier: {given[1]}}}"
+        motion, [reduced] = asked(text, SET, "reduced_inertia[]", step=1)
+        for time, inertia in printed.items():
+            assert reduced[motion.time == time] == pytest.approx(inertia, abs=6e-7)
 
 
 def test_it_does_not_exist_while_the_input_stands() -> None:
@@ -173,13 +165,13 @@ def test_it_does_not_exist_while_the_input_stands() -> None:
     assert np.isfinite(reduced[1:]).all()
 
 
-CONVERTER = "links: [p, t]\ninertias: {p: 1, t: 1}\ngears: {g: []}\n"
+CONVERTER = "inertias: {p: 1, t: 1}\n"
 POINTS = "[[0, 2.5, 0.003], [1, 1, 0], [1.5, 1, -0.001]]"
 
 
-@pytest.mark.parametrize(
-    ("pump", "turbine", "expected"),
-    [
+def test_a_converter_tells_its_ratios_and_what_its_turbine_gives() -> None:
+    """Speed ratio w_T/w_P; power out by power in: K i, 1/(K i) in overrun, 0 where both take it."""
+    for pump, turbine, expected in (
         # K = 2.5 - 1.5 i and lambda = .003 (1 - i) between the points; by hand
         (200, 140, (0.7, 0.7 * 1.45, 0.0009 * 200**2, 1.45)),
         (200, 0, (0.0, 0.0, 0.003 * 200**2, 2.5)),
@@ -187,51 +179,41 @@ POINTS = "[[0, 2.5, 0.003], [1, 1, 0], [1.5, 1, -0.001]]"
         (200, 200, (1.0, 1.0, 0.0, 1.0)),
         (-200, -140, (0.7, 0.7 * 1.45, -0.0009 * 200**2, 1.45)),
         (200, -20, (-0.1, 0.0, 0.003 * 200**2, 2.5)),
-    ],
-)
-def test_a_converter_tells_its_ratios_and_what_its_turbine_gives(
-    pump: float, turbine: float, expected: tuple[float, float, float, float]
-) -> None:
-    """Speed ratio w_T/w_P; power out by power in: K i, 1/(K i) in overrun, 0 where both take it."""
-    ratio, efficiency, taken, factor = expected
-    motion, found = asked(
-        f"duration: 1\nstart: {{speeds: {{p: {pump}, t: {turbine}}}}}\n"
-        f"speeds: {{p: {pump}, t: {turbine}}}\n"
-        f"converters: {{TC: {{links: [p, t], points: {POINTS}}}}}",
-        CONVERTER,
-        "ratio[TC]",
-        "efficiency[TC]",
-    )
-    torques = dict(zip(motion.devices, motion.torques[-1], strict=True))
-    assert [one[-1] for one in found] == pytest.approx([ratio, efficiency], abs=1e-12)
-    assert torques["TC"] == pytest.approx(taken, abs=1e-9)
-    assert torques["TC.turbine"] == pytest.approx(factor * taken, abs=1e-9)
-    # each torque holds its link at a given speed
-    assert torques["p"] == pytest.approx(taken, abs=1e-9)
-    assert torques["t"] == pytest.approx(-factor * taken, abs=1e-9)
+    ):
+        ratio, efficiency, taken, factor = expected
+        motion, found = asked(
+            f"duration: 1\nstart: {{speeds: {{p: {pump}, t: {turbine}}}}}\n"
+            f"speeds: {{p: {pump}, t: {turbine}}}\n"
+            f"converters: {{TC: {{links: [p, t], points: {POINTS}}}}}",
+            CONVERTER,
+            "ratio[TC]",
+            "efficiency[TC]",
+        )
+        torques = dict(zip(motion.devices, motion.torques[-1], strict=True))
+        assert [one[-1] for one in found] == pytest.approx([ratio, efficiency], abs=1e-12)
+        assert torques["TC"] == pytest.approx(taken, abs=1e-9)
+        assert torques["TC.turbine"] == pytest.approx(factor * taken, abs=1e-9)
+        # each torque holds its link at a given speed
+        assert torques["p"] == pytest.approx(taken, abs=1e-9)
+        assert torques["t"] == pytest.approx(-factor * taken, abs=1e-9)
 
 
-@pytest.mark.parametrize(
-    "home",
-    [
+def test_a_converter_of_the_case_has_the_same_columns() -> None:
+    """K i = (2.5 - 1.5 i) i; the turbine gives K lambda w_P^2."""
+    text = "duration: 1\nspeeds: {p: 200, t: 140}"
+    for home in (
         f"converters: {{TC: {{links: [p, t], points: {POINTS}}}}}",
         "mechanisms: {TC: {kind: converter, first: p, second: t, speed_ratio: 0.7, "
         f"points: {POINTS}}}}}",
-    ],
-)
-def test_a_converter_of_the_case_has_the_same_columns(home: str) -> None:
-    """K i = (2.5 - 1.5 i) i; the turbine gives K lambda w_P^2."""
-    text, case = "duration: 1\nspeeds: {p: 200, t: 140}", f"{CONVERTER}{home}\n"
-    assert "TC.turbine" in rows_of_kind("device", written(text, case))
-    motion, found = asked(text, case, "ratio[TC]", "efficiency[TC]")
-    assert [one[-1] for one in found] == pytest.approx([0.7, 0.7 * 1.45])
-    given = motion.torques[-1, motion.devices.index("TC.turbine")]
-    assert given == pytest.approx(1.45 * 0.0009 * 200**2)
+    ):
+        assert "TC.turbine" in rows_of_kind("device", written(text, f"{CONVERTER}{home}\n"))
+        motion, found = asked(text, f"{CONVERTER}{home}\n", "ratio[TC]", "efficiency[TC]")
+        assert [one[-1] for one in found] == pytest.approx([0.7, 0.7 * 1.45])
+        given = motion.torques[-1, motion.devices.index("TC.turbine")]
+        assert given == pytest.approx(1.45 * 0.0009 * 200**2)
 
 
-PACK = """links: [o]
-inertias: {o: 2}
-gears: {g: []}
+PACK = """inertias: {o: 2}
 shift_elements:
   A: {links: [o, housing]}
   B: {links: [o, housing], friction: {coefficient: 0.1, radius: 0.1, area: 0.02, surfaces: 4}}
@@ -241,19 +223,17 @@ shift_elements:
 def test_a_column_without_values_gets_a_warning() -> None:
     """Of two brakes one has an area; a column of the other is NaN throughout."""
     scenario = "duration: 1\nstart: {speeds: {o: 9}}\ncontrols: {A: 3, B: 1000 Pa}"
-    for columns in (("heat_per_area[B]",), ("heat[A]", "heat_per_area[B]")):
-        assert [one.id for one in asked(scenario, PACK, *columns)[0].messages] == []
+
+    def said(*columns: str, case: str = PACK) -> list[tuple[str, str]]:
+        return [(one.id, one.text) for one in asked(scenario, case, *columns)[0].messages]
+
+    assert said("heat_per_area[B]") == said("heat[A]", "heat_per_area[B]") == []
+    assert said("heat_per_area[A]", case=f"{PACK}allow: [W896]\n") == []
+    missing = "has no value; give an `area` in `friction` of the shift element"
     for columns in (("heat_per_area[A]",), ("slip_power_per_area[A]", "heat_per_area[B]")):
-        [message] = asked(scenario, PACK, *columns)[0].messages
-        table = columns[0]
-        assert (message.id, message.text) == (
-            "W896",
-            f"column {table} has no value; give an `area` in `friction` of the shift element",
-        )
-    [both] = asked(scenario, PACK, "heat_per_area[A]", "slip_power_per_area[A]")[0].messages
-    assert both.text.startswith("columns heat_per_area[A], slip_power_per_area[A] have no value")
-    allowed = f"{PACK}allow: [W896]\n"
-    assert [*asked(scenario, allowed, "heat_per_area[A]")[0].messages] == []
+        assert said(*columns) == [("W896", f"column {columns[0]} {missing}")]
+    [(_, both)] = said("heat_per_area[A]", "slip_power_per_area[A]")
+    assert both.startswith("columns heat_per_area[A], slip_power_per_area[A] have no value")
 
 
 def test_slip_power_and_heat_by_the_area_of_a_pack() -> None:
@@ -284,10 +264,7 @@ def test_what_there_is_not_is_told() -> None:
         assert caught.value.problems[0].message == said
 
 
-@pytest.mark.parametrize(
-    "seed",
-    with_marked(range(2), range(2, count(6, 40)), pytest.mark.slow),
-)
+@each_seed(range(2), range(2, count(6, 40)), pytest.mark.slow)
 def test_changes_are_those_of_the_speeds_and_powers_are_work(seed: int) -> None:
     """Between instants v grows by (a0 + a1) h/2 - (j1 - j0) h^2/12: Euler and Maclaurin."""
     scenario = random_run(seeded(seed), losses=True)

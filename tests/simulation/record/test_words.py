@@ -144,8 +144,7 @@ def test_a_step_of_a_sequence_has_a_word_as_all_events() -> None:
     assert [(one.event, one.word, one.step) for one in motion.events] == [("step", "step", 1)]
 
 
-AXLE = """links: [in, out]
-inertias: {{in: 1, out: 5}}
+AXLE = """inertias: {{in: 1, out: 5}}
 mechanisms: {{g: {{first: in, second: out, ratio: {ratio!r}}}}}
 """
 
@@ -167,19 +166,14 @@ def test_a_note_says_that_the_output_turns_opposite_to_its_target(seed: int) -> 
 
 
 def test_a_link_that_slows_down_towards_its_target_has_no_note() -> None:
-    motion = simulated(
-        "duration: 1\nstart: {speeds: {in: -10}}\ntorques: {in: 1}\ntargets: {out: 90}\n",
-        AXLE.format(ratio=4),
-    )
-    assert not motion.messages
+    text = "duration: 1\nstart: {speeds: {in: -10}}\ntorques: {in: 1}\ntargets: {out: 90}\n"
+    assert not simulated(text, AXLE.format(ratio=4)).messages
 
 
 def test_a_run_is_a_data_frame_with_the_columns_of_its_file() -> None:
     pytest.importorskip("pandas")
-    motion = simulated(
-        "duration: 1\nstart: {speeds: {in: 0}}\ntorques: {in: 21}\n", AXLE.format(ratio=4)
-    )
-    frame = motion.to_dataframe()
+    text = "duration: 1\nstart: {speeds: {in: 0}}\ntorques: {in: 21}\n"
+    frame = simulated(text, AXLE.format(ratio=4)).to_dataframe()
     assert list(frame) == ["speeds[in]", "speeds[out]", "torques[g]"]
     assert (frame.index.name, frame.index[-1]) == ("time", 1.0)
     assert frame["speeds[out]"].iloc[-1] == pytest.approx(4 * 21 / (16 + 5))

@@ -20,9 +20,8 @@ def test_a_normal_one_has_the_quantiles_of_the_normal_distribution() -> None:
     np.testing.assert_allclose(numbers, expected, rtol=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("one", "mean", "deviation"),
-    [
+def test_mean_and_deviation() -> None:
+    for one, mean, deviation in (
         (Distribution(normal=(262.0, 6.0)), 262.0, 6.0),
         (Distribution(uniform=(1.0, 3.0)), 2.0, 2 / math.sqrt(12)),
         # the mean of a lognormal is exp(m + s^2/2), its deviation that times sqrt(exp(s^2) - 1)
@@ -31,12 +30,10 @@ def test_a_normal_one_has_the_quantiles_of_the_normal_distribution() -> None:
             math.exp(-0.78 + 0.25**2 / 2),
             math.exp(-0.78 + 0.25**2 / 2) * math.sqrt(math.expm1(0.25**2)),
         ),
-    ],
-)
-def test_mean_and_deviation(one: Distribution, mean: float, deviation: float) -> None:
-    numbers = one.quantiles(PARTS)
-    assert numbers.mean() == pytest.approx(mean, rel=1e-4)
-    assert numbers.std() == pytest.approx(deviation, rel=2e-3)
+    ):
+        numbers = one.quantiles(PARTS)
+        assert numbers.mean() == pytest.approx(mean, rel=1e-4)
+        assert numbers.std() == pytest.approx(deviation, rel=2e-3)
 
 
 def test_numbers_beyond_a_bound_are_the_bound() -> None:

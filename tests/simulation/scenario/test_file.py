@@ -29,7 +29,6 @@ from vstatics.simulation.scenario.programme import newton_metres
 from vstatics.simulation.system.devices import drags
 
 CASE = b"""
-links: [in, front ring, wheel]
 inertias: {in: 0.5, front ring: 0.7, wheel: 0.8}
 mechanisms: {set: {first: in, second: front ring, third: wheel, ratio: -1.5}}
 load: {torque: 100 N*m}
@@ -254,7 +253,6 @@ gears: {"1": [B 1]}
 
 def test_capacities_and_drag_with_a_unit_need_no_load_where_there_are_inertias() -> None:
     case = b"""
-links: [a, b]
 inertias: {a: 1, b: 3}
 shift_elements: {C: {links: [a, b], capacity: 20 N*m, drag: 2 N*m}}
 gears: {"1": {engaged: [C]}}

@@ -11,9 +11,8 @@ from vstatics.simulation import Formula
 from vstatics.simulation.scenario.formula import read_formula
 
 
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
+def test_values() -> None:
+    for text, expected in (
         ("182*(1 - exp(-60*t))", 182 * (1 - math.exp(-30))),
         ("-1200*tanh(speed/0.05)", -1200 * math.tanh(-7 / 0.05)),
         ("84e-5*speed^2", 84e-5 * 49),
@@ -30,12 +29,10 @@ from vstatics.simulation.scenario.formula import read_formula
         ("sqrt(speed)", math.nan),
         ("10^400", math.inf),
         ("min(1/0, 5)", 5.0),
-    ],
-)
-def test_values(text: str, expected: float) -> None:
-    value = Formula(text).function(0.5, -7.0, 3.0)
-    assert value == pytest.approx(expected, rel=1e-14, abs=1e-14, nan_ok=True)
-    assert type(value) is float
+    ):
+        value = Formula(text).function(0.5, -7.0, 3.0)
+        assert value == pytest.approx(expected, rel=1e-14, abs=1e-14, nan_ok=True)
+        assert type(value) is float
 
 
 def test_what_it_has() -> None:
@@ -45,24 +42,20 @@ def test_what_it_has() -> None:
     assert len({Formula("t"), Formula("t")}) == 1
 
 
-@pytest.mark.parametrize(
-    ("text", "times"),
-    [
+def test_where_it_bends_or_jumps() -> None:
+    for text, times in (
         ("min(t/0.3, 1)*9000", (0.3,)),
         ("100*(1 < t <= 2) + sign(3 - t)", (1.0, 2.0, 3.0)),
         ("max(-t*4 + 8, t - 2, 1)", (1.75, 2.0, 3.0)),
         ("abs(2*pi*t - 4*pi)", (2.0,)),
         ("min(t^2, 4) + min(speed, t) + min(1, 2) + abs(t - t)", (-2.0, 2.0)),
         ("t < 1e308*10", ()),
-    ],
-)
-def test_where_it_bends_or_jumps(text: str, times: tuple[float, ...]) -> None:
-    assert Formula(text).breaks == pytest.approx(times)
+    ):
+        assert Formula(text).breaks == pytest.approx(times)
 
 
-@pytest.mark.parametrize(
-    ("text", "column", "message"),
-    [
+def test_mistakes() -> None:
+    for text, column, message in (
         ("2*tt", 3, "read `tt`, expected a formula of t, speed and angle"),
         ("tanch(speed)", 1, "no function `tanch`, expected abs, min, max, sqrt, exp, tanh"),
         ("t.real", 1, "read `t.real`, expected a number, t, speed or angle, or a function"),
@@ -76,15 +69,13 @@ def test_where_it_bends_or_jumps(text: str, times: tuple[float, ...]) -> None:
         ("(" * 60 + "t", 51, "more than 50 brackets are open"),
         ("0<" + "(0<" * 20 + "t" + "<1)" * 20, 32, "read too many nested comparisons, expected"),
         ("1" * 3000, 1, "read 3000 characters"),
-    ],
-)
-def test_mistakes(text: str, column: int, message: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        read_formula(Excerpt(text, "formula"))
-    [problem] = caught.value.problems
-    assert message in problem.message
-    assert problem.place is not None
-    assert problem.place.column == column
+    ):
+        with pytest.raises(ReadError) as caught:
+            read_formula(Excerpt(text, "formula"))
+        [problem] = caught.value.problems
+        assert message in problem.message
+        assert problem.place is not None
+        assert problem.place.column == column
 
 
 def test_a_control_is_a_formula_of_time_alone() -> None:
@@ -93,9 +84,8 @@ def test_a_control_is_a_formula_of_time_alone() -> None:
     assert read_formula(Excerpt(" 3*t ", "FH"), ["t"]) == Formula("3*t")
 
 
-@pytest.mark.parametrize(
-    ("text", "jumps"),
-    [
+def test_jumps_over_the_speed() -> None:
+    for text, jumps in (
         ("-100*sign(speed)", (0.0,)),
         ("100*(2*speed < 600)", (300.0,)),
         ("100*(abs(speed) < 300)", (-300.0, 300.0)),
@@ -111,23 +101,19 @@ def test_a_control_is_a_formula_of_time_alone() -> None:
         ("100*(speed < 3*t)", ()),
         ("100*(angle < 5)", ()),
         ("100*(t < 5)", ()),
-    ],
-)
-def test_jumps_over_the_speed(text: str, jumps: tuple[float, ...]) -> None:
-    assert Formula(text).jumps("speed") == pytest.approx(jumps)
+    ):
+        assert Formula(text).jumps("speed") == pytest.approx(jumps)
 
 
-@pytest.mark.parametrize(
-    ("low", "high", "speed"), [(-9e9, -300, -400), (-300, 300, 8), (300, 9e9, 301)]
-)
-def test_between_jumps_a_formula_is_what_it_is_there(low: float, high: float, speed: float) -> None:
+def test_between_jumps_a_formula_is_what_it_is_there() -> None:
     """And goes on so beyond, where steps of an integration may ask for it."""
-    whole = Formula("t*speed*(abs(speed) < 300) - 7*sign(speed + 300)")
-    piece = whole.between("speed", low, high)
-    assert piece.function(2.0, speed, 0.0) == whole.function(2.0, speed, 0.0)
-    assert piece.jumps("speed") == ()
-    slope = piece.function(2.0, 1000.0, 0.0) - piece.function(2.0, 0.0, 0.0)
-    assert slope == (2000.0 if low == -300 else 0.0)
+    for low, high, speed in ((-9e9, -300, -400), (-300, 300, 8), (300, 9e9, 301)):
+        whole = Formula("t*speed*(abs(speed) < 300) - 7*sign(speed + 300)")
+        piece = whole.between("speed", low, high)
+        assert piece.function(2.0, speed, 0.0) == whole.function(2.0, speed, 0.0)
+        assert piece.jumps("speed") == ()
+        slope = piece.function(2.0, 1000.0, 0.0) - piece.function(2.0, 0.0, 0.0)
+        assert slope == (2000.0 if low == -300 else 0.0)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,6 @@ import pytest
 from tests.commands import Said, vstatics
 
 CASE = """\
-links: [in, out]
 inertias: {in: 1, out: 2}
 shift_elements: {C: {links: [in, out], capacity: 60 N*m}}
 springs: {S: {links: [out, housing], stiffness: 1e3, damping: 0.1}}
@@ -75,7 +74,7 @@ LARGEST = "expected 1e+15 at most"
     ("old", "new", "place", "told"),
     [
         # 1e-13 of the largest: its speed would have no certain digit
-        ("in: 1,", "in: 1e-13,", "case.yaml:2:12: error: inertias.in: read 1e-13, expected at",
+        ("in: 1,", "in: 1e-13,", "case.yaml:1:12: error: inertias.in: read 1e-13, expected at",
          "the largest inertia, 2: leave it out"),
         *(("in: 15", f"in: {law}", TORQUE, ", expected a number")
           for law in ("1/0", '"1/0"', '"0/0"', '"15/(t - t)"', '"exp(1e4)"')),

@@ -15,25 +15,20 @@ from vstatics.simulation.scenario.parts import ControlState
 REST = "duration: 1\nstart: {speeds: {e: 5, o: 0}}\ncontrols: {C: 0}\n"
 
 
-@pytest.mark.parametrize(
-    ("given", "expected"),
-    [
+def test_w_is_the_speed_with_its_sign_but_where_it_is_something_else() -> None:
+    """2 dw/dt = -0.4 w; from -5 rad/s where its sign counts."""
+    for given, expected in (
         ('torques: {e: "-0.4*w"}', 5 * math.exp(-0.2)),
         ('torques: {e: "-0.4*speed"}', 5 * math.exp(-0.2)),
         ('torques: {e: "0.4*abs(w) - 0.8*w"}', 5 * math.exp(-0.2)),
         # a number or a state of the name w stays what it is: 2 dw/dt = 2 t
         ('numbers: {w: 3}\ntorques: {e: "w - speed"}', 3 + 2 * math.exp(-1 / 2)),
         ('states: {w: {rate: "2 + 0*w"}}\ntorques: {e: w}', 5 + 1 / 2),
-    ],
-)
-def test_w_is_the_speed_with_its_sign_but_where_it_is_something_else(
-    given: str, expected: float
-) -> None:
-    """2 dw/dt = -0.4 w; from -5 rad/s where its sign counts."""
-    assert simulated(f"{REST}{given}\n").speeds[-1, 0] == pytest.approx(expected)
-    if "-0.4" in given:
-        back = simulated(f"{REST}{given}\n".replace("{e: 5", "{e: -5"))
-        assert back.speeds[-1, 0] == pytest.approx(-expected)
+    ):
+        assert simulated(f"{REST}{given}\n").speeds[-1, 0] == pytest.approx(expected)
+        if "-0.4" in given:
+            back = simulated(f"{REST}{given}\n".replace("{e: 5", "{e: -5"))
+            assert back.speeds[-1, 0] == pytest.approx(-expected)
 
 
 def test_from_python_w_is_the_speed_and_no_state() -> None:
@@ -79,16 +74,14 @@ def test_a_wrong_drag_is_refused_with_the_name_of_the_variable() -> None:
             loads(LOSSY % drag)
 
 
-@pytest.mark.parametrize(
-    "drag", ['"0.5 + 0.1*w"', '"0.5 + 0.1*abs(speed)"', "[[0, 0.5], [100, 10.5]]"]
-)
-def test_a_shaft_with_a_drag_over_its_speed_needs_no_load_in_a_run(drag: str) -> None:
+def test_a_shaft_with_a_drag_over_its_speed_needs_no_load_in_a_run() -> None:
     """dw/dt = 1 - 0.5 - 0.1 w, so w(1 s) = 5 (1 - exp(-0.1)); statics still asks for the load."""
-    case = f"links: [a]\ninertias: {{a: 1}}\ndrag: {{a: {drag}}}\n"
-    motion = simulated("duration: 1\nstart: {speeds: {a: 0}}\ntorques: {a: 1}\n", case)
-    assert motion.speeds[-1, 0] == pytest.approx(5 * (1 - math.exp(-0.1)), rel=1e-6)
-    with pytest.raises(CaseError, match="expected a `load` with both"):
-        solve(loads(case))
+    for drag in ('"0.5 + 0.1*w"', '"0.5 + 0.1*abs(speed)"', "[[0, 0.5], [100, 10.5]]"):
+        case = f"links: [a]\ninertias: {{a: 1}}\ndrag: {{a: {drag}}}\n"
+        motion = simulated("duration: 1\nstart: {speeds: {a: 0}}\ntorques: {a: 1}\n", case)
+        assert motion.speeds[-1, 0] == pytest.approx(5 * (1 - math.exp(-0.1)), rel=1e-6)
+        with pytest.raises(CaseError, match="expected a `load` with both"):
+            solve(loads(case))
 
 
 CASE = "{links: [wheel, other], inertias: {wheel: 90, other: 1}}"

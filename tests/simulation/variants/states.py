@@ -9,7 +9,6 @@ from vstatics.sweep import runs
 
 
 def write_scenario(folder: Path) -> None:
-    """Write a scenario with its case."""
     (folder / "set.yaml").write_bytes(CASE)
     (folder / "lock.yaml").write_bytes(SCENARIO)
 

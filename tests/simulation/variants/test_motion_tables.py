@@ -40,16 +40,14 @@ VALUES = np.zeros((1, 0))
 
 
 def value(text: str) -> float:
-    """The one value of an expression."""
     tables = MotionTables(MOTION, SUBJECT.rows)
     calculated = read_expression(text, SUBJECT, [], "--out")(tables, VALUES)
     assert calculated.shape == (1,)
     return float(calculated[0])
 
 
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
+def test_expressions_speak_of_a_run() -> None:
+    for text, expected in (
         ("speeds[carrier]", 24.0),  # what runs along time is told at the end
         ("last(speeds[carrier])", 24.0),
         ("speeds[sun] - speeds[carrier]", 36.0),
@@ -80,11 +78,9 @@ def value(text: str) -> float:
         ("heat[brake] > 800 and locks[brake] < .5", 1.0),
         ("duration + controls.brake.1.2", 120.6),
         ("mechanisms.set.ratio", -1.5),
-    ],
-)
-def test_expressions_speak_of_a_run(text: str, expected: float) -> None:
-    text = text.replace("[lock-up]", '["lock-up"]')
-    assert value(text) == pytest.approx(expected, rel=1e-12, nan_ok=True)
+    ):
+        quoted = text.replace("[lock-up]", '["lock-up"]')
+        assert value(quoted) == pytest.approx(expected, rel=1e-12, nan_ok=True)
 
 
 def test_a_table_has_a_column_for_each_row() -> None:
@@ -107,9 +103,8 @@ def test_a_table_has_a_column_for_each_row() -> None:
     assert np.isnan(without).all()
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
+def test_mistakes_are_told() -> None:
+    for text, said in (
         ("heet[brake]", "a run has no table `heet`; did you mean `heat`?"),
         ("brake", "a run has no table `brake`; a name goes in brackets: heat[brake]"),
         ("gears[1]", "a run has no table `gears`"),
@@ -121,12 +116,10 @@ def test_a_table_has_a_column_for_each_row() -> None:
         ("speeds + heat", "`speeds` has one value per link and `heat` one per friction"),
         ("controls.brake.scale", "`controls.brake.scale` is not written in the document"),
         ("duratio.x", "has a key `duratio`; did you mean `duration`?"),
-    ],
-)
-def test_mistakes_are_told(text: str, said: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        read_expression(text, SUBJECT, [], "--out")
-    assert said in str(caught.value)
+    ):
+        with pytest.raises(ReadError) as caught:
+            read_expression(text, SUBJECT, [], "--out")
+        assert said in str(caught.value)
 
 
 def test_what_is_asked_of_runs_is_calculated_of_them_and_steps_have_their_times() -> None:

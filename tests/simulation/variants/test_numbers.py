@@ -12,9 +12,8 @@ from vstatics.sweep.variants.subject import Document
 from vstatics.sweep.variants.variation import read_variation
 
 
-@pytest.mark.parametrize(
-    ("text", "name", "value"),
-    [
+def test_a_path_names_a_number_of_the_scenario_or_its_case() -> None:
+    for text, name, value in (
         ("duration", "duration", 0.6),
         ("controls.brake.1.2", "controls.brake.1.2", 120.0),
         ("controls.brake.points.1.2", "controls.brake.points.1.2", 120.0),
@@ -27,16 +26,12 @@ from vstatics.sweep.variants.variation import read_variation
         ("set.ratio", "mechanisms.set.ratio", -1.5),
         ('controls."lock-up".scale', "controls.lock-up.scale", None),
         ("shift_elements.brake.static", "shift_elements.brake.static", None),
-    ],
-)
-def test_a_path_names_a_number_of_the_scenario_or_its_case(
-    text: str, name: str, value: float | None
-) -> None:
-    varied = subject()
-    path = varied.target(text)
-    assert path.name == name
-    if value is not None:
-        assert varied.written_number(path, None) == value
+    ):
+        varied = subject()
+        path = varied.target(text)
+        assert path.name == name
+        if value is not None:
+            assert varied.written_number(path, None) == value
 
 
 def test_a_variant_is_the_documents_with_other_numbers() -> None:
@@ -76,9 +71,8 @@ gears: {"1": [B]}
     assert teeth.variant([path], [90.0]).scenario.case.mechanisms[0].ratio == -3.0
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
+def test_what_there_is_not_is_told_with_its_place() -> None:
+    for text, said in (
         ("control.brake.1.2=1,2", "a key `control`; did you mean `controls`?"),
         ("controls.brake.2.1=1,2", "1:16: error: read `2`, expected the number of an item, 1 to 1"),
         ("controls.lock-up=1,2", "`controls.lock-up` is a formula, '0*t', expected a number"),
@@ -88,13 +82,11 @@ gears: {"1": [B]}
         ("duration [s]=1 min,2", "read values in min, expected them in s"),
         ("duration", "read `duration` without values, expected duration="),
         ("D9.ratio=1,2", "neither the scenario nor its case has a key `D9`"),
-    ],
-)
-def test_what_there_is_not_is_told_with_its_place(text: str, said: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        read_variation(text, subject())
-    assert said in str(caught.value)
-    assert caught.value.problems[0].place is not None
+    ):
+        with pytest.raises(ReadError) as caught:
+            read_variation(text, subject())
+        assert said in str(caught.value)
+        assert caught.value.problems[0].place is not None
 
 
 def test_a_unit_may_stand_behind_some_values_and_holds_for_all() -> None:

@@ -30,7 +30,6 @@ SLIP = 500 * math.pi / 30 / 1.5
 
 
 def rows(*vary: str, scenario: bytes = SCENARIO, **more: Any) -> Chunk:
-    """All variants of a sweep of the scenario."""
     plan = build.plan(subject(scenario), SweepOptions.of(vary=vary, **{"out": OUT, **more}))
     return calculate(plan, 0, plan.variants.count)
 
@@ -224,20 +223,15 @@ def test_without_deviation_samples_are_the_run_itself() -> None:
     assert heat.tolist() == [[simulate(subject().own.scenario).energy.heat["brake"]]] * 2
 
 
-@pytest.mark.parametrize(
-    ("before", "after", "said"),
-    [
+def test_a_sample_of_a_number_that_there_is_not_is_told() -> None:
+    for before, after, said in (
         (b"controls.brake.scale", b"controls.brak.scale", "no `brak` in `controls`"),
         (b"torques.sun:", b"torques.son:", "did you mean `sun`?"),
-    ],
-)
-def test_a_sample_of_a_number_that_there_is_not_is_told(
-    before: bytes, after: bytes, said: str
-) -> None:
-    with pytest.raises(ReadError) as caught:
-        drawn(SCENARIO.replace(before, after), 2)
-    assert said in str(caught.value)
-    assert "lock.yaml:" in str(caught.value)
+    ):
+        with pytest.raises(ReadError) as caught:
+            drawn(SCENARIO.replace(before, after), 2)
+        assert said in str(caught.value)
+        assert "lock.yaml:" in str(caught.value)
 
 
 def test_a_scenario_without_samples_says_so() -> None:

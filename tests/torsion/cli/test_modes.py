@@ -89,7 +89,6 @@ def test_a_reduction_in_json_is_that_of_the_library() -> None:
 def test_what_has_no_value_has_an_empty_cell_and_the_reason() -> None:
     """Two shafts in line: their casing takes no reaction."""
     text = """\
-links: [in, out, casing]
 inertias: {in: 1, out: 2, casing: 3}
 mechanisms: {direct: {first: in, second: out, third: casing, ratio: 1, stiffness: 800}}
 springs: {mount: {links: [casing, housing], stiffness: 50}}

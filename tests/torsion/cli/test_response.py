@@ -24,12 +24,12 @@ output: mass
 """
 """It is hit at 40 rad/s."""
 HIT = 40 * 30 / math.pi
+OF_MASS = ("response", "--at", "mass", "--orders", "1", "--speed")
 CSV = ["table", "gear", "order", "mode", "speed", "row", "value"]
 
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    """A folder with a table, the current one."""
     (folder / "engine.csv").write_text(TABLE, encoding="utf-8")
 
 
@@ -117,8 +117,7 @@ def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
 
 
 def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
-    call = ("response", "--at", "mass", "--orders", "1", "--speed")
-    damped = MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
+    call, damped = OF_MASS, MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
     told = said(*call, "100:400:4", text=MASS).err
     assert f"note: gear 1: nothing damps the resonance at {HIT:.6g} rpm" in told
     for text in (MASS, damped):
@@ -129,12 +128,12 @@ def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
 
 
 def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
-    call = ("response", "--at", "mass", "--orders", "1", "--speed")
+    call = OF_MASS
     [gear] = document(*call, f"{HIT!r},100", "--sum", text=MASS)["gears"]
-    assert gear["orders"][0]["amplitudes"]["mass"][0] is None
-    assert gear["orders"][0]["torques"]["mount"][0] is None
+    [order] = gear["orders"]
+    assert order["amplitudes"]["mass"][0] is order["torques"]["mount"][0] is None
     assert gear["sum"]["torques"]["mount"]["largest"][0] is None
-    assert gear["orders"][0]["amplitudes"]["mass"][1] is not None
+    assert order["amplitudes"]["mass"][1] is not None
     shown = said(*call, f"{HIT!r},100", text=MASS).out
     assert "100.0" in shown.partition("largest amplitudes")[2]
     only_hit = said(*call, repr(HIT), text=MASS)

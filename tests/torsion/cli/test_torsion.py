@@ -48,7 +48,6 @@ each_call = pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    """A folder with the case, the current one."""
     (folder / "box.yaml").write_text(GOOD, encoding="utf-8")
 
 
@@ -182,7 +181,7 @@ def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
     why = "tied up: A and B let nothing move; release one of the engaged shift elements"
     assert (answer.status, free["rigid_modes"], stuck.keys()) == (1, 1, {"name", "error"})
     assert stuck["error"].startswith(why)
-    told = "<stdin>:5:19: error: gear stuck: tied up: A and B let nothing move"
+    told = "<stdin>:4:19: error: gear stuck: tied up: A and B let nothing move"
     assert told in answer.err
     for call in (("simplify", "--links", "2"), ("identify", "--omega", "5")):
         assert said(*call, "--gear", "stuck", "-f", "json", text=STUCK).gives_nothing(told)

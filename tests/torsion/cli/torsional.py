@@ -30,7 +30,6 @@ gears:
 """
 """A gearbox whose casing takes the reactions; its third gear holds the input."""
 STUCK = """\
-links: [a, b]
 inertias: {a: 4, b: 1}
 springs: {s: {links: [a, b], compliance: 1}}
 shift_elements: {A: [a, housing], B: [b, housing]}
@@ -69,7 +68,6 @@ def asked(command: str, *options: object, text: str = BOX) -> Said:
 
 
 def document(command: str, *options: object, text: str = BOX) -> Any:
-    """The JSON of a command."""
     return said(command, *options, "-f", "json", text=text).json
 
 

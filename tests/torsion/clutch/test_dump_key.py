@@ -46,15 +46,13 @@ def test_what_may_be_left_out() -> None:
     assert made.link == made.J2[0]
 
 
-@pytest.mark.parametrize(
-    "torque", ["M_phi: 1.4 kN*m", "M_phi: .inf", "M_phi: null", "M_phi: 1, E: 84e-5"]
-)
-def test_it_comes_back_from_what_is_written(torque: str) -> None:
-    case = loads(CASE.replace("M_phi: 1.4 kN*m", torque))
-    for text in (named.write_yaml(case), named.write_json(case)):
-        assert loads(text) == case
-        assert "inf" not in text.lower()
-    assert Transmission.from_dict(named.mapping(case)) == case
+def test_it_comes_back_from_what_is_written() -> None:
+    for torque in ("M_phi: 1.4 kN*m", "M_phi: .inf", "M_phi: null", "M_phi: 1, E: 84e-5"):
+        case = loads(CASE.replace("M_phi: 1.4 kN*m", torque))
+        for text in (named.write_yaml(case), named.write_json(case)):
+            assert loads(text) == case
+            assert "inf" not in text.lower()
+        assert Transmission.from_dict(named.mapping(case)) == case
 
 
 def test_the_schema_takes_what_is_read_and_written() -> None:
@@ -76,9 +74,8 @@ def test_no_result_depends_on_it_and_a_deck_tells_that_it_loses_it() -> None:
     assert "dump" not in lost(without)
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "at", "message"),
-    [
+def test_what_is_wrong_is_told_with_its_place() -> None:
+    for old, new, at, message in (
         (f"{{{DUMP}}}", "[1]", "[1]", "dump: read a list, expected a mapping with `J1`, `J2`"),
         ("[engine]", "[engin]", "engin]", "dump.J1[1]: read 'engin', expected the name of a link"),
         ("[engine]", "[housing]", "hous", "dump.J1[1]: read 0 (the housing), expected a link"),
@@ -102,17 +99,15 @@ def test_no_result_depends_on_it_and_a_deck_tells_that_it_loses_it() -> None:
         ("to: shaft", "to: 0", "0}", "dump.to: read 0 (the housing), expected a link number from"),
         ("to: shaft", "E: 0", "0}", "dump.E: read 0, expected a number above 0"),
         ("to: shaft", "E: 1 N*m/rad", "1 N", "dump.E: read '1 N*m/rad', expected a compliance in"),
-    ],
-)
-def test_what_is_wrong_is_told_with_its_place(old: str, new: str, at: str, message: str) -> None:
-    start = CASE.index("dump:")
-    text = CASE[:start] + CASE[start:].replace(old, new, 1)
-    with pytest.raises(ReadError) as caught:
-        loads(text)
-    [problem] = caught.value.problems
-    assert message in str(problem)
-    assert problem.place is not None
-    assert problem.place.text[problem.place.column - 1 :].startswith(at)
+    ):
+        start = CASE.index("dump:")
+        text = CASE[:start] + CASE[start:].replace(old, new, 1)
+        with pytest.raises(ReadError) as caught:
+            loads(text)
+        [problem] = caught.value.problems
+        assert message in str(problem)
+        assert problem.place is not None
+        assert problem.place.text[problem.place.column - 1 :].startswith(at)
 
 
 def test_a_dump_in_a_drawn_case() -> None:

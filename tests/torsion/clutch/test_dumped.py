@@ -27,6 +27,7 @@ def test_table_3_8() -> None:
     for line in TABLE_3_8:
         made = dump(line.given)
         assert made.case == line.case, line
+        assert ("by 42 %" in "".join(map(str, made.messages))) == (made.case == "V2"), line
         own = (made.max_torque, made.input_shaft_torque)
         simplified = (made.max_torque_simplified, made.input_shaft_torque_simplified)
         of_line = zip((*own, *simplified), line.torques, strict=True)

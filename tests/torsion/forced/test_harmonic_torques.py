@@ -23,19 +23,17 @@ def one_mass(damping: Damping | float) -> Transmission:
     return mounted(damping, 800.0, 0.5)
 
 
-@pytest.mark.parametrize(
-    ("damping", "factor"), [(6.0, lambda w: 6j * w), (Damping(loss_factor=0.1), lambda _: 80j)]
-)
-def test_one_mass(damping: Damping | float, factor: object) -> None:
+def test_one_mass() -> None:
     """``q = 1/(c - J w^2 + i w d)``, torque ``(c + i w d) q``."""
-    [gear] = response(one_mass(damping), 1, [Harmonic(2.0, 3.0, 0.5)], SPEEDS)
-    omega = 2 * RAD_PER_RPM * gear.speeds
-    assert 190.98 < np.setdiff1d(gear.speeds, SPEEDS) < 190.99
-    rate = 800 + np.array([factor(w) for w in omega])  # type: ignore[operator]
-    expected = 3 * np.exp(0.5j) / (rate - 0.5 * omega**2)
-    [order] = gear.orders
-    np.testing.assert_allclose(order.amplitudes["1"], expected, rtol=1e-13)
-    np.testing.assert_allclose(order.torques["mount"], rate * expected, rtol=1e-13)
+    for damping, factor in ((6.0, lambda w: 6j * w), (Damping(loss_factor=0.1), lambda _: 80j)):
+        [gear] = response(one_mass(damping), 1, [Harmonic(2.0, 3.0, 0.5)], SPEEDS)
+        omega = 2 * RAD_PER_RPM * gear.speeds
+        assert 190.98 < np.setdiff1d(gear.speeds, SPEEDS) < 190.99
+        rate = 800 + np.array([factor(w) for w in omega])
+        expected = 3 * np.exp(0.5j) / (rate - 0.5 * omega**2)
+        [order] = gear.orders
+        np.testing.assert_allclose(order.amplitudes["1"], expected, rtol=1e-13)
+        np.testing.assert_allclose(order.torques["mount"], rate * expected, rtol=1e-13)
 
 
 @given(branched(damped=True))
@@ -237,9 +235,8 @@ def test_a_table_of_torques() -> None:
 HEADS = b"order,amplitude\n"
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
+def test_a_fault_of_a_table_is_told_with_its_line() -> None:
+    for text, message in (
         (b"order\n2\n", "1:1: error: `amplitude [N*m]` is missing, expected a table"),
         (b"order,torque\n", "1:1: error: read the heading 'torque', expected `order`, `amplitude"),
         (HEADS, "1:1: error: read no row below the headings, expected a table of"),
@@ -251,9 +248,7 @@ HEADS = b"order,amplitude\n"
         (HEADS + b"2,1,5\n", "2:1: error: read 3 cells, expected 2"),
         (HEADS + b"2," + b"1" * 140_000, "2:1: error: amplitude: read '1111"),
         (b"", "1:1: error: the file is empty, expected a table of orders"),
-    ],
-)
-def test_a_fault_of_a_table_is_told_with_its_line(text: bytes, message: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        read_torque_table(text, "engine.csv")
-    assert any(str(one).startswith(f"engine.csv:{message}") for one in caught.value.problems)
+    ):
+        with pytest.raises(ReadError) as caught:
+            read_torque_table(text, "engine.csv")
+        assert any(str(one).startswith(f"engine.csv:{message}") for one in caught.value.problems)

@@ -47,7 +47,6 @@ class Mark(NamedTuple):
 
 
 def tree(svg: bytes) -> ET.Element:
-    """A picture that was just drawn."""
     return ET.fromstring(svg)  # noqa: S314 - our own, not from anywhere else
 
 
@@ -61,7 +60,6 @@ def marks(svg: bytes, kind: str) -> list[Mark]:
 
 
 def drawn(results: Results, kind: str, style: Style = PAPER, *gears: int) -> bytes:
-    """A picture as SVG."""
     return render(results, kind, "svg", style, gears)
 
 

@@ -45,15 +45,10 @@ def tied() -> Results:
     """A set of which one gear holds a link too many."""
     brakes = [ShiftElement(2, name="B"), ShiftElement(3, name="C")]
     gears = [Gear([1], name="low"), Gear([1, 2], name="both")]
-    springs = [
-        Spring({3: 1}, stiffness=50.0, name="mount", damping=2.0),
-        Spring({1: 1}, stiffness=50.0, name="first"),
-        Spring({1: 1}, stiffness=20.0, name="second"),
-    ]
-    mechanisms = [Mechanism(1, 2, 3, -2.0, name="set")]
-    return solve(
-        Transmission(3, brakes, mechanisms, gears, springs=springs, inertias={1: 1.0, 3: 10.0})
-    )
+    springs = [Spring({3: 1}, 50.0, name="mount", damping=2.0), Spring({1: 1}, 50.0, name="first")]
+    springs.append(Spring({1: 1}, 20.0, name="second"))
+    sets, inertias = [Mechanism(1, 2, 3, -2.0, name="set")], {1: 1.0, 3: 10.0}
+    return solve(Transmission(3, brakes, sets, gears, springs=springs, inertias=inertias))
 
 
 ODD = {
@@ -85,10 +80,10 @@ def texts(results: Results, kind: str, *gears: int) -> list[str]:
 
 def test_a_mode_has_its_frequencies_and_shares() -> None:
     """Two equal masses: omega^2 = 2 c/J, half of the energy of motion in each."""
-    shown = texts(chain(2, stiffness=500.0), "modes")
+    figure = picture(chain(2, stiffness=500.0), "modes", Style())
+    shown = drawn.texts(figure)
     assert "mode 1    15.92 Hz    100.0 rad/s" in shown
     assert shown.count("50%") == 2
-    figure = picture(chain(2, stiffness=500.0), "modes", Style())
     bars = {said: one.get_facecolor() for said, one in drawn.titled(figure) if "%" in said}
     assert [bars[f"m {link}: 50%"] for link in (1, 2)] == [to_rgba(one) for one in COLOURS[:2]]
     assert shown.count("100%") == 1

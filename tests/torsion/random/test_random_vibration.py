@@ -95,15 +95,10 @@ def made(random: Random, lossy: bool) -> Transmission:
     links = random.randint(2, 4)
     springs = []
     for n in range(1, links + 1):
-        viscous = random.uniform(0.4, 1.5)
+        viscous, loss = random.uniform(0.4, 1.5), random.choice([0.0, 0.2]) * lossy
+        damping = Damping(viscous=viscous, loss_factor=loss)
         twist = {n: 1, n + 1: -1} if n < links else {n: 1}
-        loss = random.choice([0.0, 0.2]) * lossy
-        springs.append(
-            Spring(
-                twist, stiffness=10 ** random.uniform(1, 2.5), name=f"c{n}",
-                damping=Damping(viscous=viscous, loss_factor=loss),
-            )
-        )  # fmt: skip
+        springs.append(Spring(twist, 10 ** random.uniform(1, 2.5), damping=damping, name=f"c{n}"))
     inertias = {n: 10 ** random.uniform(-1, 0.5) for n in range(1, links + 1)}
     if links > 2 and random.random() < 0.4:
         del inertias[2]
@@ -203,6 +198,24 @@ def test_a_converter_stills_what_would_drift() -> None:
     assert gear.devices["shaft"].twist_rms ** 2 == pytest.approx(exact, rel=1e-7)
     assert math.isnan(gear.links["1"].rms)
     assert gear.links["1"].velocity_rms > 0
+
+
+def test_masses_behind_a_damper_alone_have_velocities_but_no_angles() -> None:
+    """By quadrature: a shaft of 300 N*m/rad moves them through 2 N*m*s/rad, so that they drift."""
+    springs = [Spring({1: 1, 2: -1}, 300.0), Spring({2: 1, 3: -1}, damping=2.0)]
+    springs.append(Spring({3: 1, 4: -1}, 200.0, damping=1.0))
+    case = Transmission(4, [], [], [], springs=springs, inertias={3: 0.5, 4: 0.8})
+    [gear] = random_vibration(case, 1, White(2.5), by="motion")
+
+    def squared(omega: float) -> Array:
+        [moved] = answers(case, 0, True, np.array([omega]))
+        made: Array = 2 * 2.5 * omega**2 * np.abs(moved[2:]) ** 2
+        return made
+
+    integral, *_ = quad_vec(squared, 0, float(np.inf), epsrel=1e-9)
+    links = [gear.links[name] for name in "34"]
+    assert [one.velocity_rms**2 for one in links] == pytest.approx(integral.tolist(), rel=1e-7)
+    assert np.isnan([one.rms for one in links]).all()
 
 
 @needs("vehicle")

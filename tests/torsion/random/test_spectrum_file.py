@@ -28,9 +28,8 @@ def test_numbers_may_have_units() -> None:
     assert points == SpectrumPoints(((0.0, 1.0), (2.0, 3.0)))
 
 
-@pytest.mark.parametrize(
-    ("text", "place", "message"),
-    [
+def test_a_fault_is_told_at_its_place() -> None:
+    for text, place, message in (
         ("{}", "1:1", "read none of them, expected one of"),
         ("{white: 1, points: [[0, 1], [1, 2]]}", "1:1", "read `white` and `points`"),
         ("{white: 1, speed: 3}", "1:1", "read `speed` with `white`"),
@@ -47,13 +46,11 @@ def test_numbers_may_have_units() -> None:
         ("{points: [[0, 1], [1, -2]]}", "1:23", "a spectrum of 0 or more at a point"),
         ("{points: [[-1, 1], [1, 2]]}", "1:12", "an omega of 0 or more"),
         ("{points: [[1, 1], [1, 2]]}", "1:20", "an omega above 1"),
-    ],
-)
-def test_a_fault_is_told_at_its_place(text: str, place: str, message: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        read_spectrum(text.encode(), "input.yaml")
-    assert f"input.yaml:{place}: " in str(caught.value)
-    assert message in str(caught.value)
+    ):
+        with pytest.raises(ReadError) as caught:
+            read_spectrum(text.encode(), "input.yaml")
+        assert f"input.yaml:{place}: " in str(caught.value)
+        assert message in str(caught.value)
 
 
 def test_a_road_in_numbers() -> None:

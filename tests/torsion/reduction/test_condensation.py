@@ -16,7 +16,6 @@ Twist = dict[int, float]
 
 
 def light(inertias: list[float], *springs: tuple[Twist, float]) -> TorsionScheme:
-    """A scheme; its springs are a, b, c."""
     return TorsionScheme(
         tuple(str(mass) for mass, _ in enumerate(inertias)),
         tuple(inertias),

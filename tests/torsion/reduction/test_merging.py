@@ -1,7 +1,6 @@
 """Masses that turn as one: inertias and stiffnesses by C^T J C and C^T K C, equal branches."""
 
 import re
-from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -19,7 +18,6 @@ from vstatics.torsion.reduction.scheme import (
 
 
 def fork(left: float = 1.0) -> TorsionScheme:
-    """Two branches on one mass."""
     ends = {"s": (0, 1, 0.5), "l": (1, 2, 1.0), "r": (1, 3, 1.0)}
     springs = [SchemeSpring(name, {a: 1, b: -1}, e) for name, (a, b, e) in ends.items()]
     return TorsionScheme(("a", "b", "l", "r"), (4.0, 2.0, left, 1.0), tuple(springs))
@@ -65,9 +63,8 @@ def test_a_merged_mass_has_a_name_to_merge_it_again() -> None:
     assert found.scheme.inertias == (4.0, 6.0)
 
 
-@pytest.mark.parametrize(
-    ("remove", "merge", "message"),
-    [
+def test_what_is_no_pair() -> None:
+    for remove, merge, message in (
         ([], ["l+x"], "read `l+x` to merge"),
         ([], ["l"], "expected two links of the scheme as `A+B`"),
         ([], ["l+l"], "read `l+l` to merge"),
@@ -75,8 +72,6 @@ def test_a_merged_mass_has_a_name_to_merge_it_again() -> None:
         (["l"], ["l+r"], "read `l+r` to merge"),
         ([], ["l+r", "l+b"], "read `l+b` to merge"),
         (["l", "r", "b", "a"], ["l+r"], "links to remove"),
-    ],
-)
-def test_what_is_no_pair(remove: Sequence[str], merge: Sequence[str], message: str) -> None:
-    with pytest.raises(CaseError, match=re.escape(message)):
-        simplify_merging(fork(), 1, None, remove, merge)
+    ):
+        with pytest.raises(CaseError, match=re.escape(message)):
+            simplify_merging(fork(), 1, None, remove, merge)

@@ -14,7 +14,6 @@ from vstatics.torsion.reduction.scheme import (
 
 
 def masses(*inertias: float) -> tuple[tuple[str, ...], tuple[float, ...]]:
-    """Names and inertias."""
     return tuple(f"m{number}" for number, _ in enumerate(inertias)), inertias
 
 

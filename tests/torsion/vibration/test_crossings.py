@@ -38,7 +38,6 @@ def test_a_sweep_takes_the_numbers_of_its_first_variant_in_every_piece() -> None
 
 
 def side_by_side(one: Transmission, other: Transmission) -> Transmission:
-    """Two trains in one case."""
     springs = [*one.springs]
     for spring in other.springs:
         twist = {link + one.links: part for link, part in spring.form.items()}

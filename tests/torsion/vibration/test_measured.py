@@ -1,7 +1,7 @@
 """Compliances and dampings from a measured mode: table П2.1 of the book, round trips."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import pytest
@@ -31,8 +31,6 @@ gears: {1: [I], 4: [IV], both: [I, IV]}
 
 
 def corrected(case: Transmission, made: Identified) -> Transmission:
-    """The case with what was identified."""
-
     def those(devices: Sequence[Any]) -> list[Any]:
         found = []
         for one in devices:
@@ -122,20 +120,17 @@ def test_dampings_of_the_case_are_told() -> None:
     assert made.notes == [told]
 
 
-@pytest.mark.parametrize(
-    ("decrements", "message"),
-    [
+def test_what_can_be_no_decrement() -> None:
+    for decrements, message in (
         ({}, "read no decrement"),
         ({"tyer": 0.1}, "no elastic component `tyer`; did you mean `tyre`?"),
         ({"pair": 0.1}, "`pair` is not elastic in gear 4; elastic are `final drive`, `damper`"),
         ({"I": 0.1}, "`I` is not elastic in gear 4"),
         ({"tyre": -0.1}, "decrement of tyre: read -0.1, expected a number of 0 or more"),
         ({"tyre": math.nan}, "decrement of tyre: read nan"),
-    ],
-)
-def test_what_can_be_no_decrement(decrements: Mapping[str, float], message: str) -> None:
-    with pytest.raises(ValueError, match="^" + message.replace("?", r"\?")):
-        damping(loads(DRIVELINE), "4", decrements)
+    ):
+        with pytest.raises(ValueError, match="^" + message.replace("?", r"\?")):
+            damping(loads(DRIVELINE), "4", decrements)
 
 
 def test_what_can_be_no_frequency_and_no_mode() -> None:

@@ -137,9 +137,7 @@ def small_equations(draw: st.DrawFn) -> Array:
 
 @settings(max_examples=count(80, 600))
 @given(small_equations())
-def test_a_variant_is_safe_if_its_rank_is_that_of_the_first(
-    equations: Array,
-) -> None:
+def test_a_variant_is_safe_if_its_rank_is_that_of_the_first(equations: Array) -> None:
     """Never where it is another; where it is safe its motions solve all equations."""
     unknowns = equations.shape[2]
     counts = [
@@ -155,13 +153,10 @@ def test_a_variant_is_safe_if_its_rank_is_that_of_the_first(
     assert sorted([*found.free, *found.others]) == list(range(unknowns))
 
 
-def test_an_equation_that_vanishes_is_no_pivot() -> None:
+def test_equations_that_vanish_or_are_missing_leave_unknowns_free() -> None:
     """``u - 1`` for u = 2, 1 + 1e-15 and 1: then nothing is said of the second unknown."""
     equations = np.array([[[0.0, 1.0]], [[0.0, 1e-15]], [[0.0, 0.0]]])
     assert followed_motions(equations, 1).safe.tolist() == [True, False, False]
-
-
-def test_no_equations_leave_everything_free() -> None:
     found = followed_motions(np.zeros((2, 0, 3)), 3)
     np.testing.assert_array_equal(found.motions, [np.eye(3)] * 2)
     assert found.safe.all()

@@ -28,7 +28,6 @@ FORMATS = {
 
 
 def sheets(path: str) -> dict[str, list[tuple[Any, ...]]]:
-    """The cells of each sheet."""
     book = openpyxl.load_workbook(path)
     return {sheet.title: list(sheet.iter_rows(values_only=True)) for sheet in book}
 
@@ -84,9 +83,6 @@ REFUSED = {
 def test_what_does_not_go_together_is_refused(line: str) -> None:
     assert vstatics(*line.split()).is_wrong_use(REFUSED[line])
     assert names() == []
-
-
-# several cases
 
 
 @pytest.mark.slow
@@ -157,9 +153,6 @@ def test_cases_are_summed_up_side_by_side() -> None:
     assert said.status == 1
     assert heading[:5] == ["table", "gear", "ratio A", "ratio B", "ratio C"]
     assert list(map(float, first[2:5])) == pytest.approx([4.696, 6.23, 4.171], abs=1e-3)
-
-
-# workbooks
 
 
 @EACH

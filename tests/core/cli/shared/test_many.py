@@ -32,9 +32,6 @@ def shown(path: str) -> list[str]:
     return [name for name in names(Path(path)) if not name.startswith(".")]
 
 
-# a directory
-
-
 @pytest.mark.parametrize("form", ["listing", "json", "csv"])
 def test_each_case_gives_the_file_that_it_gives_alone(form: str) -> None:
     suffix = form.replace("listing", "lst")
@@ -119,9 +116,6 @@ def test_an_error_of_the_program_in_one_case_harms_no_other(
     assert "\n1 of 2 cases calculated, 1 failed:\n" in said.err
 
 
-# what is refused
-
-
 def test_results_of_one_name_are_refused_and_all_pairs_named() -> None:
     Path("in/mzkt.yaml").write_text(NEUTRAL, encoding="utf-8")
     Path("other").mkdir()
@@ -181,9 +175,6 @@ def test_what_cannot_be_meant_is_refused(options: str) -> None:
     assert names() == ["in", "plain"]
 
 
-# lists of files
-
-
 @pytest.mark.parametrize(
     "text",
     [
@@ -233,9 +224,6 @@ def test_names_found_by_find_come_through_a_pipe(cases: Path) -> None:
     assert (status, out) == (1, b"")
     assert b"3 of 4 cases calculated, 1 with errors, 1 failed:" in err
     assert shown("out") == ["a\nname.lst", "neutral.lst", "tied.lst"]
-
-
-# streams
 
 
 @pytest.mark.parametrize("jobs", [1, 3])

@@ -77,7 +77,6 @@ def mend_pipe() -> None:
 
 
 def called(*arguments: str) -> tuple[int, bytes, bytes]:
-    """Call `vstatics run` as a process."""
     return process("run", *arguments, cwd=Path.cwd())
 
 
@@ -219,9 +218,6 @@ def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
     assert (status, out, written()) == (1, b"", ["small.json"])
     assert message == "out/a.json: error: cannot be written: File too large [E030]"
     assert last == f"stopped after 1 of 3 cases; {KEPT}"
-
-
-# the bar
 
 
 def plain(shown: str) -> str:

@@ -54,22 +54,19 @@ def test_problems_are_printed_unless_quiet_and_fail_if_strict(command: str) -> N
     assert "note: " not in vstatics(*READING[command], NOTED, "-q").err
 
 
-@pytest.mark.parametrize(
-    "call",
-    [
+def test_commands_without_results_tell_the_warnings_of_the_input() -> None:
+    for call in (
         ["convert", "doubtful.yaml", "-", "--to", "json"],
         VARIED,
         [*VARIED, "-o", "out.csv"],
         [*VARIED, "--dry-run"],
-    ],
-)
-def test_commands_without_results_tell_the_warnings_of_the_input(call: list[str]) -> None:
-    said = vstatics(*call)
-    assert (said.status, "warning: " in said.err) == (0, True)
-    assert vstatics(*call, "--strict").status == 1
-    quiet = vstatics(*call, "-q", "--strict")
-    assert quiet.status == 1
-    assert quiet.err.endswith(f": {QUIET_FAILURE.format('W201')}")
+    ):
+        said = vstatics(*call)
+        assert (said.status, "warning: " in said.err) == (0, True)
+        assert vstatics(*call, "--strict").status == 1
+        quiet = vstatics(*call, "-q", "--strict")
+        assert quiet.status == 1
+        assert quiet.err.endswith(f": {QUIET_FAILURE.format('W201')}")
 
 
 def test_what_a_command_allows_is_not_part_of_the_case() -> None:
@@ -100,9 +97,6 @@ def test_errors_of_a_text_are_told_without_its_warnings() -> None:
         assert "warning: " not in quiet.err
     said = vstatics("check", "-", stdin=cut_off.encode()).err
     assert re.findall("(?m)^<stdin>:[0-9:]+ (warning|note): ", said) == ["warning", "note"]
-
-
-# several cases
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
@@ -141,9 +135,6 @@ def test_a_quiet_run_mentions_no_earlier_run_and_draws_no_bar(files: Path) -> No
     call = ["sweep", "neutral.yaml", "--vary", "D.ratio=-3:-2:5000", "-o", "out.csv"]
     assert "\x1b[" in on_terminal(*call, cwd=files)
     assert on_terminal(*call, "-q", cwd=files) == ""
-
-
-# each once
 
 
 def test_one_text_about_several_gears_is_one_line_and_a_message_of_each() -> None:

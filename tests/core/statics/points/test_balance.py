@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seed_ranges, seeded
 from vstatics import CaseError, ReadError, solve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import loads
@@ -162,9 +162,7 @@ def random_trip(rng: Random) -> RoundTrip:
     return RoundTrip(u, eta, of, *speeds, rng.uniform(-200, 200), rng.uniform(-25e3, 25e3))
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(14, 21), pytest.param(range(100, 100 + count(60, 300)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(14, 21), range(100, 100 + count(60, 300)), pytest.mark.slow)
 def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
     """Also beside torques at which friction locks the gear, and where there are none, or two."""
     counts = set()

@@ -25,7 +25,6 @@ TORQUE = 100.0
 
 
 def with_efficiency(case: Transmission, place: int, efficiency: float) -> Transmission:
-    """The case with another efficiency of one mechanism: a number or a law."""
     own = enumerate(case.mechanisms)
     return case.replace(
         mechanisms=[one._replace(efficiency=efficiency) if n == place else one for n, one in own]
@@ -79,7 +78,6 @@ def solutions(of: Callable[[float], float], law: PointLaw) -> list[float]:
 
 
 def said(results: Results) -> str:
-    """Of how many solutions the gear speaks."""
     texts = [one.text for one in results.messages if one.id == "W426"]
     return "several" if "more than" in "".join(texts) else "none" if texts else "one"
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seed_ranges, seeded
 from tests.oracle.drag import solve_gear
 from tests.oracle.systems import Speeds
 from tests.trains import is_regular, random_train
@@ -140,9 +140,6 @@ def test_a_law_is_taken_for_no_number_and_survives_another_process() -> None:
         assert repr(law) != repr(float(law))
 
 
-# -- random trains against all sets of signs in fractions ----------------------------------
-
-
 def of_random_laws(seed: int) -> Transmission:
     """A random train of regular gears with laws: two links, all open elements, one efficiency."""
     random = seeded(seed)
@@ -188,9 +185,7 @@ def exact_gear(case: Transmission, gear: Gear, speed: float, torque: float) -> A
     )
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(4), pytest.param(range(4, count(24, 200)), marks=pytest.mark.slow)]
-)
+@seed_ranges(range(4), range(4, count(24, 200)), pytest.mark.slow)
 def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     """From torques that drag takes in all up to large ones: dragged, locked and ordinary."""
     states = set()
@@ -216,8 +211,6 @@ def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> N
                 assert abs(found.power_balance[point, number]) < 1e-12 * largest
     assert len(states) > 1
 
-
-# -- torques that depend on efficiencies that depend on torques ----------------------------
 
 TORQUES = """\
 links: [s, r, c]
@@ -315,8 +308,6 @@ def test_freewheels_hold_as_the_drags_of_their_own_state_let_them(seed: int) -> 
         size = max(1.0, float(np.abs(np.nan_to_num(expected)).max()))
         np.testing.assert_allclose(results.lossy_torques[index], expected, atol=1e-11 * size)
 
-
-# -- drawn gear sets -----------------------------------------------------------------------
 
 DRIVE = """\
 links: [a, b, c]

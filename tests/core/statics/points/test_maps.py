@@ -188,10 +188,7 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
     ("rows", "said"),
     [
         ("0,0,0.9\n0,5,0.9\n9,0,0.9\n", "a full grid: there is no value at 9 rad/s, 5 N"),
-        (
-            "0,0,0.9\n0,0,0.8\n",
-            "line 3: 0 rad/s, 0 N.m is on line 2, too; expected each point",
-        ),
+        ("0,0,0.9\n0,0,0.8\n", "line 3: 0 rad/s, 0 N.m is on line 2, too; expected each point"),
         ("0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n", r"rows\[1\]\[2\]: read 1.2, expected an efficiency"),
         ("0,0,0.9\n0,5,0.9\n", r"rows: read 1, expected two speeds or more"),
         ("0,0\n", "line 2: expected 3 numbers"),
@@ -208,14 +205,14 @@ def test_a_file_with_a_map_that_is_wrong_is_told(tmp_path: Path, rows: str, said
 
 
 def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
-    one = "{over: [speed, torque], columns: %s, rows: %s}"
+    one, flat = "{over: [speed, torque], columns: %s, rows: %s}", "[[0, 1, 1], [9, 1, 1]]"
     for columns, rows, said in (
         (
             "[0, 5, 5]",
             "[[0, 1, 1, 1], [9, 1, 1, 1]]",
             r"columns\[3\]: read 5, expected a torque ab",
         ),
-        ("[-1, 5]", "[[0, 1, 1], [9, 1, 1]]", r"columns\[1\]: read -1, expected a torque of 0 or"),
+        ("[-1, 5]", flat, r"columns\[1\]: read -1, expected a torque of 0 or"),
         ("[0, 5]", "[[9, 1, 1], [0, 1, 1]]", r"rows\[2\]\[1\]: read 0, expected a speed above 9"),
         ("[0, 5]", "[[0, 1, 1], [9, 1]]", r"rows\[2\]: read 2 numbers, expected 3: the speed, and"),
         (
@@ -227,12 +224,10 @@ def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
     ):
         with pytest.raises(ReadError, match=said):
             loads(CASE.format(efficiency=one % (columns, rows), loss=LOSS))
+    turned = "{over: [torque, speed], columns: [0], rows: []}"
     for loss, said in (
         ("500", "low.loss: read '500', expected a mapping with `over`, `columns` and `rows`"),
-        (
-            "{over: [torque, speed], columns: [0], rows: []}",
-            r"^[^\n]*loss.over: read '\[torque, speed\]', expected `\[speed, torque\]`",
-        ),
+        (turned, r"^[^\n]*loss.over: read '\[torque, speed\]', expected `\[speed, torque\]`"),
         ("{over: speed, points: [[0, 1]]}", "loss.over: read 'speed', expected `.speed, torque.`"),
         ("{over: [speed, torque], file: a.csv, unit: W}", "read `file` and `unit`"),
         (LOSS.replace("700", "-7"), r"loss.rows\[2\]\[3\]: read -7, expected a loss of 0 or more"),

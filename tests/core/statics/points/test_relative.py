@@ -50,7 +50,6 @@ def varied(seed: int, case: Transmission, points: int) -> Vary:
 
 
 def at(case: Transmission, vary: Vary, point: int) -> Transmission:
-    """The case of one point."""
     here = {path: float(numbers[point]) for path, numbers in vary.items()}
     gears = []
     for gear in case.gears:
