@@ -91,11 +91,12 @@ class Exponential:
         for halved, far in steps:
             result[:, far] = halved @ result[:, far]
         blocks = [slice(n, n + _COLUMNS) for n in range(0, max(1, len(parts)), _COLUMNS)]
-        return np.hstack(
+        return np.concatenate(
             [
                 np.einsum("kc,krc->rc", powers[:, block], self.series @ result[:, block])
                 for block in blocks
-            ]
+            ],
+            axis=1,
         )
 
     def _split(self, parts: Floats) -> tuple[list[tuple[Floats, Integers]], Floats]:
@@ -121,7 +122,7 @@ class Exponential:
         while states.shape[1] < count:
             if level == len(self.doubled):
                 self.doubled.append(self._squared(self.doubled[-1]))
-            states = np.hstack([states, self.doubled[level] @ states])
+            states = np.concatenate([states, self.doubled[level] @ states], axis=1)
             level += 1
         return states[:, :count]
 

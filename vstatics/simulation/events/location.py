@@ -102,8 +102,9 @@ class Finder:
         self._check_torques(step)
         if not self.margins.watches:
             return None
-        times = np.append(step.start, step.times)
-        margins = self.margins.along(times, np.column_stack([step.first, step.states]))
+        times = np.concatenate([[step.start], step.times])
+        states = np.concatenate([step.first[:, None], step.states], axis=1)
+        margins = self.margins.along(times, states)
         later = margins[:, 1:]
         sizes = np.abs(later).max(axis=1, initial=0.0)
         following = self.following & np.isfinite(sizes)
@@ -131,17 +132,17 @@ class Finder:
         """
         count = len(step.nodes)
         nodes = (0.0, *step.nodes.tolist())
-        edges = np.append(step.start, step.times[count - 1 :: count])
         inner = margins[:, 1:].reshape(len(margins), -1, count)
         by_parts = np.concatenate([margins[:, :-1:count, None], inner], axis=-1)
-        with np.errstate(invalid="ignore"):
-            near = (by_parts @ _in_gaps(nodes)).reshape(*inner.shape, -1)
-            before, at, after = near[..., :-2], near[..., 1:-1], near[..., 2:]
-            bend = before - 2 * at + after
-            turns = (at <= before) & (at <= after) & (bend > 0)
-            lowest = at - (after - before) ** 2 / (8 * np.where(turns, bend, 1.0))
-            low = turns & (lowest < _LOW * (np.maximum(before, after) - at))
-        watches, parts, gaps, _ = np.nonzero(low)
+        near = (by_parts @ _in_gaps(nodes)).reshape(*inner.shape, -1)
+        before, at, after = near[..., :-2], near[..., 1:-1], near[..., 2:]
+        bend = before - 2 * at + after
+        turns = np.nonzero((at <= before) & (at <= after) & (bend > 0))
+        before, at, after, bend = before[turns], at[turns], after[turns], bend[turns]
+        lowest = at - (after - before) ** 2 / (8 * bend)
+        low = lowest < _LOW * (np.maximum(before, after) - at)
+        watches, parts, gaps = (places[low] for places in turns[:3])
+        edges = np.concatenate([[step.start], step.times[count - 1 :: count]])
         for number, watch in sorted(
             {*zip((parts * count + gaps).tolist(), watches.tolist(), strict=True)}
         ):

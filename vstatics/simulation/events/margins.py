@@ -409,7 +409,7 @@ class Margins:
             if seen is None:
                 seen = equations.seen_at(times, states, rates, torques)
             parts.append(self._of_values(times, states, seen))
-        return np.vstack(parts)
+        return np.concatenate(parts)
 
     def _of_values(self, times: Floats, states: Floats, seen: Floats) -> Floats:
         """Return the margins of state limits and of conditions of steps."""
@@ -444,7 +444,7 @@ class Margins:
             less, more = mechanism.friction_at_rest(torque)
             sign = np.where(torque >= 0, 1.0, -1.0)
             cones.append(sign * np.array([taken + less * torque, more * torque - taken]))
-        return np.vstack(cones)
+        return np.concatenate(cones)
 
     def _directions(self, held: Floats) -> Floats:
         """Return the changes of the slacks along redundant directions."""

@@ -30,8 +30,8 @@ from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INER
 
 _AMPLE = 1e300
 """Finite substitute for an infinite margin, so that margins can be subtracted."""
-_NEARER = (1.0, 1e-2, 1e-4)
-"""Factors of the look-ahead, tried in turn while no choice is found."""
+_NEARER = (1e-2, 1e-4)
+"""Factors of the look-ahead, tried in turn while no choice is found with the whole."""
 _MOST_TURNED = 8
 """Largest number of corrections for slips that feedback torques turn back."""
 
@@ -82,6 +82,8 @@ class ModeSelection:
 
     def of(self, system: MotionSystem) -> ModeSelection:
         """Return a copy for a system with changed programmes or settings."""
+        if system is self.system and not self.choices.carrying:
+            return self
         selection = copy(self)
         selection.system, selection.choices = system, copy(self.choices)
         selection.choices.system, selection.choices.carrying = system, {}
@@ -96,7 +98,10 @@ class ModeSelection:
         CaseError
             If the speed of a link without inertia is not determined.
         """
-        ahead = copy(self)
+        try:
+            return self.selected(asked, thorough=False)
+        except (NoChoice, CaseError):
+            ahead = copy(self)
         for nearer in _NEARER:
             ahead.within = nearer * self.within
             try:

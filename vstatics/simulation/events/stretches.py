@@ -286,7 +286,8 @@ class Closed:
         self.balance = self._balanced()
         self._balance_values(matrix)
         self.matrix = self.balance[:, None] * matrix / self.balance
-        self.rates: Complex | None = None
+        self.rates: tuple[Floats, Floats] | None = None
+        """Magnitudes of the eigenvalues, and of their real parts, as far as known. [rad/s]"""
         self.exponentials: dict[float, tuple[Exponential, float]] = {}
 
     def _slopes(self, time: float, state: Floats) -> tuple[Floats, Floats]:
@@ -397,8 +398,10 @@ class Closed:
         if self.rates is None:
             if self.size > _FEW and not gone:  # eigenvalues would dominate the calculation time
                 return _largest_rate(self.matrix)
-            self.rates = np.asarray(np.linalg.eigvals(self.affine.change.by_state), complex)
-        return float(np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE].max(initial=0.0))
+            rates: Complex = np.asarray(np.linalg.eigvals(self.affine.change.by_state), complex)
+            self.rates = np.abs(rates), np.abs(rates.real)
+        speeds, decays = self.rates
+        return float(speeds[decays * gone < _GONE].max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
         """Return the exponential for the vector of x, time, 1 and nonlinear torques, and a unit.
@@ -435,7 +438,8 @@ class Closed:
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
         """Calculate a stretch from its first state; return None if no polynomial fits."""
         given, self.series = self._expected(parts), None
-        times = self.equations.ports.inside(np.append(parts.begin, parts.times))
+        times = np.concatenate([[parts.begin], parts.times.reshape(-1)])
+        times = self.equations.ports.inside(times)
         to_series, to_powers, to_values = fitting(parts.number)
         before: Floats | None = None
         change = 0.0
@@ -451,12 +455,8 @@ class Closed:
                 return None
             given = now[:, 1:] @ to_series
             limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
-            bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
-            if bends.any():  # from now on, polynomials of these torques keep all orders
-                self.is_used[bends] = True
-                self.exponentials.clear()
+            if not self.is_used.all() and self._uses_more(given, limit):
                 before, change = None, 0.0
-            given[~self.is_used] = 0.0
             if before is not None:
                 last_change, change = change, largest(now - before)
                 if change <= limit or change * change <= _CONVERGED * limit * last_change:
@@ -471,6 +471,15 @@ class Closed:
             before = now
         return None
 
+    def _uses_more(self, given: Floats, limit: float) -> bool:
+        """Remove unused orders of polynomials; return whether a torque uses all from now on."""
+        bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
+        if bends.any():
+            self.is_used[bends] = True
+            self.exponentials.clear()
+        given[~self.is_used] = 0.0
+        return bool(bends.any())
+
     def _expected(self, parts: Parts) -> Floats:
         """Return the expected series of the nonlinear torques over a stretch."""
         continued = self.series.continued(parts) if self.series else None
@@ -484,8 +493,8 @@ class Closed:
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
     ) -> TimeStretch:
         exponential, unit = self._exponential(parts.length)
-        inputs = np.append([parts.begin, 1.0], (given @ to_powers)[self.is_used])
-        first = np.append(self.balance * state[: self.size], unit * inputs)
+        inputs = np.concatenate([[parts.begin, 1.0], (given @ to_powers)[self.is_used]])
+        first = np.concatenate([self.balance * state[: self.size], unit * inputs])
         starts = exponential.repeated(first, parts.number)
         return TimeStretch(parts, exponential, self.balance, starts)
 
@@ -535,8 +544,8 @@ class Closed:
     ) -> Floats:
         parts, first = stretch.parts, self.equations.works.start
         passed = (times - parts.begin) / parts.length
-        at = np.clip(passed.astype(int), 0, parts.number - 1)
-        within = np.clip(passed - at, 0.0, 1.0)
+        at = np.minimum(np.maximum(passed.astype(int), 0), parts.number - 1)
+        within = np.minimum(np.maximum(passed - at, 0.0), 1.0)
         moved = stretch.exponential.moved(within, stretch.starts[:, at])
         result = befores[:, at].copy()
         result[: self.size] = moved[: self.size] / stretch.balance[:, None]

@@ -99,9 +99,7 @@ def drawn_times(curves: Sequence[Curves], column_ranges: CurveRanges, most: int)
 def _counts(curves: Curves, column_ranges: CurveRanges) -> Integers:
     """Return the number of equal chords of each part, from the largest second derivative."""
     bends = np.abs(_risen(curves.values) @ _polynomials(curves.nodes).bends.T).max(axis=2)
-    chords = np.nan_to_num(bends / (8 * CHORD * column_ranges.size[:, None])).max(
-        axis=0, initial=0.0
-    )
+    chords = np.fmax.reduce(bends / (8 * CHORD * column_ranges.size[:, None]), initial=0.0)
     return np.asarray(np.maximum(1, np.ceil(np.sqrt(np.minimum(chords, _MOST_CHORDS)))), dtype=int)
 
 
@@ -149,7 +147,8 @@ def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
     moving, nodes = np.flatnonzero(np.isfinite(column_ranges.size)), np.array(curves.nodes)
     values = curves.values[moving]
     flat = values.reshape(len(values), -1)
-    ends = [np.nan_to_num(sign * flat, nan=-np.inf).argmax(axis=1) for sign in (1.0, -1.0)]
+    unknown = np.isnan(flat)
+    ends = [np.where(unknown, -np.inf, sign * flat).argmax(axis=1) for sign in (1.0, -1.0)]
     parts, at = np.unravel_index(np.concatenate(ends), values.shape[1:])
     twice = np.concatenate([moving, moving])
     candidates = [_Turns(twice, _times(curves, parts, nodes[at]), curves.values[twice, parts, at])]
@@ -177,10 +176,10 @@ def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:
     slopes = powers[:, 1:] * orders
     bends = slopes[:, 1:] * orders[:-1]
     first, last = _along(slopes, low), _along(slopes, high)
-    place = low + (high - low) * np.clip(np.nan_to_num(first / (first - last)), 0.0, 1.0)
+    place = low + (high - low) * np.fmin(np.fmax(first / (first - last), 0.0), 1.0)
     for _ in range(_NEWTON_OF_EXTREMES):
-        step = np.nan_to_num(_along(slopes, place) / _along(bends, place), posinf=0.0, neginf=0.0)
-        place = np.clip(place - step, low, high)
+        step = _finite(_along(slopes, place) / _along(bends, place))
+        place = np.minimum(np.maximum(place - step, low), high)
     return np.asarray(place, float)
 
 
@@ -189,8 +188,13 @@ def _times(curves: Curves, parts: Integers, within: Floats) -> Floats:
 
 
 def _risen(values: Floats) -> Floats:
-    """Return values minus the value at the start of the part, with 0 instead of NaN."""
-    return np.nan_to_num(values - values[..., :1], posinf=0.0, neginf=0.0)
+    """Return values minus the value at the start of the part."""
+    return _finite(values - values[..., :1])
+
+
+def _finite(values: Floats) -> Floats:
+    """Return values with 0 instead of NaN and infinity."""
+    return np.where(np.isfinite(values), values, 0.0)
 
 
 def _along(powers: Floats, places: Floats) -> Floats:

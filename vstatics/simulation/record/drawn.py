@@ -98,8 +98,9 @@ class DrawnRun:
             )
             order = np.argsort(times, kind="stable")
             all_times.append(times[order])
-            all_columns.append(self.table.at(piece, times[order], states[:, order]))
-            all_tables.append(picture_tables(piece.motion, times[order], states[:, order]))
+            moments = self.table.moments(piece, times[order], states[:, order])
+            all_columns.append(self.table.at(moments))
+            all_tables.append(picture_tables(moments))
         self.times, self.columns = np.concatenate(all_times), np.hstack(all_columns)
         self.picture_tables = joined(all_tables)
         if len(self.times) > most:
@@ -160,7 +161,8 @@ class DrawnRun:
         """Add times near corners, where redundant elements begin to share a torque differently."""
 
         def points(at: Floats) -> Floats:
-            return np.vstack([at, self.table.at(piece, at, course.states(at))])
+            columns = self.table.at(self.table.moments(piece, at, course.states(at)))
+            return np.concatenate([at[None, :], columns])
 
         ends = np.append(course.curves.begins, course.steps[-1][1])
         edges = points(np.sort(np.concatenate([ends, times])))

@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.simulation.record.account import heat_and_losses
-from vstatics.simulation.record.changes import PieceMotion
+from vstatics.simulation.record.asked import Moments
 from vstatics.simulation.record.row_names import roads_of
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.scenario.programme import friction_at
@@ -22,33 +22,31 @@ Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
 """Columns by table and row."""
 
 
-def picture_tables(motion: PieceMotion, times: Floats, states: Floats) -> Tables:
+def picture_tables(at: Moments) -> Tables:
     """Return the tables for pictures and the report, at some times of a piece.
 
     The tables are `sticks` of shift elements (1 if sticking), their `capacities` [N*m], `heat` and
     `losses` by name [J], `vehicle_acceleration` of links with a road [m/s^2], and `output_torque`,
     which the train gives to the output link [N*m].
     """
-    equations, roads = motion.equations, roads_of(motion.equations.system.scenario)
-    rates, torques = equations.acting_at(times, states)
-    heat, losses = heat_and_losses(equations, states)
+    equations, torques, roads = at.motion.equations, at.ports, roads_of(at.system.scenario)
+    heat, losses = heat_and_losses(equations, at.states)
     names = [element.name for element in equations.system.case.shift_elements]
     structure = equations.structure
     accelerated: Floats = structure.free @ (structure.accelerations @ torques)
     if any(structure.light[link - 1].any() for link in roads):
-        accelerated = motion.accelerations(times, states)
-    capacities = _capacities(equations, times, states, rates, torques)
+        accelerated = at.accelerations()
     return {
         "sticks": {
-            name: np.full(len(times), float(sticks))
+            name: np.full(len(at.times), float(sticks))
             for name, sticks in zip(names, _sticks(equations), strict=True)
         },
-        "capacities": dict(zip(names, capacities, strict=True)),
+        "capacities": dict(zip(names, _capacities(at), strict=True)),
         "heat": heat,
         "losses": losses,
         "vehicle_acceleration": {
             equations.system.names[link - 1]: _of_vehicle(
-                road, accelerated[link - 1], equations.speeds_at(times, states)[link - 1]
+                road, accelerated[link - 1], at.speeds[link - 1]
             )
             for link, road in roads.items()
         },
@@ -84,23 +82,23 @@ def _sticks(equations: Equations) -> Iterator[bool]:
         )
 
 
-def _capacities(
-    equations: Equations, times: Floats, states: Floats, rates: Floats, torques: Floats
-) -> Iterator[Floats]:
+def _capacities(at: Moments) -> Iterator[Floats]:
     """Yield the capacity of each shift element: dynamic when slipping, static when sticking."""
-    system, active = equations.system, equations.states
-    looks = any(device.programme.look is not None for device in system.may_slip)
-    seen = equations.seen_at(times, states, rates, torques) if looks else None
-    at = equations.ports.inside(times)
+    equations, system = at.motion.equations, at.system
+    active, seen = equations.states, None
+    if any(device.programme.look is not None for device in system.may_slip):
+        rates, _ = equations.acting_at(at.times, at.states)
+        seen = equations.seen_at(at.times, at.states, rates, at.ports)
+    times = equations.ports.inside(at.times)
     capacities: dict[int, Floats] = {}
     devices = zip(system.may_slip, (*active.contacts, *active.springs), strict=True)
     for port, (device, state) in enumerate(devices, equations.layout.contacts):
         if device.element is None:
             continue
         if state in SIGNS and not (isinstance(device, Contact) and device.one_way):
-            capacities[device.element] = np.abs(torques[port])
+            capacities[device.element] = np.abs(at.ports[port])
             continue
-        capacity = programme_along(device.programme, at, seen)
+        capacity = programme_along(device.programme, times, seen)
         if isinstance(device, Contact):
             if device.friction is not None:
                 capacity = capacity * friction_at(device.friction)

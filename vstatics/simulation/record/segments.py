@@ -67,17 +67,20 @@ class MotionColumns:
         """Columns of speeds, slips, torques, each additional table, and heat."""
         self.speeds, self.slips, self.torques, *_, self.heat = self.kinds
 
-    def at(self, piece: Piece, times: Floats, states: Floats) -> Floats:
-        """Return all columns at some times of a piece, shape (columns, times)."""
+    def moments(self, piece: Piece, times: Floats, states: Floats) -> Moments:
+        """Return speeds, slips and torques at some times of a piece."""
         margins, equations = piece.margins, piece.margins.equations
         speeds = equations.speeds_at(times, states)
-        slips = self.rows @ speeds
         rates, ports = equations.acting_at(times, states)
         held = margins.split(times, states, rates, ports)
         torques = device_torques(equations, ports, held)
-        at = Moments(piece.motion, times, states, speeds, slips, torques, ports)
+        return Moments(piece.motion, times, states, speeds, self.rows @ speeds, torques, ports)
+
+    def at(self, at: Moments) -> Floats:
+        """Return all columns at some times of a piece, shape (columns, times)."""
         asked = [TABLES[table].make(at, rows) for table, rows in self.asked.items()]
-        return np.vstack([speeds, slips, torques, *asked, element_heat(equations, states)])
+        heat = element_heat(at.motion.equations, at.states)
+        return np.concatenate([at.speeds, at.slips, at.torques, *asked, heat])
 
     def curves(self, piece: Piece, steps: Sequence[tuple[TimeStep, float]]) -> Curves:
         """Return the columns as curves over parts of steps; the last part is cut at the end."""
@@ -91,7 +94,7 @@ class MotionColumns:
         if end < times[-1, -1]:
             times[-1] = begins[-1] + (end - begins[-1]) * first.nodes
             states[:, -size:] = last.between(times[-1])
-        values = self.at(piece, np.append(begins[0], times), states)
+        values = self.at(self.moments(piece, np.append(begins[0], times), states))
         nodes = np.arange(parts)[:, None] * size + np.arange(size + 1)
         places = (0.0, *first.nodes.tolist())
         return Curves(begins, times[:, -1] - begins, places, values[:, nodes])
@@ -117,20 +120,13 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
     """
     system, layout = equations.system, equations.layout
     torques = np.zeros((len(system.case.devices), ports.shape[1]))
-    row_of = {
-        multiplier.of: row
-        for row, multiplier in enumerate(equations.structure.multipliers)
-        if multiplier.kind == "contact"
-    }
+    row_of = equations.structure.contact_rows
     for index, contact in enumerate(system.contacts):
         if contact.device is not None:
             row = row_of.get(index)
             torques[contact.device] += ports[layout.contacts + index] if row is None else held[row]
-    structure = equations.structure
-    by_planets = system.rows(mesh.planets for mesh in system.meshes)
-    by_planets = by_planets @ structure.free @ structure.accelerations
-    for index, mesh in enumerate(system.meshes):
-        torques[mesh.device] = held[index] + by_planets[index] @ ports
+    for index, (mesh, taken) in enumerate(zip(system.meshes, equations.by_planets, strict=True)):
+        torques[mesh.device] = held[index] + taken @ ports
     for index, spring in enumerate(system.springs):
         torques[spring.device] += ports[layout.springs + index]
     for index, variator in enumerate(system.variators):
@@ -139,7 +135,7 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
     pumps = ports[layout.pumps : layout.turbines]
     turbines = 0.0 - ports[layout.turbines : layout.sensors]
     given = [row_of[index] for index, contact in enumerate(system.contacts) if contact.is_given]
-    return np.vstack([torques, pumps, turbines, -held[given]])
+    return np.concatenate([torques, pumps, turbines, -held[given]])
 
 
 def device_names(system: MotionSystem) -> tuple[str, ...]:

@@ -364,8 +364,9 @@ class Equations:
 
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
         """Return the torques of ports at several times, shape (ports, times) [N*m]."""
-        parts = (states[part] for part in (self.twists, self.angles, self.values))
-        torques = self.ports.torques_at(times, rates, *parts)
+        torques = self.ports.torques_at(
+            times, rates, states[self.twists], states[self.angles], states[self.values]
+        )
         if self.losses and not self.variators:
             for place in np.flatnonzero(self.losses.fill_all(rates, torques)).tolist():
                 self._couple(float(times[place]), rates[:, place], torques[:, place])
@@ -464,14 +465,22 @@ class Equations:
         return self.changes.along(times, self.seen_at(times, states, rates, torques))
 
     @cached_property
+    def by_planets(self) -> Floats:
+        """Matrix from torques of ports to torques that planets take from first links of meshes."""
+        planets = self.system.rows(mesh.planets for mesh in self.system.meshes)
+        by_planets: Floats = planets @ self.structure.free @ self.structure.accelerations
+        return by_planets
+
+    @cached_property
     def affine(self) -> Affine:
         """Linear form of the equations, if all torques are linear."""
         return Affine(self)
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
         """Return the torques of ports [N*m]."""
-        parts = (state[part] for part in (self.twists, self.angles, self.values))
-        torques = self.ports.torques(time, rates, *parts)
+        torques = self.ports.torques(
+            time, rates, state[self.twists], state[self.angles], state[self.values]
+        )
         if self.variators or self.losses:
             self._couple(time, rates, torques)
         return torques

@@ -254,7 +254,7 @@ class Ports:
     def inside(self, times: Floats) -> Floats:
         """Return times clipped to the interval of the formulas."""
         if len(times) and (times[0] < self.after or times[-1] > self.until):
-            return np.clip(times, self.after, self.until)
+            return np.minimum(np.maximum(times, self.after), self.until)
         return times
 
     def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
