@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vstatics.core.elements.drawing import drawing_of, parts_of
 from vstatics.core.elements.kinds import Planetary
@@ -57,6 +57,10 @@ class OwnLinks(NamedTuple):
         return element is None or not isinstance(element.shape, Planetary)
 
 
+_WITHOUT_MEMBERS: Mapping[str, Any] = {"drawing": None, "fatigue": {}, "bearings": {}}
+"""Fields of a case whose gear sets are mechanisms, without the parts that name members of sets."""
+
+
 def as_solved(case: Transmission) -> Transmission:
     """Return the case, without a drawing if ratios differ from the drawn teeth.
 
@@ -70,7 +74,7 @@ def as_solved(case: Transmission) -> Transmission:
     alike = [mechanism.ratio for mechanism in drawn] == [
         mechanism.ratio for mechanism in case.mechanisms
     ]
-    return case if alike else replace(case, drawing=None)
+    return case if alike else replace(case, **_WITHOUT_MEMBERS)
 
 
 def on_own_links(case: Transmission) -> OwnLinks:
@@ -86,7 +90,7 @@ def on_own_links(case: Transmission) -> OwnLinks:
         links=drawing.links,
         link_names=case.link_names[: drawing.links],
         mechanisms=[lowered.mechanism for part in reduced for lowered in part.lowered],
-        drawing=None,
+        **_WITHOUT_MEMBERS,
     )
     return OwnLinks(plain, reduced)
 

@@ -164,8 +164,8 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
         yield tr(
             "An efficiency over speed depends on the speed of the first link relative to "
             "the third; an efficiency over torque depends on the torque on the first link "
-            "with losses. Both use magnitudes; values are interpolated linearly between "
-            "points and held constant outside."
+            "with losses. Both use magnitudes, in a formula w in rad/s and T in N*m; values are "
+            "interpolated linearly between points and held constant outside."
         )
 
 
@@ -202,6 +202,12 @@ def _rules_of_drag(state: GearState) -> Iterator[str]:
         )
     # the gear of the state has numbers instead of laws
     gear = case.gears[case.gear_number(state.gear.name) - 1]
+    if gear.loss is not None:
+        yield tr(
+            "The loss of the gear, in W unless it has a unit, depends on the magnitudes of speed, "
+            "rad/s, and torque, N*m, of the input. A power divided by the speed is the torque that "
+            "brakes the input, only in the torques with losses."
+        )
     by_part = case.gear_drag(gear), case.gear_open_drag(gear)
     if any(isinstance(drag, Law) for drags in by_part for drag in drags.values()):
         yield tr(
