@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from typing import Annotated, NamedTuple
 
 import numpy as np
@@ -13,6 +14,7 @@ from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.elements.group import group_of
 from vstatics.core.errors import CaseError
 from vstatics.core.explain.bodies import OwnLinks, Structure, as_solved, on_own_links, structure
+from vstatics.core.explain.converters import ConverterPoint, converter_points, loaded_converters
 from vstatics.core.explain.equations import speed_system, torque_system
 from vstatics.core.explain.formula import RatioFormula, Symbol, formula, symbols_of
 from vstatics.core.explain.machines import MachineBalance, machine_balance
@@ -22,7 +24,7 @@ from vstatics.core.explain.signs import PowerSign, TriedSigns, signs_of, tried_s
 from vstatics.core.explain.sums import System
 from vstatics.core.extras import higher
 from vstatics.core.model.springs import ends
-from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import ROUNDED_NUMBER, SAME_FORMULA
 from vstatics.core.numerics.traced import plain
@@ -94,6 +96,8 @@ class Explanation(NamedTuple):
     """Sets of signs with the contradiction of each, for a self-locking gear."""
     slipping: Sometimes[Sequence[str]] = None
     """Shift elements with a given slip, if any."""
+    converters: Sometimes[Sequence[ConverterPoint]] = None
+    """Converters that carry torque, if any."""
 
     def __repr__(self) -> str:
         """Return a short description: gear, ratio and formula."""
@@ -137,19 +141,26 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_one_case(results, "explain_gear")
+    number = results.case.gear_number(gear) - 1
+    given, told = results.case.gears[number], results
+    points = converter_points(results.gear_at(number), given)
     variators = {
         mechanism.name: mechanism.kind for mechanism in results.case.mechanisms if mechanism.kind
     }
+    with_torques = results
     if variators:
-        results = solve(_pairs(results.case, results.case.gear_number(gear) - 1))
-    number = results.case.gear_number(gear) - 1
-    state = results.gear_at(number)
+        with_torques = solve(_pairs(results, number, keeping=[each.converter for each in points]))
+        told, results, number = results if points else with_torques, with_torques, 0
+    if points:
+        results = solve(_pairs(told, told.case.gear_number(gear) - 1))
+    state, loaded_state = results.gear_at(number), with_torques.gear_at(number)
     case, actual = as_solved(state.case), state.gear
     names = names_of(case)
-    matrix = structural_matrix(case) + 0.0
     elements = [element.name for element in case.shift_elements]
     loaded = loaded_devices(case, actual)
-    torques, lossy = _torques(state, names, matrix)
+    of_converters = loaded_converters(loaded_state)
+    matrix = structural_matrix(as_solved(loaded_state.case)) + 0.0
+    torques, lossy = _torques(loaded_state, names.with_torque_ratios(of_converters), matrix)
     fault = FAULTS.get(state.status, "")
     on_links = on_own_links(case)._replace(variators=variators)
     bodies = None if fault else structure(on_links, actual)
@@ -157,6 +168,8 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     one_piece, standing = _pieces(on_links, bodies) if bodies else ([], [])
     symbols = symbols_of(case, names, on_links)
     ratio, reason = _formula(state, names, symbols, on_links, bodies) if bodies else (None, fault)
+    speeds = list(map(plain, state.speeds))
+    signs = signs_of(loaded_state)
     return Explanation(
         gear=actual.name,
         engaged=[elements[n - 1] for n in state.engaged if n not in state.holding],
@@ -165,9 +178,9 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         rows=case.link_names,
         columns=[case.devices[device] for device in loaded],
         matrix=matrix[:, loaded],
-        speeds=speed_system(case, actual, names, matrix, list(map(plain, state.speeds))),
+        speeds=speed_system(case, actual, names, structural_matrix(case) + 0.0, speeds),
         torques=torques,
-        signs=signs_of(state),
+        signs=[sign for place, sign in enumerate(signs) if place not in of_converters],
         lossy=lossy,
         input_torque=case.input_torque(actual),
         coasts=case.coasts(actual),
@@ -179,11 +192,12 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         formula=ratio,
         reason=reason,
         ratio=float(results.ratio[number]),
-        efficiency=float(results.efficiency[number]),
-        messages=[*_messages_about(results, actual.name), *_assumed_teeth(results, case)],
-        balance=machine_balance(results, number),
-        tried=tried_signs(state) or None,
+        efficiency=float(with_torques.efficiency[number]),
+        messages=[*_messages_about(told, actual.name), *_assumed_teeth(results, case)],
+        balance=machine_balance(with_torques, number),
+        tried=tried_signs(loaded_state) or None,
         slipping=[elements[n - 1] for n in actual.slipping] or None,
+        converters=points or None,
     )
 
 
@@ -209,26 +223,33 @@ def _assumed_teeth(results: Results, case: Transmission) -> Iterator[str]:
                 )
 
 
-def _pairs(case: Transmission, place: int) -> Transmission:
-    """Return the case with gear pairs instead of variators, which have the equations of pairs."""
-    gear = case.gears[place]
-    if pairs := case.as_pairs(gear):
-        return pairs
-    ratios = case.gear_ratios(gear)
-    name, what = next(
-        (
-            mechanism.name,
-            "is a converter" if mechanism.kind == "converter" else "has the speed ratio 0",
-        )
-        for place, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True))
-        if place not in case.unloaded_converters(gear)
-        and (mechanism.kind == "converter" or (mechanism.kind and not ratio))
-    )
-    raise CaseError(
-        "E279",
-        f"gear {gear.name}: {name} {what}, of which no equations are written yet; its sheet, "
-        "`explain --worksheet`, has its rules",
-    )
+def _pairs(results: Results, place: int, keeping: Collection[str] = ()) -> Transmission:
+    """Return a gear as a case with gear pairs instead of variators, which have their equations.
+
+    Parameters
+    ----------
+    keeping : collection of str
+        Converters that remain, with their speed ratios; the others become pairs, too, whose
+        equations of speeds are those of the converters.
+    """
+    case, gear = results.case, results.case.gears[place]
+    ratios = map(plain, results.gear_at(place).ideal.variant.ratios)
+    mechanisms, unloaded = list[Mechanism](), case.unloaded_converters(gear)
+    for number, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True)):
+        if not mechanism.kind:
+            mechanisms.append(mechanism)
+        elif number in unloaded or (mechanism.name in keeping and not math.isnan(ratio)):
+            mechanisms.append(mechanism._replace(ratio=ratio))
+        elif ratio and not math.isnan(ratio):
+            mechanisms.append(mechanism._replace(kind="", ratio=1 / ratio, points=()))
+        else:
+            what = "the speed ratio 0" if ratio == 0 else "no known speed ratio"
+            raise CaseError(
+                "E279",
+                f"gear {gear.name}: {mechanism.name} has {what}, of which no equations are "
+                "written; its sheet, `explain --worksheet`, has its rules",
+            )
+    return replace(case, mechanisms=mechanisms, gears=[gear._replace(speed_ratios={})])
 
 
 FAULTS = {

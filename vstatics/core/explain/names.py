@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from vstatics.core.model.transmission import Transmission
@@ -41,6 +41,18 @@ class Names(NamedTuple):
             if sign > 0
             else f"{ratio}/{eta}"
             for ratio, eta, sign, number in signed
+        ]
+        return self._replace(ratios=ratios)
+
+    def with_torque_ratios(self, converters: Collection[int]) -> Names:
+        """Return the symbols with ``K`` instead of ``u`` for converters, by index.
+
+        >>> Names([], [], [], ["u_P", "u_TC"], []).with_torque_ratios([1]).ratios
+        ['u_P', 'K_TC']
+        """
+        ratios = [
+            f"K{ratio.removeprefix('u')}" if place in converters else ratio
+            for place, ratio in enumerate(self.ratios)
         ]
         return self._replace(ratios=ratios)
 

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
+from vstatics.core.explain.converters import CONVERTERS, sought_ratio
 from vstatics.core.explain.explanation import Explanation
 from vstatics.core.explain.formula import FOLLOWS
 from vstatics.core.explain.machines import MACHINES
@@ -95,6 +96,7 @@ def sections(explanation: Explanation, digits: int | None = None) -> Iterator[Ch
             + rule(coasts=explanation.coasts, drags=_drags(explanation)),
             _losses(explanation, digits),
         ),
+        ("converters", tr(CONVERTERS), _converters(explanation, digits)),
         ("balance", tr(MACHINES), _machines(explanation, digits)),
         ("together", tr("Links that turn together at any ratios"), _together(explanation)),
         ("ratio", tr("Ratio" if is_ratio else "Output speed"), _ratio(explanation, digits)),
@@ -267,6 +269,14 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     with_loss = f"{ratio} {'x' if sign.sign > 0 else '/'} {efficiency} = " if sign.sign else ""
     exponent = f"{sign.sign:+.0f}" if sign.sign else "0"
     yield f"{INDENT * 3}x = {exponent}, u eta^x = {with_loss}{short(sign.lossy_ratio, digits)}"
+
+
+def _converters(explanation: Explanation, digits: int | None) -> Iterator[str]:
+    for point in explanation.converters or ():
+        ratio, torque_ratio = (short(each, digits) for each in point[1:3])
+        yield f"{INDENT}{point.converter}: i = {ratio}, K = {torque_ratio}"
+        for text in sought_ratio(point):
+            yield from _wrapped(text)
 
 
 def _machines(explanation: Explanation, digits: int | None) -> Iterator[str]:
