@@ -16,7 +16,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.explain.bodies import OwnLinks, Structure, as_solved, on_own_links, structure
 from vstatics.core.explain.converters import ConverterPoint, converter_points, loaded_converters
 from vstatics.core.explain.equations import speed_system, torque_system
-from vstatics.core.explain.formula import RatioFormula, Symbol, formula, symbols_of
+from vstatics.core.explain.formula import RatioFormula, formula, symbols_of
 from vstatics.core.explain.machines import MachineBalance, machine_balance
 from vstatics.core.explain.names import Names, names_of
 from vstatics.core.explain.shares import NoFormula
@@ -142,17 +142,10 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     """
     expect_one_case(results, "explain_gear")
     number = results.case.gear_number(gear) - 1
-    given, told = results.case.gears[number], results
-    points = converter_points(results.gear_at(number), given)
-    variators = {
-        mechanism.name: mechanism.kind for mechanism in results.case.mechanisms if mechanism.kind
-    }
-    with_torques = results
-    if variators:
-        with_torques = solve(_pairs(results, number, keeping=[each.converter for each in points]))
-        told, results, number = results if points else with_torques, with_torques, 0
-    if points:
-        results = solve(_pairs(told, told.case.gear_number(gear) - 1))
+    points = converter_points(results.gear_at(number), results.case.gears[number])
+    variators = [mechanism.name for mechanism in results.case.mechanisms if mechanism.kind]
+    solved = _with_pairs(results, number, [each.converter for each in points])
+    (results, with_torques, told), number = solved, 0 if variators else number
     state, loaded_state = results.gear_at(number), with_torques.gear_at(number)
     case, actual = as_solved(state.case), state.gear
     names = names_of(case)
@@ -166,10 +159,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     bodies = None if fault else structure(on_links, actual)
     together = list(_together(on_links, actual, bodies)) if bodies else []
     one_piece, standing = _pieces(on_links, bodies) if bodies else ([], [])
-    symbols = symbols_of(case, names, on_links)
-    ratio, reason = _formula(state, names, symbols, on_links, bodies) if bodies else (None, fault)
-    speeds = list(map(plain, state.speeds))
-    signs = signs_of(loaded_state)
+    ratio, reason = _formula(state, names, on_links, bodies) if bodies else (None, fault)
     return Explanation(
         gear=actual.name,
         engaged=[elements[n - 1] for n in state.engaged if n not in state.holding],
@@ -178,9 +168,9 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         rows=case.link_names,
         columns=[case.devices[device] for device in loaded],
         matrix=matrix[:, loaded],
-        speeds=speed_system(case, actual, names, structural_matrix(case) + 0.0, speeds),
+        speeds=_speeds(case, state, names),
         torques=torques,
-        signs=[sign for place, sign in enumerate(signs) if place not in of_converters],
+        signs=[s for n, s in enumerate(signs_of(loaded_state)) if n not in of_converters],
         lossy=lossy,
         input_torque=case.input_torque(actual),
         coasts=case.coasts(actual),
@@ -223,6 +213,18 @@ def _assumed_teeth(results: Results, case: Transmission) -> Iterator[str]:
                 )
 
 
+def _with_pairs(
+    results: Results, place: int, converters: Sequence[str]
+) -> tuple[Results, Results, Results]:
+    """Return results for the speeds, for the torques and for the messages of a gear."""
+    if not any(mechanism.kind for mechanism in results.case.mechanisms):
+        return results, results, results
+    with_torques = solve(_pairs(results, place, keeping=converters))
+    if not converters:
+        return with_torques, with_torques, with_torques
+    return solve(_pairs(results, place)), with_torques, results
+
+
 def _pairs(results: Results, place: int, keeping: Collection[str] = ()) -> Transmission:
     """Return a gear as a case with gear pairs instead of variators, which have their equations.
 
@@ -259,6 +261,11 @@ FAULTS = {
 """Reason for the missing solution, by status."""
 
 
+def _speeds(case: Transmission, state: GearState, names: Names) -> System:
+    matrix, speeds = structural_matrix(case) + 0.0, list(map(plain, state.speeds))
+    return speed_system(case, state.gear, names, matrix, speeds)
+
+
 def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | None, System | None]:
     if state.status in FAULTS:
         return None, None
@@ -277,9 +284,10 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
 
 
 def _formula(
-    state: GearState, names: Names, symbols: Sequence[Symbol], on_links: OwnLinks, bodies: Structure
+    state: GearState, names: Names, on_links: OwnLinks, bodies: Structure
 ) -> tuple[RatioFormula | None, str]:
     """Return the formula if the calculated ratio is reproduced, else the reason."""
+    symbols = symbols_of(as_solved(state.case), names, on_links)
     try:
         ratio = formula(on_links, state.gear, names, symbols, bodies)
     except NoFormula as none:
