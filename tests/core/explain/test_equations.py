@@ -11,7 +11,7 @@ from tests.chance import count, seeded
 from tests.commands import CASES
 from tests.core.explain.explained import check, equations, explained, holds
 from tests.trains import random_slipping, random_train, with_variators
-from vstatics import explain_gear, load, solve
+from vstatics import explain_gear, load, loads, solve
 from vstatics.core.explain.formula import SLIPS
 from vstatics.core.explain.sums import in_symbols
 from vstatics.core.tables.answer import plain_data
@@ -110,3 +110,39 @@ def test_a_given_slip_is_on_the_right_of_its_equation() -> None:
         for name in ("speeds", "torques", "lossy"):
             if answer[name] is not None:
                 holds(answer[name])
+
+
+def test_a_converter_has_different_ratios_of_speeds_and_of_torques() -> None:
+    """The speed ratio lies where the straight lambda times w^2 is the torque of the load."""
+    chance = seeded(279)
+    for _ in range(count(6, 60)):
+        torque, speed, u = (chance.uniform(low, 2 * low) for low in (80, 150, 1.5))
+        at = chance.uniform(0.1, 0.9)
+        end = chance.uniform(0, 0.5) * (torque / speed**2)
+        start = end + (torque / speed**2 - end) / (1 - at)  # lambda is straight from start to end
+        given = chance.random() < 0.3
+        case = loads(f"""
+links: [engine, turbine, ring, mid, out]
+load: {{speed: {speed} rad/s, torque: {torque} N*m}}
+elements: {{P: {{kind: planetary, sun: turbine, ring: ring, carrier: mid, teeth: {{sun: 30, ring: 72}}}}}}
+mechanisms:
+  TC: {{kind: converter, first: engine, second: turbine, points: [[0, 2, {start}], [1, 1, {end}]]}}
+  pair: {{first: mid, second: out, ratio: {u}, efficiency: "0.98 - 1/(T + 9)"}}
+shift_elements: {{B: [ring, housing], L: [engine, turbine]}}
+gears:
+  low: {{engaged: [B], drag: {{out: 3 N*m}}{f", speed_ratios: {{TC: {at}}}" if given else ""}}}
+  lock: [B, L]
+""")  # fmt: skip
+        results = solve(case)
+        check(results, range(2))
+        made = explain_gear(results, "low")
+        [point] = made.converters or ()
+        assert list(point[1:3]) == pytest.approx([at, 2 - at], rel=1e-9)
+        assert (point.torque is None) == given
+        assert point.torque is None or point.torque == pytest.approx(torque)
+        assert made.ratio == pytest.approx((1 + 72 / 30) * u / at)
+        answer = plain_data(made)
+        assert "K_TC" in answer["torques"]["equations"][1]["symbols"]
+        output = float(results.lossy_torques[0, -1])
+        assert answer["lossy"]["values"]["Mx"] == pytest.approx(output)
+        assert explain_gear(results, "lock").converters is None

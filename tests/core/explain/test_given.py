@@ -32,6 +32,19 @@ mechanisms:
 load: {speed: 1000 rpm, torque: 100 N*m}
 gears: {g: {engaged: [], drag: {out: 2 N*m}, torques: {mid: 10 N*m}}}
 """
+MAPPED = """
+links: [in, ring, mid, out]
+elements:
+  P: {kind: planetary, sun: in, ring: ring, carrier: mid, teeth: {sun: 30, ring: 72}, planets: 3,
+      efficiency: {over: [speed, torque], columns: [10, 200], rows: [[50, 0.9, 0.96], [400, 0.93, 0.98]]}}
+mechanisms: {worm: {first: mid, second: out, ratio: 20, efficiency: "0.9 - 2/(T + 9) - 1e-4*w"}}
+shift_elements: {B: [ring, housing]}
+load: {speed: 1000 rpm, torque: 100 N*m}
+gears:
+  g: {engaged: [B], loss: {over: [speed, torque], columns: [0, 200], rows: [[0, 20, 60], [500, 300, 700]]}}
+fatigue: {P.sun: {torque: 900, cycles: 3e6, exponent: 6.6}}
+bearings: {pin: {on: P.planet, torque_of: P.carrier, load_per_torque: 12, dynamic: 24000}}
+"""
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 
 
@@ -99,6 +112,16 @@ def unsaid(case: Transmission, random: Random, most: int) -> list[str]:
         if after[1] != before[1] and after[0] == before[0]:
             missed.append(f"{case.name} {gear}: {way}")
     return missed
+
+
+def test_maps_and_formulas_stand_on_the_sheet() -> None:
+    """Also of a case that names members for its life, which the equations do not have."""
+    case = loads(MAPPED)
+    assert unsaid(case, seeded(3), 99) == []
+    told = said_and_asked(case, 0)[0].replace("\\", "")
+    assert "(50, 10, 0.9), (50, 200, 0.96), (400, 10, 0.93), (400, 200, 0.98)" in told
+    assert "0.9 - 2/(T + 9) - 1e-4*w |" in told  # without the unit of drag
+    assert explain_gear(solve(case), "g").ratio == pytest.approx((1 + 72 / 30) * 20)
 
 
 def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:

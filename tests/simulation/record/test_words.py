@@ -174,6 +174,6 @@ def test_a_run_is_a_data_frame_with_the_columns_of_its_file() -> None:
     pytest.importorskip("pandas")
     text = "duration: 1\nstart: {speeds: {in: 0}}\ntorques: {in: 21}\n"
     frame = simulated(text, AXLE.format(ratio=4)).to_dataframe()
-    assert list(frame) == ["speeds[in]", "speeds[out]", "torques[g]"]
-    assert (frame.index.name, frame.index[-1]) == ("time", 1.0)
+    assert list(frame) == ["time", "speeds[in]", "speeds[out]", "torques[g]"]
+    assert (frame.index[-1], frame["time"].iloc[-1]) == (1.0, 1.0)
     assert frame["speeds[out]"].iloc[-1] == pytest.approx(4 * 21 / (16 + 5))

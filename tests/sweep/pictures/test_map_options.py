@@ -145,6 +145,30 @@ def test_a_gear_without_a_value_leaves_the_region_to_others() -> None:
     assert np.isnan([first.lead[0, 2], second.lead[0, 2]]).all()
 
 
+@needs("vehicle")
+def test_a_gear_of_a_column_can_have_a_name_in_quotes() -> None:
+    text = Path("map.csv").read_text().replace("efficiency", '"speeds[in,""a,b""]"')
+    rows = [line.replace(",low,", ",") for line in text.splitlines() if ",high," not in line]
+    Path("column.csv").write_text("\n".join(rows).replace("status,gear,", "status,"))
+    Path("duty.csv").write_text(DUTY.replace("high", '"a,b"'))
+    points = of_class(drawn("--duty", "duty.csv", file="column.csv"), "operating-point")
+    assert [p.get("data-gear") for p in points] == ["a,b"]
+
+
+def test_equal_gears_with_long_names_have_a_readable_map() -> None:
+    """Of equal gears the first is best; a long name is broken into lines, or only in the key."""
+    name = "a name that is as long as the page of this picture is wide " * 2
+    write(lambda *_: {name.strip(): 0.9, "high": 0.9})
+    for options in (("--best-gear",), ("--z", "efficiency", "--width", "80mm")):
+        elements = drawn(*options)
+        assert {g.get("data-gear") for g in of_class(elements, "gear")} <= {name.strip()}
+        texts = [text for text in map(str, (e.text for e in elements)) if "as long" in text]
+        assert texts
+        assert max(map(len, texts)) < len(name) - 10
+    titles = ["".join(e.itertext()) for e in elements if e.tag.endswith("text")]
+    assert any("efficiency = 0.900" in title for title in titles)
+
+
 def test_wrong_options_of_maps_are_reported(folder: Path) -> None:
     write(lambda x, y: {"low": x + y}, "others.csv", "a,b")
     (folder / "plain.yaml").write_text(CAR.partition("vehicle")[0])

@@ -15,7 +15,7 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.torsion.systems import Array
-from vstatics import Gear, Load, Mechanism, Spring, Transmission, solve
+from vstatics import Gear, Load, Mechanism, Spring, Transmission, loads, solve
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import OfLoad
 from vstatics.torsion import Harmonic, modes, response
@@ -136,6 +136,23 @@ def test_the_pump_sets_the_torques_of_all_springs() -> None:
         )
         assert repr(by_points) == repr(by_slopes)
     assert coasts
+
+
+def test_members_of_gear_sets_do_not_hide_the_torque_of_the_pump() -> None:
+    """The pump takes 100 N*m at 200 rad/s with lambda = 0.0025, which it has at half the speed."""
+    case = loads("""\
+links: [engine, turbine, ring, out]
+inertias: {engine: 0.2, turbine: 0.05, out: 3}
+elements: {P: {kind: planetary, sun: turbine, ring: ring, carrier: out, teeth: {sun: 30, ring: 72}}}
+mechanisms: {TC: {kind: converter, first: engine, second: turbine, points: [[0, 2, 0.005], [1, 1, 0]]}}
+shift_elements: {B: [ring, housing]}
+gears: {low: [B]}
+load: {speed: 200 rad/s, torque: 100 N*m}
+""")  # fmt: skip
+    working = working_gear(case, case.gears[0], {})
+    [converter] = working.converters
+    assert converter.speed_ratio == pytest.approx(0.5)
+    assert not working.doubts
 
 
 def test_a_load_that_contradicts_the_pump_is_reported() -> None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from typing import Annotated, NamedTuple
 
 import numpy as np
@@ -13,8 +14,9 @@ from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.elements.group import group_of
 from vstatics.core.errors import CaseError
 from vstatics.core.explain.bodies import OwnLinks, Structure, as_solved, on_own_links, structure
+from vstatics.core.explain.converters import ConverterPoint, converter_points, loaded_converters
 from vstatics.core.explain.equations import speed_system, torque_system
-from vstatics.core.explain.formula import RatioFormula, Symbol, formula, symbols_of
+from vstatics.core.explain.formula import RatioFormula, formula, symbols_of
 from vstatics.core.explain.machines import MachineBalance, machine_balance
 from vstatics.core.explain.names import Names, names_of
 from vstatics.core.explain.shares import NoFormula
@@ -22,7 +24,7 @@ from vstatics.core.explain.signs import PowerSign, TriedSigns, signs_of, tried_s
 from vstatics.core.explain.sums import System
 from vstatics.core.extras import higher
 from vstatics.core.model.springs import ends
-from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import ROUNDED_NUMBER, SAME_FORMULA
 from vstatics.core.numerics.traced import plain
@@ -94,6 +96,8 @@ class Explanation(NamedTuple):
     """Sets of signs with the contradiction of each, for a self-locking gear."""
     slipping: Sometimes[Sequence[str]] = None
     """Shift elements with a given slip, if any."""
+    converters: Sometimes[Sequence[ConverterPoint]] = None
+    """Converters that carry torque, if any."""
 
     def __repr__(self) -> str:
         """Return a short description: gear, ratio and formula."""
@@ -137,27 +141,25 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_one_case(results, "explain_gear")
-    asked, number = results, results.case.gear_number(gear) - 1
-    turning = case = results.case
-    variators = {mechanism.name for mechanism in case.mechanisms if mechanism.kind}
-    if variators:
-        turning, case = _with_pairs(results.gear_at(number))
-        results, number = solve(case), 0
-    state = results.gear_at(number)
-    turning = as_solved(turning if variators else state.case)
+    number = results.case.gear_number(gear) - 1
+    points = converter_points(results.gear_at(number), results.case.gears[number])
+    variators = [mechanism.name for mechanism in results.case.mechanisms if mechanism.kind]
+    solved = _with_pairs(results, number, [each.converter for each in points])
+    (results, with_torques, told), number = solved, 0 if variators else number
+    state, loaded_state = results.gear_at(number), with_torques.gear_at(number)
     case, actual = as_solved(state.case), state.gear
-    names = names_of(turning)
-    matrix = structural_matrix(case) + 0.0
+    names = names_of(case)
     elements = [element.name for element in case.shift_elements]
     loaded = loaded_devices(case, actual)
-    torques, lossy = _torques(state, names, matrix)
+    of_converters = loaded_converters(loaded_state)
+    matrix = structural_matrix(as_solved(loaded_state.case)) + 0.0
+    torques, lossy = _torques(loaded_state, names.with_torque_ratios(of_converters), matrix)
     fault = FAULTS.get(state.status, "")
-    on_links = on_own_links(turning)._replace(variators=variators)
+    on_links = on_own_links(case)._replace(variators=variators)
     bodies = None if fault else structure(on_links, actual)
     together = list(_together(on_links, actual, bodies)) if bodies else []
     one_piece, standing = _pieces(on_links, bodies) if bodies else ([], [])
-    symbols = symbols_of(turning, names, on_links)
-    ratio, reason = _formula(state, names, symbols, on_links, bodies) if bodies else (None, fault)
+    ratio, reason = _formula(state, names, on_links, bodies) if bodies else (None, fault)
     return Explanation(
         gear=actual.name,
         engaged=[elements[n - 1] for n in state.engaged if n not in state.holding],
@@ -166,12 +168,9 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         rows=case.link_names,
         columns=[case.devices[device] for device in loaded],
         matrix=matrix[:, loaded],
-        speeds=speed_system(
-            *(turning, actual, names, structural_matrix(turning) + 0.0),
-            list(map(plain, state.speeds)),
-        ),
+        speeds=_speeds(case, state, names),
         torques=torques,
-        signs=signs_of(state),
+        signs=[s for n, s in enumerate(signs_of(loaded_state)) if n not in of_converters],
         lossy=lossy,
         input_torque=case.input_torque(actual),
         coasts=case.coasts(actual),
@@ -183,11 +182,12 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         formula=ratio,
         reason=reason,
         ratio=float(results.ratio[number]),
-        efficiency=float(results.efficiency[number]),
-        messages=[*_messages_about(asked, actual.name), *_assumed_teeth(results, case)],
-        balance=machine_balance(results, number),
-        tried=tried_signs(state) or None,
+        efficiency=float(with_torques.efficiency[number]),
+        messages=[*_messages_about(told, actual.name), *_assumed_teeth(results, case)],
+        balance=machine_balance(with_torques, number),
+        tried=tried_signs(loaded_state) or None,
         slipping=[elements[n - 1] for n in actual.slipping] or None,
+        converters=points or None,
     )
 
 
@@ -213,32 +213,45 @@ def _assumed_teeth(results: Results, case: Transmission) -> Iterator[str]:
                 )
 
 
-def _with_pairs(state: GearState) -> tuple[Transmission, Transmission]:
-    """Return the gear with gear pairs instead of variators and converters, and of variators only.
+def _with_pairs(
+    results: Results, place: int, converters: Sequence[str]
+) -> tuple[Results, Results, Results]:
+    """Return results for the speeds, for the torques and for the messages of a gear."""
+    if not any(mechanism.kind for mechanism in results.case.mechanisms):
+        return results, results, results
+    with_torques = solve(_pairs(results, place, keeping=converters))
+    if not converters:
+        return with_torques, with_torques, with_torques
+    return solve(_pairs(results, place)), with_torques, results
 
-    Speeds follow from gear pairs. Converters keep their torque ratios.
+
+def _pairs(results: Results, place: int, keeping: Collection[str] = ()) -> Transmission:
+    """Return a gear as a case with gear pairs instead of variators, which have their equations.
+
+    Parameters
+    ----------
+    keeping : collection of str
+        Converters that remain, with their speed ratios; the others become pairs, too, whose
+        equations of speeds are those of the converters.
     """
-    case, gear = state.case, state.gear
-    unloaded, ratios = case.unloaded_converters(gear), case.gear_ratios(gear)
-    mechanisms = list(case.mechanisms)
-    converters = {}
-    for place, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True)):
-        if not mechanism.kind or place in unloaded:
-            continue
-        if not ratio or math.isnan(ratio):
-            what = "has no speed ratio" if ratio else "has the speed ratio 0"
-            message = (
-                f"gear {gear.name}: {mechanism.name} {what}, so its equations cannot be written; "
-                "`explain --worksheet` gives its rules"
+    case, gear = results.case, results.case.gears[place]
+    ratios = map(plain, results.gear_at(place).ideal.variant.ratios)
+    mechanisms, unloaded = list[Mechanism](), case.unloaded_converters(gear)
+    for number, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True)):
+        if not mechanism.kind:
+            mechanisms.append(mechanism)
+        elif number in unloaded or (mechanism.name in keeping and not math.isnan(ratio)):
+            mechanisms.append(mechanism._replace(ratio=ratio))
+        elif ratio and not math.isnan(ratio):
+            mechanisms.append(mechanism._replace(kind="", ratio=1 / ratio, points=()))
+        else:
+            what = "the speed ratio 0" if ratio == 0 else "no known speed ratio"
+            raise CaseError(
+                "E279",
+                f"gear {gear.name}: {mechanism.name} has {what}, of which no equations are "
+                "written; its sheet, `explain --worksheet`, has its rules",
             )
-            raise CaseError("E279", message)
-        if mechanism.kind == "converter":
-            converters[place] = mechanism._replace(ratio=ratio)
-            mechanisms[place] = mechanism._replace(kind="variator", points=(), ratio=ratio)
-    pairs = case.replace(mechanisms=mechanisms, gears=[gear]).as_pairs(gear)
-    assert pairs is not None  # noqa: S101 - the speed ratios are known, and not 0
-    both = (converters.get(place, pair) for place, pair in enumerate(pairs.mechanisms))
-    return pairs, pairs.replace(mechanisms=list(both))
+    return replace(case, mechanisms=mechanisms, gears=[gear._replace(speed_ratios={})])
 
 
 FAULTS = {
@@ -248,10 +261,14 @@ FAULTS = {
 """Reason for the missing solution, by status."""
 
 
+def _speeds(case: Transmission, state: GearState, names: Names) -> System:
+    matrix, speeds = structural_matrix(case) + 0.0, list(map(plain, state.speeds))
+    return speed_system(case, state.gear, names, matrix, speeds)
+
+
 def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | None, System | None]:
     if state.status in FAULTS:
         return None, None
-    names = names.with_torque_ratios(state.case)
     ideal = torque_system(state.case, state.gear, names, matrix, state.torques, drag={})
     ratios = list(map(plain, state.lossy_ratios))
     if any(not status.has_power for status in state.statuses) or np.isnan(ratios).any():
@@ -267,9 +284,10 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
 
 
 def _formula(
-    state: GearState, names: Names, symbols: Sequence[Symbol], on_links: OwnLinks, bodies: Structure
+    state: GearState, names: Names, on_links: OwnLinks, bodies: Structure
 ) -> tuple[RatioFormula | None, str]:
     """Return the formula if the calculated ratio is reproduced, else the reason."""
+    symbols = symbols_of(as_solved(state.case), names, on_links)
     try:
         ratio = formula(on_links, state.gear, names, symbols, bodies)
     except NoFormula as none:

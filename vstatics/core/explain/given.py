@@ -11,6 +11,7 @@ from typing import Any
 
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.explain import typeset
+from vstatics.core.explain.converters import converter_points, sought_ratio
 from vstatics.core.explain.given_parts import (
     UNREAD,
     cell_of,
@@ -26,10 +27,9 @@ from vstatics.core.explain.given_parts import (
 )
 from vstatics.core.explain.machines import MACHINES
 from vstatics.core.explain.text import engaged, rule
-from vstatics.core.model.parts import HOUSING, RAD_PER_RPM, Law
+from vstatics.core.model.parts import HOUSING, Law
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.carried import pump_factor
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.state import GearState
 from vstatics.core.tables.grid import NOTHING, Grid, Value, grid_of, whole, word
@@ -102,8 +102,8 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
     )
     if state.calculable:
         yield from _rules_of_losses(state)
-        for place in case.sought_converters(gear):
-            yield from _rules_of_sought_ratio(state, place)
+        for point in converter_points(state, gear):
+            yield from sought_ratio(point)
         yield from _rules_of_drag(state)
     if any(item.is_plain(item.ratio) and item.planet_ratio is None for item in case.mechanisms):
         yield tr(
@@ -164,33 +164,9 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
         yield tr(
             "An efficiency over speed depends on the speed of the first link relative to "
             "the third; an efficiency over torque depends on the torque on the first link "
-            "with losses. Both use magnitudes; values are interpolated linearly between "
-            "points and held constant outside."
+            "with losses. Both use magnitudes, in a formula w in rad/s and T in N*m; values are "
+            "interpolated linearly between points and held constant outside."
         )
-
-
-def _rules_of_sought_ratio(state: GearState, place: int) -> Iterator[str]:
-    """Yield the equation of the speed ratio that the load determines, also with numbers."""
-    case, converter = state.case, state.case.mechanisms[place]
-    yield tr(
-        "The speed ratio i of {name} follows from the load: M = lambda(i) w |w|, with the torque M "
-        "on its pump with losses and the speed w of its pump. lambda is interpolated linearly "
-        "between its points. Of several solutions, i is the largest.",
-        name=converter.name,
-    )
-    if place in case.unloaded_converters(state.gear):
-        return
-    ratio = plain(state.ideal.variant.ratios[place])
-    speed = plain(state.speeds[converter.first - 1]) * (case.gear_load(state.gear).speed or 0.0)
-    torque = plain(state.lossy_torques.on_first_link[case.among_devices.start + place])
-    yield tr(
-        "{name}: i = {ratio}, lambda = {factor} N*m*s^2, w = {speed} rad/s, M = {torque} N*m.",
-        name=converter.name,
-        ratio=f"{ratio:.5g}",
-        factor=f"{pump_factor(converter.points, ratio):.5g}",
-        speed=f"{speed * RAD_PER_RPM:.5g}",
-        torque=f"{torque * case.torque_unit(state.gear):.5g}",
-    )
 
 
 def _rules_of_drag(state: GearState) -> Iterator[str]:
@@ -202,6 +178,12 @@ def _rules_of_drag(state: GearState) -> Iterator[str]:
         )
     # the gear of the state has numbers instead of laws
     gear = case.gears[case.gear_number(state.gear.name) - 1]
+    if gear.loss is not None:
+        yield tr(
+            "The loss of the gear, in W unless it has a unit, depends on the magnitudes of speed, "
+            "rad/s, and torque, N*m, of the input. A power divided by the speed is the torque that "
+            "brakes the input, only in the torques with losses."
+        )
     by_part = case.gear_drag(gear), case.gear_open_drag(gear)
     if any(isinstance(drag, Law) for drags in by_part for drag in drags.values()):
         yield tr(

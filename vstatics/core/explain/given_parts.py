@@ -11,10 +11,12 @@ from vstatics.core.elements.drawing import drawing_of, parts_of
 from vstatics.core.elements.element import Element
 from vstatics.core.elements.group import group_of
 from vstatics.core.elements.kinds import Planetary
+from vstatics.core.model.laws import MapLaw
 from vstatics.core.model.parts import HOUSING, Law, Mechanism, ShiftElement
 from vstatics.core.model.springs import Spring, ends
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.traced import plain
+from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.core.statics.state import GearState
 from vstatics.core.tables.grid import NOTHING, Cell, Grid, Value, grid_of, word
 from vstatics.core.texts import heading, tr
@@ -34,7 +36,8 @@ _TOLD = frozenset(
     )
 )
 """Keys of a gear set with separate columns or tables."""
-_OVER = {"speed": "speed, rad/s", "torque": "torque, N*m"}
+_SPEED, _TORQUE = "speed, rad/s", "torque, N*m"
+_OVER = {"speed": (_SPEED,), "torque": (_TORQUE,), "both": (_SPEED, _TORQUE)}
 
 
 def cell_of(value: Any) -> Value:
@@ -43,9 +46,16 @@ def cell_of(value: Any) -> Value:
         return value or NOTHING
     if isinstance(value, Law):
         if value.text:
-            return f"{value.text} [{tr('N*m')}]"
-        points = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in value.points)
-        return f"{heading(_OVER[value.over])}: {points}"
+            return f"{value.text} [{tr('N*m')}]" if isinstance(value, DragFormula) else value.text
+        points: Sequence[Sequence[float]] = value.points
+        if isinstance(value, MapLaw):
+            points = [
+                (row[0], column, inner)
+                for row in value.rows
+                for column, inner in zip(value.columns, row[1:], strict=True)
+            ]
+        told = ", ".join(f"({', '.join(f'{x:.6g}' for x in point)})" for point in points)
+        return f"{', '.join(map(heading, _OVER[value.over]))}: {told}"
     if math.isnan(value):
         return NOTHING
     return Cell(f"{value:.6g}", value, kind=float)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from vstatics.core.model.transmission import Transmission
@@ -44,19 +44,15 @@ class Names(NamedTuple):
         ]
         return self._replace(ratios=ratios)
 
-    def with_torque_ratios(self, case: Transmission) -> Names:
-        """Return the symbols with the torque ratio K instead of u for each converter.
+    def with_torque_ratios(self, converters: Collection[int]) -> Names:
+        """Return the symbols with ``K`` instead of ``u`` for converters, by index.
 
-        >>> from vstatics.core.model.transmission import Gear, Mechanism
-        >>> converter = Mechanism(1, 2, 0, 0.5, name="TC", kind="converter", points=((0, 2),))
-        >>> case = Transmission(2, [], [converter], [Gear()])
-        >>> names_of(case).with_torque_ratios(case).ratios
-        ['K_TC']
+        >>> Names([], [], [], ["u_P", "u_TC"], []).with_torque_ratios([1]).ratios
+        ['u_P', 'K_TC']
         """
-        pairs = zip(self.ratios, case.mechanisms, strict=True)
         ratios = [
-            f"K{ratio[1:]}" if mechanism.kind == "converter" else ratio
-            for ratio, mechanism in pairs
+            f"K{ratio.removeprefix('u')}" if place in converters else ratio
+            for place, ratio in enumerate(self.ratios)
         ]
         return self._replace(ratios=ratios)
 

@@ -11,7 +11,6 @@ from typing import NamedTuple
 from vstatics.core.numerics.traced import is_nan, plain
 from vstatics.core.statics.efficiency import lossy_ratios
 from vstatics.core.statics.losses import torques_for_signs
-from vstatics.core.statics.matrix import torque_ratio_of
 from vstatics.core.statics.roles import IDLE, ONE_PIECE, mechanism_roles
 from vstatics.core.statics.speeds import is_tie
 from vstatics.core.statics.state import GearState
@@ -35,7 +34,7 @@ class PowerSign(NamedTuple):
     sign: float
     """+1, -1 or 0; NaN if indeterminate."""
     ratio: float
-    """Basic ratio, or the torque ratio of a converter. [-]"""
+    """Basic ratio. [-]"""
     efficiency: float
     """Efficiency for the direction of power. [-]"""
     lossy_ratio: float
@@ -59,10 +58,6 @@ def signs_of(state: GearState) -> list[PowerSign]:
         motion = 0.0 if is_tie(abs(first - third), abs(first), abs(third)) else first - third
         sign, efficiency = state.signs[place], state.ideal.variant.efficiencies[place]
         power = torque * motion
-        why = _why(state, place, motion, power)
-        ratios = mechanism.ratio, state.lossy_ratios[place]
-        if mechanism.kind == "converter":
-            why, ratios = TORQUE_RATIO, (torque_ratio_of(mechanism, mechanism.ratio),) * 2
         signs.append(
             PowerSign(
                 mechanism=mechanism.name,
@@ -70,17 +65,15 @@ def signs_of(state: GearState) -> list[PowerSign]:
                 motion=motion,
                 power=power,
                 sign=plain(sign),
-                ratio=ratios[0],
+                ratio=mechanism.ratio,
                 efficiency=plain(efficiency.back if sign < 0 else efficiency.forward),
-                lossy_ratio=plain(ratios[1]),
-                why=why,
+                lossy_ratio=plain(state.lossy_ratios[place]),
+                why=_why(state, place, motion, power),
             )
         )
     return signs
 
 
-TORQUE_RATIO = "a converter has this torque ratio with and without losses"
-"""Reason for a converter, which has no sign."""
 MOST_TRIED = 3
 """Largest number of moving mechanisms with losses whose sets of signs are all shown."""
 

@@ -40,6 +40,7 @@ def _grids(explanation: Explanation) -> Iterator[Grid]:
         _signs(explanation),
         _tried(explanation),
     )
+    yield _converters(explanation)
     yield _machines(explanation)
     yield _ratio(explanation)
 
@@ -101,6 +102,12 @@ def _tried(explanation: Explanation) -> Grid:
     ]
     headings = ["mechanism", "sign", "ratio with losses", "Mx", "but"]
     return grid_of("signs that do not agree", headings, rows)
+
+
+def _converters(explanation: Explanation) -> Grid:
+    """Return the working points of converters."""
+    headings = "speed ratio", "K", "lambda", "speed, rad/s", "torque, N*m"
+    return grid_of("converters", ["converter", *headings], explanation.converters or ())
 
 
 def _machines(explanation: Explanation) -> Grid:

@@ -8,10 +8,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
+from vstatics.core.explain.converters import CONVERTERS, sought_ratio
 from vstatics.core.explain.explanation import Explanation
 from vstatics.core.explain.formula import FOLLOWS
 from vstatics.core.explain.machines import MACHINES
-from vstatics.core.explain.signs import TORQUE_RATIO, PowerSign, TriedSigns
+from vstatics.core.explain.signs import PowerSign, TriedSigns
 from vstatics.core.explain.sums import (
     EQUATION_WIDTH,
     INDENT,
@@ -21,7 +22,6 @@ from vstatics.core.explain.sums import (
     in_symbols,
     listed,
 )
-from vstatics.core.numerics.tolerances import SAME_FORMULA
 from vstatics.core.tables.grid import Column, Grid
 from vstatics.core.tables.numbers import fixed, short
 from vstatics.core.tables.text import lines as table_lines
@@ -96,6 +96,7 @@ def sections(explanation: Explanation, digits: int | None = None) -> Iterator[Ch
             + rule(coasts=explanation.coasts, drags=_drags(explanation)),
             _losses(explanation, digits),
         ),
+        ("converters", tr(CONVERTERS), _converters(explanation, digits)),
         ("balance", tr(MACHINES), _machines(explanation, digits)),
         ("together", tr("Links that turn together at any ratios"), _together(explanation)),
         ("ratio", tr("Ratio" if is_ratio else "Output speed"), _ratio(explanation, digits)),
@@ -211,8 +212,6 @@ def _losses(explanation: Explanation, digits: int | None) -> Iterator[str]:
         yield INDENT + _efficiency(explanation, digits)
     else:
         yield INDENT + tr("all u stay as they are, and so do the torques")
-        if abs(explanation.efficiency - 1) > SAME_FORMULA:  # by converters and slipping clutches
-            yield INDENT + _efficiency(explanation, digits)
 
 
 def _tried(signs_tried: TriedSigns, digits: int | None) -> Iterator[str]:
@@ -254,8 +253,7 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     """Yield lines about a mechanism: power at the first link, its sign, and ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
-        symbol = "K" if sign.why == TORQUE_RATIO else "u"
-        yield f"{label}{sign.told}, {symbol} = {short(sign.ratio, digits)}"
+        yield f"{label}{sign.told}, u = {short(sign.ratio, digits)}"
         return
     torque, motion, power = (
         short(number, digits) for number in (sign.torque, sign.motion, sign.power)
@@ -271,6 +269,14 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     with_loss = f"{ratio} {'x' if sign.sign > 0 else '/'} {efficiency} = " if sign.sign else ""
     exponent = f"{sign.sign:+.0f}" if sign.sign else "0"
     yield f"{INDENT * 3}x = {exponent}, u eta^x = {with_loss}{short(sign.lossy_ratio, digits)}"
+
+
+def _converters(explanation: Explanation, digits: int | None) -> Iterator[str]:
+    for point in explanation.converters or ():
+        ratio, torque_ratio = (short(each, digits) for each in point[1:3])
+        yield f"{INDENT}{point.converter}: i = {ratio}, K = {torque_ratio}"
+        for text in sought_ratio(point):
+            yield from _wrapped(text)
 
 
 def _machines(explanation: Explanation, digits: int | None) -> Iterator[str]:

@@ -77,6 +77,8 @@ def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
     return max(line_width(line, size, bold=bold) for line in text.split("\n"))
 
 
+bold_width = partial(width, bold=True)
+"""Return the width of a bold text [pt]."""
 title_width = partial(width, size=TITLE, bold=True)
 """Return the width of a title [pt]."""
 

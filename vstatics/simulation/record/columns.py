@@ -49,7 +49,7 @@ def motion_dataframe(motion: Motion) -> pd.DataFrame:
     import pandas as pd
 
     named = columns(motion)
-    return pd.DataFrame(named, index=pd.Index(named.pop("time"), name="time"))
+    return pd.DataFrame(named, index=named["time"])
 
 
 def motion_dataset(motion: Motion) -> xr.Dataset:

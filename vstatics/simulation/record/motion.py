@@ -180,8 +180,9 @@ class Motion(NamedTuple):
         Returns
         -------
         DataFrame
-            A row for each instant, with its time as index [s]; speeds and slips [rad/s], torques
-            [N*m], then additional columns. An instant at which a value jumps has two rows.
+            A row for each instant, with the time [s] as index and as the first column, then speeds
+            and slips [rad/s], torques [N*m] and additional columns. An instant at which a value
+            jumps has two rows.
 
         Raises
         ------
@@ -196,7 +197,7 @@ class Motion(NamedTuple):
         >>> brake = {1: Capacity(constant(40.0))}
         >>> frame = simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}), brake)).to_dataframe()
         >>> list(frame), float(frame["speeds[1]"].iloc[0])
-        (['speeds[1]', 'slips[B]', 'torques[B]'], 10.0)
+        (['time', 'speeds[1]', 'slips[B]', 'torques[B]'], 10.0)
         """
         table: pd.DataFrame = higher("motion_dataframe")(self)
         return table

@@ -40,13 +40,13 @@ def gear_regions(gears: Sequence[str], values: Floats) -> list[GearRegion]:
     [('1', [[True, False]]), ('2', [[False, True]])]
     """
     exists = np.isfinite(values)
-    low, high = float(values[exists].min()), float(values[exists].max())
-    span = high - low or 1.0
+    size = float(np.abs(values[exists]).max()) or 1.0
+    absent = float(values[exists].min()) - size
     order = np.arange(len(gears))[:, None, None]
-    ranked = np.where(exists, values - SAME_CURVE * span * order, low - span)
+    ranked = np.where(exists, values - SAME_CURVE * size * order, absent)
     regions = []
     for number, gear in enumerate(gears):
-        others = np.delete(ranked, number, axis=0).max(axis=0, initial=low - span)
+        others = np.delete(ranked, number, axis=0).max(axis=0, initial=absent)
         lead = np.where(exists.any(axis=0), ranked[number] - others, np.nan)
         if (lead > 0).any():
             regions.append(GearRegion(gear, lead))

@@ -8,11 +8,12 @@ from functools import partial
 import numpy as np
 
 from vstatics.core.errors import CaseError
+from vstatics.core.model.paths import in_quotes
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import Meaning, NameInKey
-from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.style import Style, number
 from vstatics.sweep.pictures.best_gear import gear_regions, refined
 from vstatics.sweep.pictures.columns import (
     DrawnColumns,
@@ -103,7 +104,8 @@ def _contours(sweep: WrittenSweep, style: Style, selected: DrawnColumns, names: 
     ends = any(0 < np.isfinite(surface.z).mean() < 1 for surface in surfaces)
     meanings: list[Meaning] = [(ends, "limit of operation", limit_look(style))]
     paint = partial(paint_levels, levels=levels)
-    return MapSheet(f"{z}: {x}, {y}", surfaces, paint, meanings, levels, z)
+    constant = f" = {number(values[0])}" if values.size and not levels else ""
+    return MapSheet(f"{z}{constant}: {x}, {y}", surfaces, paint, meanings, levels, z)
 
 
 def _levels(values: Floats, wanted: int | Sequence[float] | None) -> Sequence[float]:
@@ -156,5 +158,6 @@ def _gear_of(sweep: WrittenSweep, surface: Surface, points: Overlay, z: str) -> 
     """Return the gear whose values a surface shows, from its rows or its column; "" for several."""
     if surface.name in sweep.gears:
         return surface.name
-    last = z.rpartition("]")[0].rpartition("[")[2].rpartition(",")[2]
-    return last if last in points.gears else ""
+    gears = [(gear, f"{name}]") for gear in points.gears for name in (gear, in_quotes(gear))]
+    ends = ((gear, (f"[{end}", f",{end}")) for gear, end in gears)
+    return next((gear for gear, end in ends if z.endswith(end)), "")

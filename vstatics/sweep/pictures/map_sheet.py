@@ -14,7 +14,15 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.canvas import Canvas, Look, Outline, Point
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
-from vstatics.pictures.drawing.labels import Segment, height, ticks, widest, width
+from vstatics.pictures.drawing.labels import (
+    Segment,
+    bold_width,
+    height,
+    ticks,
+    widest,
+    width,
+    wrapped,
+)
 from vstatics.pictures.drawing.line_styles import mixed
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, SMALL_NUMBER, Style
@@ -27,7 +35,7 @@ MAPS_SIDE_BY_SIDE = 2
 MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
 """Width and height of the scales of a panel. [pt]"""
 MAP_HEAD_HEIGHT = 22.0
-"""Height of the name of the gear above a panel. [pt]"""
+"""Height of the name of the gear above a panel, in a single line. [pt]"""
 BAR_WIDTH, BAR_NAME_WIDTH = 10.0, 22.0
 """Width of the colour bar, and of its upright name. [pt]"""
 PLACES_TRIED = 48
@@ -99,7 +107,9 @@ def map_pages(
     room = (style.width - MARGIN - sheet.bar_room) / columns
     wide = min(MAP_SIZE[0], room - MAP_SCALE_WIDTH - MARGIN)
     size = wide, wide * MAP_SIZE[1] / MAP_SIZE[0]
-    up = MAP_HEAD_HEIGHT * bool(surfaces[0].name) + size[1] + MAP_SCALE_HEIGHT
+    heads = [wrapped(surface.name, wide, bold_width) for surface in surfaces]
+    lines = max(map(height, heads)) - height("")
+    up = (MAP_HEAD_HEIGHT + lines) * bool(heads[0]) + size[1] + MAP_SCALE_HEIGHT
     pitch = MAP_SCALE_WIDTH + wide + MARGIN
     across = columns * pitch + MARGIN + sheet.bar_room
     head = _head(sheet, overlays, note, across, style)
@@ -114,6 +124,7 @@ def map_pages(
             corner = column * pitch + MAP_SCALE_WIDTH, (rows - 1 - row) * up + MAP_SCALE_HEIGHT
             panel = pen.panel(corner, size, *sheet.scales)
             _draw_panel(panel, sheet, surfaces[number], names)
+            panel.text(0, size[1] + 8, heads[number], va="bottom", bold=True)
             overlays[number].draw(panel)
         bar = columns * pitch, (rows - 1) * up + MAP_SCALE_HEIGHT
         _draw_bar(pen.panel(bar, (BAR_WIDTH, size[1])), sheet)
@@ -150,7 +161,6 @@ def _draw_panel(pen: Pen, sheet: MapSheet, surface: Surface, names: tuple[str, s
     if not exists.all():
         pen.lines([*_ends(pen, surface)], **limit_look(style))
     _scales(pen, names)
-    pen.text(0, high + 8, surface.name, va="bottom", bold=True)
     if not exists.any():
         pen.text(wide / 2, high / 2, surface.instead, over=True, ha="center", va="center")
 
@@ -209,11 +219,12 @@ def paint_regions(
             group.line(*piece.tolist(), width=1.0, color=pen.style.ink, zorder=0.3)
         row, column = deepest(region.lead > 0)
         at = float(places[0][column]), float(places[1][row])
-        half = width(region.gear, SIZE, bold=True) / 2
+        half = bold_width(region.gear) / 2
         x = min(max(at[0], half + 2), pen.size[0] - half - 2)
         y = min(max(at[1], SIZE / 2 + 2), pen.size[1] - SIZE / 2 - 2)
-        look: Look = {"ha": "center", "va": "center_baseline"}
-        group.text(x, y, region.gear, bold=True, over=True, **look)
+        if half < x:  # otherwise only the key has room for the name
+            look: Look = {"ha": "center", "va": "center_baseline"}
+            group.text(x, y, region.gear, bold=True, over=True, **look)
 
 
 def limit_look(style: Style) -> Look:

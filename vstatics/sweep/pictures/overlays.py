@@ -54,7 +54,7 @@ class Overlay(NamedTuple):
         for number in marks.values():
             x, y = (f"{value:.9g}" for value in self.points[number])
             group = pen.within("operating-point", x=x, y=y, gear=self.gears[number])
-            group.line(places[number], title=f"{x}, {y}", **point_look(pen.style))
+            group.line(places[number], title=f"{x}, {y}", zorder=4.0, **point_look(pen.style))
 
 
 def point_look(style: Style) -> Look:

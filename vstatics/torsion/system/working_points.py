@@ -21,6 +21,7 @@ from vstatics.core.model.converters import Converter
 from vstatics.core.model.open_converters import with_mechanisms, with_open_converters
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.carried import disagree, disagreement, torque_of_pump
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
@@ -225,7 +226,8 @@ class _WorkingPoints:
         results, place = solve(case), case.devices.index(converter.name)
         ratio = case.mechanisms[place - len(case.shift_elements)].ratio
         speed = self._pump_speed(converter, results)
-        brought = float(results.lossy_torques_Nm[0, place - len(case.devices) - 1])
+        state = results.gear_at(0)
+        brought = plain(state.lossy_torques.on_first_link[place]) * case.torque_unit(state.gear)
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:

@@ -1,0 +1,100 @@
+"""Torque converters of a gear: speed ratio, torque ratio, and the equation of the pump."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.model.transmission import Gear
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.carried import pump_factor
+from vstatics.core.statics.matrix import torque_ratio_of
+from vstatics.core.statics.state import GearState
+from vstatics.core.tables.answer import Known, Sometimes
+from vstatics.core.texts import tr
+
+
+class ConverterPoint(NamedTuple):
+    """Working point of a converter that carries torque."""
+
+    converter: str
+    speed_ratio: Known
+    """Speed of the second link divided by that of the first, i. [-]"""
+    torque_ratio: Known
+    """Torque ratio K at the speed ratio. [-]"""
+    factor: Sometimes[float] = None
+    """Lambda, if the load determines the speed ratio. [N*m*s^2]"""
+    speed: Sometimes[float] = None
+    """Speed of the pump, likewise. [rad/s]"""
+    torque: Sometimes[float] = None
+    """Torque on the pump with losses, likewise. [N*m]"""
+
+
+CONVERTERS = "Converters: the torques M and -K M on the links, with and without losses"
+"""Heading of the working points."""
+
+
+def converter_points(state: GearState, given: Gear) -> list[ConverterPoint]:
+    """Return the working points of the converters that carry torque.
+
+    Parameters
+    ----------
+    state : GearState
+        State with the speed ratios found.
+    given : Gear
+        The gear as given, without speed ratios that the load determines.
+
+    Examples
+    --------
+    >>> from vstatics import Load, Mechanism, Transmission, solve
+    >>> converter = Mechanism(1, 2, 0, 0.5, name="TC", kind="converter", points=((0, 2), (1, 1)))
+    >>> case = Transmission(2, [], [converter], [Gear()])
+    >>> converter_points(solve(case).gear_at(0), case.gears[0])[0][:3]
+    ('TC', 0.5, 1.5)
+    """
+    case, load = state.case, state.case.gear_load(state.gear)
+    points = []
+    for place in loaded_converters(state):
+        converter, ratio = case.mechanisms[place], plain(state.ideal.variant.ratios[place])
+        point = ConverterPoint(converter.name, ratio, plain(torque_ratio_of(converter, ratio)))
+        if place in case.sought_converters(given):
+            speed = plain(state.speeds[converter.first - 1]) * (load.speed or 0.0) * RAD_PER_RPM
+            torque = plain(state.lossy_torques.on_first_link[case.among_devices.start + place])
+            point = point._replace(
+                factor=float(pump_factor(converter.points, ratio)),
+                speed=speed,
+                torque=torque * case.torque_unit(state.gear),
+            )
+        points.append(point)
+    return points
+
+
+def loaded_converters(state: GearState) -> list[int]:
+    """Return the indices of the converters that are neither bypassed nor open."""
+    unloaded = state.case.unloaded_converters(state.gear)
+    return [
+        place
+        for place, mechanism in enumerate(state.case.mechanisms)
+        if mechanism.kind == "converter" and place not in unloaded
+    ]
+
+
+def sought_ratio(point: ConverterPoint) -> Iterator[str]:
+    """Yield the equation of a speed ratio that the load determines, in words and in numbers."""
+    if point.factor is None:
+        return
+    yield tr(
+        "The speed ratio i of {name} follows from the load: M = lambda(i) w |w|, with the torque M "
+        "on its pump with losses and the speed w of its pump. lambda is interpolated linearly "
+        "between its points. Of several solutions, i is the largest.",
+        name=point.converter,
+    )
+    yield tr(
+        "{name}: i = {ratio}, lambda = {factor} N*m*s^2, w = {speed} rad/s, M = {torque} N*m.",
+        name=point.converter,
+        ratio=f"{point.speed_ratio:.5g}",
+        factor=f"{point.factor:.5g}",
+        speed=f"{point.speed:.5g}",
+        torque=f"{point.torque:.5g}",
+    )
