@@ -20,7 +20,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.statics.result_arrays import first_rows, row_names
+from vstatics.core.statics.result_arrays import first_rows
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine
 from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
@@ -159,8 +159,7 @@ class ConverterGear(NamedTuple):
         noise = np.abs(per_engine) <= NO_SPEED * fastest
         both = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0])
         turns = [np.concatenate([array[ends], array]) for array in both]
-        row = row_names(alone, "torques").index(first_rows(alone)[place])
-        return cls(alone, mechanism.name, path, row, points, *turns)
+        return cls(alone, mechanism.name, path, first_rows(alone)[place], points, *turns)
 
     @property
     def free_ratio(self) -> float:
