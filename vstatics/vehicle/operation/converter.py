@@ -86,7 +86,7 @@ def converters_of(case: Transmission) -> dict[int, ConverterGear]:
     gears = {
         index: ConverterGear.of(case, index)
         for index, gear in enumerate(case.gears)
-        if case.sought_converters(gear) and not beside_engine(gear, case.link_name)
+        if case.sought_converters(gear) and not beside_engine(case, gear)
     }
     return {index: gear for index, gear in gears.items() if gear}
 
@@ -97,8 +97,8 @@ class EngineSearch(NamedTuple):
     engine: Floats
     """Engine speed at the largest speed ratio with a solution; NaN without solution. [rad/s]"""
     surplus: Floats
-    """Sign of the surplus of torque on the pump at the largest and at the smallest speed ratio,
-    shape (rows, 2)."""
+    """Sign of the surplus of torque on the pump at the largest speed ratio with torques, and at the
+    smallest speed ratio, shape (rows, 2)."""
     ends: Floats
     """Engine speeds at the largest and smallest speed ratio, shape (rows, 2). [rad/s]"""
 
@@ -128,17 +128,11 @@ class ConverterGear(NamedTuple):
         Raises
         ------
         CaseError
-            If the output speed does not depend on the speed ratio, or a shift element slips.
+            If the output speed does not depend on the speed ratio.
         """
         known, (place, *_) = bare(case), case.sought_converters(case.gears[index])
         alone = known.replace(gears=[known.gears[index]])
         gear, mechanism = alone.gears[0], alone.mechanisms[place]
-        if gear.slipping:
-            message = (
-                f"a shift element slips in gear {gear.name}, where {mechanism.name} would find its "
-                "speed ratio: give a `speed_ratio`, or engage the shift element"
-            )
-            raise CaseError("E429", message, ("gears", index + 1))
         free = alone.gear_ratios(gear)[place]
         points = _with_point(np.array(mechanism.points), free)
         path = f"gears.{gear.name}.speed_ratios.{mechanism.name}"
@@ -196,6 +190,17 @@ class ConverterGear(NamedTuple):
         pump = self.per_engine[0] * engine + self.per_output[0] * output
         factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 2])
         return factors * pump * np.abs(pump), np.sign(pump)
+
+    def is_driving(self, engine: Floats, output: Floats) -> Booleans:
+        """Return whether a torque along the speed of the pump drives the output.
+
+        By virtual work of both torques at a constant speed of the engine; in some power splits it
+        brakes the output.
+        """
+        factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 1])
+        _, direction = self.taken(engine, output)
+        driving: Booleans = direction * (factors * self.per_output[1] - self.per_output[0]) > 0
+        return driving
 
     def brought(
         self,
@@ -297,11 +302,12 @@ class ConverterGear(NamedTuple):
         )
         inverse[solved] = np.sqrt(squares)
         last = np.maximum(known.sum(axis=1) - 1, 0)
-        both = np.stack([np.zeros_like(last), last], axis=1)
+        of_signs = np.stack([np.isfinite(signs).argmax(axis=1), last], axis=1)
+        of_ends = np.stack([np.zeros_like(last), last], axis=1)
         return EngineSearch(
             1 / inverse,
-            np.take_along_axis(signs, both, axis=1),
-            1 / np.take_along_axis(places, both, axis=1),
+            np.take_along_axis(signs, of_signs, axis=1),
+            1 / np.take_along_axis(places, of_ends, axis=1),
         )
 
     def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
