@@ -80,6 +80,20 @@ def test_a_warning_says_which_sign_of_slip_is_possible(
     assert said == ([] if loses else [f"slip {side} 0 is possible"])
 
 
+@pytest.mark.parametrize("slip", [100, -100])
+def test_a_warning_about_a_slip_in_rpm_says_its_sign_in_rpm(slip: float) -> None:
+    """From -2000 rpm, the driven shaft is slower with a slip below 0."""
+    text = f"""
+    links: [a, b, out]
+    mechanisms: {{M: {{first: b, second: out, ratio: 2}}}}
+    shift_elements: {{C: [a, b]}}
+    gears: {{"1": {{slip: {{C: {slip} rpm}}}}}}
+    load: {{speed: -2000 rpm, torque: -50 N*m}}
+    """
+    [*said] = [message.text.rpartition("; ")[2] for message in solve(loads(text)).messages]
+    assert said == (["only a slip below 0 is possible"] if slip > 0 else [])
+
+
 def test_a_brake_that_slips_turns_the_ring() -> None:
     """w_3 = (w_1 - u w_2)/(1 - u) with w_2 = -0.1; torque -u M on the ring, 1 - u at the output."""
     u, slip = -2.5, -0.1

@@ -138,21 +138,24 @@ def test_the_pump_sets_the_torques_of_all_springs() -> None:
     assert coasts
 
 
-def test_members_of_gear_sets_do_not_hide_the_torque_of_the_pump() -> None:
-    """The pump takes 100 N*m at 200 rad/s with lambda = 0.0025, which it has at half the speed."""
-    case = loads("""\
-links: [engine, turbine, ring, out]
-inertias: {engine: 0.2, turbine: 0.05, out: 3}
-elements: {P: {kind: planetary, sun: turbine, ring: ring, carrier: out, teeth: {sun: 30, ring: 72}}}
-mechanisms: {TC: {kind: converter, first: engine, second: turbine, points: [[0, 2, 0.005], [1, 1, 0]]}}
-shift_elements: {B: [ring, housing]}
-gears: {low: [B]}
-load: {speed: 200 rad/s, torque: 100 N*m}
-""")  # fmt: skip
-    working = working_gear(case, case.gears[0], {})
-    [converter] = working.converters
-    assert converter.speed_ratio == pytest.approx(0.5)
-    assert not working.doubts
+def test_the_torque_on_the_pump_is_that_of_its_own_row_beside_gear_sets() -> None:
+    """100 N*m at 2000 rpm need lambda 0.0022797: i = 0.8 + 0.2 (3.8 - 2.2797)/3.8, by hand."""
+    text = """
+    links: [engine, turbine, ring, out]
+    load: {speed: 2000 rpm, torque: 100 N*m}
+    elements: {P: {kind: planetary, sun: turbine, ring: ring, carrier: out, teeth: {sun: 30, ring: 70}}}
+    mechanisms: {TC: {kind: converter, first: engine, second: turbine,
+                      points: [[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]}}
+    shift_elements: {B: [ring, housing]}
+    gears: {"1": [B]}
+    inertias: {engine: 0.2, turbine: 0.1, out: 5}
+    """
+    case = loads(text)
+    needed = 100 / (2000 * RPM) ** 2
+    [gear] = modes(case)
+    assert gear.converters
+    assert gear.converters["TC"].speed_ratio == pytest.approx(1 - 0.2 * needed / 3.8e-3, rel=1e-9)
+    assert solve(case).speed_ratio[0, 0] == pytest.approx(1 - 0.2 * needed / 3.8e-3, rel=1e-9)
 
 
 def test_a_load_that_contradicts_the_pump_is_reported() -> None:

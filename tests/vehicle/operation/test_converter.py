@@ -352,6 +352,57 @@ def test_a_trace_that_no_speed_ratio_fits_is_an_error_at_its_row() -> None:
     assert {(p.id, p.path) for p in error.value.problems} == {("E424", (2,))}
 
 
+BY_TURBINE = """
+links: [engine, turbine, out]
+load: {speed: 1000 rpm, torque: 10 N*m}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine,
+       points: [[0, 2, 4e-3], [1, 1, 0], [1.5, 0.95, -2e-3]]}
+  P: {first: turbine, second: engine, third: out, ratio: -2}
+gears: {"1": []}
+vehicle: {mass: 1000, radius: 1, engine: [[10, 100], [600, 100]]}
+"""
+
+
+def test_a_split_at_full_load_is_between_the_ends_of_the_points() -> None:
+    """At i = 0.5, M (1 + 2 K) = 100 with K = 1.5, so M = 25 and the output gets 3 K M.
+
+    Below i = 0 there is no force: the points say nothing of a turbine that turns backward.
+    """
+    case = loads(BY_TURBINE)
+    pull = Traction(case, Vehicle.needed(case))
+    pump = math.sqrt(25 / 2e-3)
+    forces = pull.forces(0, np.array([(0.5 + 2) / 3 * pump, 40.0]))
+    assert forces == pytest.approx([3 * 1.5 * 25, math.nan], rel=1e-9, nan_ok=True)
+    assert math.isnan(performance(case).time_to_100)
+
+
+@pytest.mark.parametrize(("force", "fits"), [(20, True), (23, False), (1000, False)])
+def test_a_force_that_a_split_cannot_give_is_an_error(force: float, *, fits: bool) -> None:
+    """At 20 rad/s the pump turns at 30 at most (i = 0), so the output gets 3 K lambda 30^2 = 21.6.
+
+    Beyond i = 1, where the converter would gain power, it gives nothing.
+    """
+    table = f"time [s],speed [m/s]\n0,{20 - force / 2000}\n1,{20 + force / 2000}\n"
+    trace = read_trace(table.encode(), "t.csv")
+    if fits:
+        energy = drive(loads(BY_TURBINE), trace, GearChoice()).energy
+        assert energy.wheels == pytest.approx(20 * force)
+        assert energy.brakes == 0
+        return
+    with pytest.raises(CaseError, match="no speed ratio of TC") as error:
+        drive(loads(BY_TURBINE), trace, GearChoice())
+    assert [(p.id, p.path) for p in error.value.problems] == [("E424", (0,))]
+
+
+def test_a_turbine_that_turns_the_output_backward_drives_nothing() -> None:
+    """With w_T - 2.4 w_P = -1.4 w, the brakes would have to push at any torque of the engine."""
+    case = loads(BY_TURBINE.replace("-2}", "2.4}").replace(", [1.5, 0.95, -2e-3]", ""))
+    trace = read_trace(b"time [s],speed [m/s]\n0,100\n1,100.1\n", "t.csv")
+    with pytest.raises(CaseError, match="no speed ratio of TC"):
+        drive(case, trace, GearChoice())
+
+
 def test_a_converter_beside_the_path_of_power_is_an_error_in_its_gear() -> None:
     parts = [
         Mechanism(1, 3, 0, math.nan, name="TC", kind="converter", points=STALL),
@@ -361,6 +412,20 @@ def test_a_converter_beside_the_path_of_power_is_an_error_in_its_gear() -> None:
     with pytest.raises(CaseError, match="does not depend on TC") as error:
         performance(case)
     assert [(p.id, p.path) for p in error.value.problems] == [("E429", ("gears", 1))]
+
+
+def test_a_gear_with_a_slip_beside_the_converter_is_omitted() -> None:
+    [alone] = map(loads, [SIMPSON.format(sets="", pairs="P: {first: ring, second: out, ratio: 2}")])
+    slipping = alone.gears[0]._replace(engaged=(3,), slip={1: 0.1}, name="creep")
+    case = alone.replace(gears=[*alone.gears, slipping])
+    assert [(doubt.id, doubt.path) for doubt in doubts(case)] == [("W890", ("gears", 4))]
+    told = performance(case)
+    assert told.gears["1"] == performance(alone).gears["1"]
+    assert math.isnan(told.gears["creep"].slope)
+    trace = read_trace(b"time [s],speed [m/s],gear\n0,9,1\n9,9,creep\n20,9,1\n", "t.csv")
+    with pytest.raises(CaseError, match="a slip beside a converter that finds its") as error:
+        drive(case, trace, GearChoice())
+    assert [(p.id, p.path) for p in error.value.problems] == [("E428", (1,))]
 
 
 def test_a_converter_that_finds_its_ratio_gives_no_warning() -> None:
@@ -381,19 +446,18 @@ def test_a_gear_in_which_engine_and_converter_cannot_meet_is_located(
     command: str, further: list[str]
 ) -> None:
     text = """\
-links: [engine, turbine, a, w]
+links: [engine, turbine, w]
 load: {speed: 2000 rpm, torque: 80 N*m}
-shift_elements: {C: [turbine, a]}
 mechanisms:
   TC: {kind: converter, first: engine, second: turbine, points: [[0, 2, 0.002], [1, 1, 0]]}
-  p: {first: a, second: w, ratio: 3}
+  p: {first: engine, second: w, ratio: 3}
 gears:
-  "1": {slip: {C: 0.1}}
+  "1": []
 vehicle: {mass: 1200, radius: 0.3, engine: [[80, 100], [600, 120]]}
 """
     Path("car.yaml").write_text(text, encoding="utf-8")
     Path("t.csv").write_text("time [s],speed [km/h]\n0,0\n9,20\n", encoding="utf-8")
     done = vstatics(command, "car.yaml", *further)
     assert done.status == 1
-    assert "car.yaml:8:3: error: gears.1: a shift element slips in gear 1" in done.err
+    assert "car.yaml:7:3: error: gears.1: the speed of the output does not depend on TC" in done.err
     assert not list(Path().glob("x.*"))

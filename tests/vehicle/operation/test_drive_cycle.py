@@ -167,6 +167,17 @@ def test_a_gear_that_drives_nothing_is_told_at_its_row() -> None:
         assert caught.value.problems[0].path == (0,)
 
 
+def test_a_link_that_turns_freely_has_no_inertia_torque() -> None:
+    """Links 3 and 4 hang on a set whose third member drives nothing."""
+    parts = [Mechanism(1, 2, 0, 2.0), Mechanism(2, 3, 4, -2.0)]
+    car = Vehicle(1000, 0.3, engine=[(80, 200), (600, 200)])
+    plain = Transmission(4, [], parts, [Gear(name="1")], output=2, vehicle=car)
+    heavy = plain.replace(inertias={4: 0.1})
+    trace = read_trace(b"time [s],speed [km/h]\n0,40\n10,60\n", "t.csv")
+    assert drive(heavy, trace, GearChoice()).energy == drive(plain, trace, GearChoice()).energy
+    assert performance(heavy) == performance(plain)
+
+
 SET = Transmission(
     3,
     [ShiftElement(2, 0, "B")],

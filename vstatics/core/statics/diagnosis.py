@@ -526,8 +526,9 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
         slip = state.gear.slip[element]
         # A driving cycle solves from the wheels, so the slip is relative to their speed there.
         relative = f"{slip:g} times the speed of {case.link_name(case.gear_input(state.gear))}"
-        size = f"{slip.given:g} rpm" if isinstance(slip, OfLoad) else relative
-        side = "below" if slip > 0 else "above"
+        size, side = relative, "below" if slip > 0 else "above"
+        if isinstance(slip, OfLoad):
+            size, side = f"{slip.given:g} rpm", "below" if slip.given > 0 else "above"
         yield Said(
             "W438",
             f"with a slip of {size}, {case.shift_elements[element - 1].name} would give power "

@@ -311,19 +311,23 @@ def row_names(case: Transmission, rows: Rows) -> list[str]:
     return all_row_names(case)[rows]
 
 
-def first_rows(case: Transmission) -> dict[int, str]:
-    """Return the names of rows with the torque on a first link, by index of mechanism.
+def first_rows(case: Transmission) -> dict[int, int]:
+    """Return the rows of torques with the torque on a first link, by index of mechanism.
 
     Mechanisms without a row for this torque alone are left out.
 
-    >>> from vstatics.core.model.transmission import Gear, Mechanism
-    >>> first_rows(Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()]))
-    {0: 'D1'}
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2, 0)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> first_rows(case)
+    {0: 1}
     """
+    before = len(case.shift_elements)
+    if case.drawing is None:
+        return {index: before + index for index in range(len(case.mechanisms))}
+    members = (member for device in case.own_devices for member in device.members)
     return {
-        index: f"{device.name}.{member.name}" if case.drawing else device.name
-        for device in case.own_devices
-        for member in device.members
+        index: row
+        for row, member in enumerate(members, before)
         for index, place in (member.places if len(member.places) == 1 else ())
         if place == 0
     }

@@ -46,7 +46,7 @@ def static_torques(scenario: Scenario) -> dict[str, float]:
     rows = np.abs(results.lossy_torques[0] * torque).tolist()
     by_row = dict(zip(row_names(case, "torques"), rows, strict=True))
     parts = case.devices[len(case.shift_elements) :]
-    return by_row | {parts[index]: by_row[row] for index, row in first_rows(case).items()}
+    return by_row | {parts[index]: rows[row] for index, row in first_rows(case).items()}
 
 
 def dynamic_factors(

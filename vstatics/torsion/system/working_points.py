@@ -21,8 +21,8 @@ from vstatics.core.model.converters import Converter
 from vstatics.core.model.open_converters import with_mechanisms, with_open_converters
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.carried import disagree, disagreement, torque_of_pump
+from vstatics.core.statics.result_arrays import first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.suggestions import nearest
@@ -223,11 +223,11 @@ class _WorkingPoints:
         return self._on_pump(converter, case).excess
 
     def _on_pump(self, converter: Converter, case: Transmission) -> _OnPump:
-        results, place = solve(case), case.devices.index(converter.name)
-        ratio = case.mechanisms[place - len(case.shift_elements)].ratio
+        results, names = solve(case), [part.name for part in case.mechanisms]
+        place = names.index(converter.name)
+        ratio = case.mechanisms[place].ratio
         speed = self._pump_speed(converter, results)
-        state = results.gear_at(0)
-        brought = plain(state.lossy_torques.on_first_link[place]) * case.torque_unit(state.gear)
+        brought = float(results.lossy_torques_Nm[0, first_rows(case)[place]])
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:

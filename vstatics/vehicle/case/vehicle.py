@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -255,25 +255,30 @@ def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
     return curves
 
 
-def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
+def beside_engine(case: TransmissionFields, gear: Gear) -> str:
     """Return the reason why a gear is not driven by the engine alone at a fixed ratio, or "".
 
     A vehicle cannot be driven in such a gear: a case does not describe the control of other
-    machines, and with a slip in rpm the ratio depends on the speed.
+    machines, with a slip in rpm the ratio depends on the speed, and a slip relative to the engine
+    is unknown where a converter determines the engine speed.
 
-    >>> beside_engine(Gear(speeds={2: 0.0, 3: 0.4}), "link {}".format)
-    'a given speed of link 3'
+    >>> from vstatics import Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0)], [Gear(speeds={2: 0.4})])
+    >>> beside_engine(case, case.gears[0])
+    'a given speed of 2'
     """
     if gear.balance:
         return "a balance"
     if any(isinstance(slip, OfLoad) and slip for slip in gear.slip.values()):
         return "a slip with a unit"
+    if gear.slipping and case.sought_converters(gear):
+        return "a slip beside a converter that finds its speed ratio"
     for quantity, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):
         links = [
             link for link, value in numbers.items() if isinstance(value, SpeedOf) or value != 0
         ]
         if links:
-            return f"a given {quantity} {spoken([name(link) for link in links])}"
+            return f"a given {quantity} {spoken([case.link_name(link) for link in links])}"
     return ""
 
 

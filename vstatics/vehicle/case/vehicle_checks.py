@@ -133,7 +133,7 @@ def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
 
 def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
     for number, gear in enumerate(case.gears, 1):
-        if why := beside_engine(gear, case.link_name):
+        if why := beside_engine(case, gear):
             message = (
                 f"the gear has {why}, so its ratio or its torques are not fixed, and results of "
                 "`vehicle` omit this gear; give its points to `summary --duty`"

@@ -20,7 +20,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.statics.result_arrays import first_rows, row_names
+from vstatics.core.statics.result_arrays import first_rows
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine
 from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
@@ -86,7 +86,7 @@ def converters_of(case: Transmission) -> dict[int, ConverterGear]:
     gears = {
         index: ConverterGear.of(case, index)
         for index, gear in enumerate(case.gears)
-        if case.sought_converters(gear) and not beside_engine(gear, case.link_name)
+        if case.sought_converters(gear) and not beside_engine(case, gear)
     }
     return {index: gear for index, gear in gears.items() if gear}
 
@@ -97,8 +97,8 @@ class EngineSearch(NamedTuple):
     engine: Floats
     """Engine speed at the largest speed ratio with a solution; NaN without solution. [rad/s]"""
     surplus: Floats
-    """Sign of the surplus of torque on the pump at the largest and at the smallest speed ratio,
-    shape (rows, 2)."""
+    """Sign of the surplus of torque on the pump at the largest speed ratio with torques, and at the
+    smallest speed ratio, shape (rows, 2)."""
     ends: Floats
     """Engine speeds at the largest and smallest speed ratio, shape (rows, 2). [rad/s]"""
 
@@ -128,17 +128,11 @@ class ConverterGear(NamedTuple):
         Raises
         ------
         CaseError
-            If the output speed does not depend on the speed ratio, or a shift element slips.
+            If the output speed does not depend on the speed ratio.
         """
         known, (place, *_) = bare(case), case.sought_converters(case.gears[index])
         alone = known.replace(gears=[known.gears[index]])
         gear, mechanism = alone.gears[0], alone.mechanisms[place]
-        if gear.slipping:
-            message = (
-                f"a shift element slips in gear {gear.name}, where {mechanism.name} would find its "
-                "speed ratio: give a `speed_ratio`, or engage the shift element"
-            )
-            raise CaseError("E429", message, ("gears", index + 1))
         free = alone.gear_ratios(gear)[place]
         points = _with_point(np.array(mechanism.points), free)
         path = f"gears.{gear.name}.speed_ratios.{mechanism.name}"
@@ -159,8 +153,7 @@ class ConverterGear(NamedTuple):
         noise = np.abs(per_engine) <= NO_SPEED * fastest
         both = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0])
         turns = [np.concatenate([array[ends], array]) for array in both]
-        row = row_names(alone, "torques").index(first_rows(alone)[place])
-        return cls(alone, mechanism.name, path, row, points, *turns)
+        return cls(alone, mechanism.name, path, first_rows(alone)[place], points, *turns)
 
     @property
     def free_ratio(self) -> float:
@@ -197,6 +190,17 @@ class ConverterGear(NamedTuple):
         pump = self.per_engine[0] * engine + self.per_output[0] * output
         factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 2])
         return factors * pump * np.abs(pump), np.sign(pump)
+
+    def is_driving(self, engine: Floats, output: Floats) -> Booleans:
+        """Return whether a torque along the speed of the pump drives the output.
+
+        By virtual work of both torques at a constant speed of the engine; in some power splits it
+        brakes the output.
+        """
+        factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 1])
+        _, direction = self.taken(engine, output)
+        driving: Booleans = direction * (factors * self.per_output[1] - self.per_output[0]) > 0
+        return driving
 
     def brought(
         self,
@@ -298,11 +302,12 @@ class ConverterGear(NamedTuple):
         )
         inverse[solved] = np.sqrt(squares)
         last = np.maximum(known.sum(axis=1) - 1, 0)
-        both = np.stack([np.zeros_like(last), last], axis=1)
+        of_signs = np.stack([np.isfinite(signs).argmax(axis=1), last], axis=1)
+        of_ends = np.stack([np.zeros_like(last), last], axis=1)
         return EngineSearch(
             1 / inverse,
-            np.take_along_axis(signs, both, axis=1),
-            1 / np.take_along_axis(places, both, axis=1),
+            np.take_along_axis(signs, of_signs, axis=1),
+            1 / np.take_along_axis(places, of_ends, axis=1),
         )
 
     def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:

@@ -14,7 +14,7 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.converter import (
     FASTEST_OF_SEARCH,
@@ -78,7 +78,8 @@ class ConverterSteps(NamedTuple):
         def brought(rows: Integers, engine: Floats) -> Floats:
             return self._brought(1, rows, (speeds[rows], torques[rows]), engine)
 
-        return self._settled(self._search(brought))
+        are_braking = speeds * torques >= 0
+        return self._settled(self._search(brought), are_braking)
 
     def at_overrun(self) -> tuple[Floats, Floats]:
         """Return speeds [rad/s] and torques [N*m] of the engine that brakes as much as it can.
@@ -93,15 +94,19 @@ class ConverterSteps(NamedTuple):
         engine, torques = self._settled(
             self._search(
                 lambda rows, engine: self._from_engine(rows, engine, overrun(engine)), points
-            )
+            ),
+            np.ones(len(self.rows), np.bool_),
         )
         return engine, np.where(np.isnan(torques), overrun(engine), torques)
 
-    def _settled(self, search: EngineSearch) -> tuple[Floats, Floats]:
+    def _settled(self, search: EngineSearch, are_braking: Booleans) -> tuple[Floats, Floats]:
         """Return engine speeds [rad/s], and torques [N*m] at the largest ratio without solution."""
         engine = search.engine.copy()
         torques = np.full(len(engine), np.nan)
-        held = np.flatnonzero(np.isnan(engine) & ~(search.surplus[:, 0] > 0))
+        surplus = search.surplus[:, 0]  # NaN where no speed ratio gives torques
+        sign = np.where(self.converter.is_driving(search.ends[:, 0], self._output), 1, -1)
+        is_strong = np.where(np.isnan(surplus), are_braking, sign * surplus <= 0)
+        held = np.flatnonzero(np.isnan(engine) & is_strong)
         engine[held] = search.ends[held, 0]
         held = held[np.isfinite(engine[held])]
         torques[held] = self.converter.torque_at(

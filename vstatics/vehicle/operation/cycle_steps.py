@@ -28,7 +28,6 @@ from vstatics.vehicle.operation.shifting import (
     directions,
 )
 from vstatics.vehicle.operation.trace import Trace, blocks
-from vstatics.vehicle.operation.traction import engine_alone
 from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE, SAME_POWER
 
 
@@ -100,7 +99,8 @@ class CycleSteps(NamedTuple):
         CaseError
             If a gear is not in the case.
         """
-        converters, case = converters_of(case), bare(case)
+        converters, beside = converters_of(case), [beside_engine(case, gear) for gear in case.gears]
+        case = bare(case)
         results = solve(case)
         outputs = np.array([case.gear_output(gear) - 1 for gear in case.gears])
         inputs = np.array([case.gear_input(gear) - 1 for gear in case.gears])
@@ -113,19 +113,19 @@ class CycleSteps(NamedTuple):
         for index, converter in converters.items():
             ratios[index] = converter.per_output[2:]
         engine = EngineSpeeds(wheels, engine_ratios, vehicle.may_turn, converters)
-        driving = np.where(engine_alone(case), results.ratio, math.nan)
+        driving = np.where([not why for why in beside], results.ratio, math.nan)
         gears = _gears(case, trace, choice, engine, driving)
         lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
-            gear = case.gears[gears[lacking[0]]]
-            why = beside_engine(gear, case.link_name)
+            row = int(lacking[0])
+            why, name = beside[gears[row]], case.gears[gears[row]].name
             message = (
-                f"gear {gear.name} has {why or 'no ratio'}, expected a gear in which the "
-                "engine alone drives the wheels at a fixed ratio"
+                f"gear {name} has {why or 'no ratio'}, expected a gear in which the engine alone "
+                "drives the wheels at a fixed ratio"
                 + "; give its points to `summary --duty`"
                 * bool(why)
             )
-            raise CaseError("E428", message, (int(lacking[0]),))
+            raise CaseError("E428", message, (row,))
         names = [gear.name for gear in case.gears]
         ways = directions(driving, names) if choice.slowest is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
@@ -249,7 +249,9 @@ class CycleSteps(NamedTuple):
         """Return the inertia torque ``-J dw/dt`` of a link in some steps [N*m]."""
         change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
         inertia = self.case.heavy.get(link, 0.0)
-        torque: Floats = -inertia * self.ratios[self.gears[rows], link - 1] * change
+        # A link of unknown speed turns freely, so nothing accelerates it.
+        ratios = np.nan_to_num(self.ratios[self.gears[rows], link - 1])
+        torque: Floats = -inertia * ratios * change
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:

@@ -157,11 +157,12 @@ class PointLoads(NamedTuple):
         simulations.
         """
         rows, results = all_row_names(self.case), self.results
-        torques, meshes = results.lossy_torques_Nm, results.lossy_mesh_torques_Nm
-        by_name = dict(zip(rows["torques"], self.taken(torques).T, strict=True))
-        by_name |= dict(zip(rows["meshes"], self.taken(meshes).T, strict=True))
+        torques = self.taken(results.lossy_torques_Nm).T
+        by_name = dict(zip(rows["torques"], torques, strict=True))
+        meshes = self.taken(results.lossy_mesh_torques_Nm).T
+        by_name |= dict(zip(rows["meshes"], meshes, strict=True))
         for index, row in first_rows(self.case).items():
-            by_name[self.case.mechanisms[index].name] = by_name[row]
+            by_name[self.case.mechanisms[index].name] = torques[row]
         return by_name
 
     def member_torques(self) -> dict[tuple[int, str], Floats]:

@@ -20,7 +20,7 @@ import numpy as np
 
 from vstatics.core.model.carried import as_type
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.constants import GRAVITY
 from vstatics.core.statics.solve import solve
 from vstatics.core.tables.grid import Grid, grid_of
@@ -32,7 +32,7 @@ from vstatics.vehicle.operation.converter import (
     converters_of,
 )
 from vstatics.vehicle.operation.shifting import directions
-from vstatics.vehicle.tolerances import AT_REST
+from vstatics.vehicle.tolerances import AT_REST, SAME_SPEED
 
 if TYPE_CHECKING:
     from vstatics.core.summary import Summary
@@ -93,11 +93,6 @@ class Performance(NamedTuple):
         yield grid_of("Vehicle", ["top speed, km/h", "0 to 100 km/h, s"], [row], key="vehicle")
 
 
-def engine_alone(case: Transmission) -> Booleans:
-    """Return whether the engine is the only machine, for each gear."""
-    return np.array([not beside_engine(gear, case.link_name) for gear in case.gears])
-
-
 def vehicle_section(case: Transmission) -> Performance | None:
     """Return the performance of a case, if its vehicle has an engine."""
     vehicle = Vehicle.of(case)
@@ -147,6 +142,7 @@ class Traction:
         """Solve the speeds of a case, for a vehicle with an engine."""
         self.converters = converters_of(case)
         """Gears whose converters find their speed ratios, by index."""
+        is_alone = [not beside_engine(case, gear) for gear in case.gears]
         self.case = case = bare(case)
         self.vehicle = vehicle
         self.first, self.last = vehicle.full_load[0][0], vehicle.full_load[-1][0]
@@ -154,7 +150,7 @@ class Traction:
         outputs = [case.gear_output(gear) - 1 for gear in case.gears]
         speeds = results.speeds
         output = speeds[np.arange(len(outputs)), outputs]
-        output = np.where(engine_alone(case), output, math.nan)
+        output = np.where(is_alone, output, math.nan)
         """Output speed per unit of engine speed, by gear; of a converter at its free ratio."""
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
@@ -163,7 +159,7 @@ class Traction:
             for gear, converter in self.converters.items():
                 turns[gear] = converter.per_output[2:] * vehicle.final_drive / vehicle.radius
             turned = np.where(links > 0, links * turns**2, 0.0)
-            self.mass = vehicle.mass + turned.sum(axis=1)
+            self.mass = vehicle.mass + np.nan_to_num(turned).sum(axis=1)  # free links are NaN
         """Mass by gear, including rotating parts. [kg]"""
         with np.errstate(divide="ignore"):
             ranges = directions(1 / output, [gear.name for gear in case.gears])
@@ -225,7 +221,8 @@ class Traction:
         engine = search.engine
         torque = np.where(np.isfinite(engine), vehicle.full_torque(engine), np.nan)
         # The engine reaches its last point, at the smallest speed ratio, with too much torque.
-        fast = np.flatnonzero(np.isnan(engine) & (search.surplus[:, 1] > 0))
+        ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)  # a split can end before, at i = 0
+        fast = np.flatnonzero(np.isnan(engine) & ends_last & (search.surplus[:, 1] > 0))
         engine[fast] = last
         torque[fast] = converter.torque_at(
             engine[fast],

@@ -153,7 +153,7 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
         Varied numbers. A speed ratio among them is not sought.
     """
     gears, sought = list(case.gears), list[SoughtRatio]()
-    torques, ratios = row_names(case, "torques"), row_names(case, "converters")
+    torques, ratios = first_rows(case), row_names(case, "converters")
     for index, gear in enumerate(case.gears):
         for place in case.sought_converters(gear):
             owner = place - case.own_mechanisms.start + 1
@@ -161,7 +161,7 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
             if any(number in given for number in numbers):
                 continue
             part = case.mechanisms[place]
-            rows = torques.index(first_rows(case)[place]), ratios.index(part.name)
+            rows = torques[place], ratios.index(part.name)
             ratio = SoughtRatio(index, owner, part, rows, _is_alone(case, gear, place))
             sought.append(ratio)
             trial = {**gear.speed_ratios, owner: _trial(ratio, TRIALS[0])}

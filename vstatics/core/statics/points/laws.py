@@ -24,7 +24,7 @@ from vstatics.core.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
 from vstatics.core.statics.points.gear_loss import brake_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
-from vstatics.core.statics.result_arrays import NOWHERE, Outside, first_rows, row_names
+from vstatics.core.statics.result_arrays import NOWHERE, Outside, first_rows
 from vstatics.core.statics.results import Results
 
 MOST_FIXED_POINT_STEPS = 100
@@ -260,9 +260,8 @@ class _Search:
         self.case, self.columns, self.laws = case, columns, laws
         self.variants = len(results.speeds)
         self.speeds = {number: _speed(case, results, columns, number) for number in laws}
-        names = row_names(case, "torques")
-        first = first_rows(case)
-        self.rows = {number: names.index(first[number.owner]) for number in laws}
+        rows = first_rows(case)
+        self.rows = {number: rows[number.owner] for number in laws}
         self.of_gear: dict[int, list[CaseNumber]] = {}
         for number in laws:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
