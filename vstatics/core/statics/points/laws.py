@@ -285,8 +285,7 @@ class _Search:
             values: Floats = law.at(*sizes[number])
             if law.text:  # the value of a formula is judged at the solution
                 values = np.clip(np.nan_to_num(values, nan=LEAST_EFFICIENCY), LEAST_EFFICIENCY, 1.0)
-                values = np.where(np.isnan(sizes[number][-1]), np.nan, values)
-            efficiencies[number] = values
+            efficiencies[number] = np.where(np.isnan(sizes[number][-1]), np.nan, values)
         return results, efficiencies
 
     def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
@@ -337,7 +336,11 @@ class _Search:
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
         """Search a law for all solutions of gears with a single unknown efficiency."""
-        single = [numbers[0] for numbers in self.of_gear.values() if len(numbers) == 1]
+        single = [
+            numbers[0]
+            for numbers in self.of_gear.values()
+            if len(numbers) == 1 and len(set(_ends(self.laws[numbers[0]]))) > 1
+        ]
         if not single:
             return
         grid = {n: np.linspace(*_ends(self.laws[n]), SCAN_POINTS) for n in single}
