@@ -114,6 +114,29 @@ def test_a_constant_map_is_a_number() -> None:
         assert results.efficiency == pytest.approx([0.9], rel=1e-15)
 
 
+@pytest.mark.parametrize("rises", [0.009, 0.0092])
+def test_the_iteration_may_be_slow(rises: float) -> None:
+    """Driven by its second link at 100 N*m, a pair has eta = 0.04 + rises 100 eta."""
+    law = EfficiencyFormula(f"0.04 + {rises}*T")
+    part = Mechanism(2, 1, 0, 1.0, 0.9, back_efficiency=law)
+    pair = Mechanism(2, 3, 0, 1.0, EfficiencyFormula("0.9 + 0*T"))
+    results = solve(Transmission(3, [], [part, pair], [Gear()], load=Load(900, 100)))
+    assert results.efficiency == pytest.approx([0.9 * 0.04 / (1 - 100 * rises)], rel=1e-11)
+
+
+def test_a_map_of_the_other_direction_changes_nothing() -> None:
+    chance, ahead = seeded(54), MapLaw([0, 9], [[0, 0.8, 0.9], [9, 0.8, 0.9]])
+    for _ in range(count(12, 500)):
+        back = MapLaw(*random_map(chance, low=0.2, high=1))
+        results = [
+            solve(Transmission(2, [], [part], [Gear()], load=Load(900, 400)))
+            for part in (
+                Mechanism(2, 1, 0, 1.0, number, back_efficiency=back) for number in (0.9, ahead)
+            )
+        ]
+        assert results[0].efficiency == pytest.approx(results[1].efficiency, rel=1e-11, nan_ok=True)
+
+
 def test_a_trial_that_locks_has_no_efficiency() -> None:
     """With its ring fixed a carrier turns (u - 1)/u; u eta is below 1 at trials, not at eta."""
     values = [0.7, 0.7, 0.4, 0.45]
