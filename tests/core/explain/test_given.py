@@ -175,6 +175,13 @@ def test_a_sheet_tells_over_what_a_law_goes() -> None:
     ):
         assert law in told
         assert law not in plain
+    points = "{over: torque, points: [[0, 0.9], [150, 0.97]]}"
+    map_ = "{over: [speed, torque], columns: [0, 50], rows: [[0, 0.8, 0.9], [99, 0.85, 0.95]]}"
+    for law, shown in (
+        (map_, "| speed, rad/s: (0, 0.8, 0.9); (99, 0.85, 0.95); torque"),
+        ('"0.98 - 1/(T + 50)"', "| 0.98 - 1/(T + 50) |"),
+    ):
+        assert shown in said_and_asked(loads(LAWFUL.replace(points, law)), 0)[0]
     belt = "{B: {kind: belt, first: in, second: out, diameters: {first: 120, second: 90}}}"
     told = said_and_asked(loads(f"links: [in, out]\nelements: {belt}\ngears: {{g: []}}\n"), 0)[0]
     assert "| B | belt | first: in, second: out | diameters: first 120, second 90 |" in told

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.core.annexes import KEYS
@@ -11,6 +11,7 @@ from vstatics.core.elements.drawing import drawing_of, parts_of
 from vstatics.core.elements.element import Element
 from vstatics.core.elements.group import group_of
 from vstatics.core.elements.kinds import Planetary
+from vstatics.core.model.laws import MapLaw
 from vstatics.core.model.parts import HOUSING, Law, Mechanism, ShiftElement
 from vstatics.core.model.springs import Spring, ends
 from vstatics.core.model.transmission import Gear, Transmission
@@ -43,12 +44,20 @@ def cell_of(value: Any) -> Value:
         return value or NOTHING
     if isinstance(value, Law):
         if value.text:
-            return f"{value.text} [{tr('N*m')}]"
+            return f"{value.text} [{tr('N*m')}]" if getattr(value, "unit", "") else value.text
+        if isinstance(value, MapLaw):
+            lines = ("; ".join(_list(row) for row in value.rows), _list(value.columns))
+            named = zip(("speed", "torque"), lines, strict=True)
+            return "; ".join(f"{heading(_OVER[over])}: {numbers}" for over, numbers in named)
         points = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in value.points)
         return f"{heading(_OVER[value.over])}: {points}"
     if math.isnan(value):
         return NOTHING
     return Cell(f"{value:.6g}", value, kind=float)
+
+
+def _list(numbers: Iterable[float]) -> str:
+    return f"({', '.join(f'{number:.6g}' for number in numbers)})"
 
 
 def link_text(case: Transmission, link: int) -> str:

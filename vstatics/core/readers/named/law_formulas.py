@@ -75,6 +75,7 @@ class DragFormula(_LawFormula):
     """
 
     quantities = OF_SPEED
+    unit = "N*m"
 
 
 class EfficiencyFormula(_LawFormula):
