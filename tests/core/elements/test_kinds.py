@@ -37,6 +37,7 @@ from tests.core.elements.element_cases import (
     stepped_teeth,
 )
 from tests.oracle.single_meshes import ContradictionError, speeds
+from vstatics import ReadError, loads, solve
 
 Teeth = Mapping[str, int]
 
@@ -322,6 +323,19 @@ def test_a_worm_turns_once_for_each_start_of_the_wheel(threads: int, wheel: int)
     has_the_speeds_of_single_meshes(document, results)
     assert ratios(results)["forth"] == pytest.approx(wheel / threads, rel=PRECISION)
     assert efficiencies(results) == pytest.approx({"forth": 0.8, "back": 0.7}, rel=1e-9)
+
+
+def test_a_gear_set_can_lose_more_backward() -> None:
+    """From sun to carrier (1 + 3 eta)/4; from carrier to sun 4/(1 + 3/eta)."""
+    case = (
+        "{input: a, output: b, load: {speed: 900 rpm, torque: 90 N*m}, elements: {E: {kind: "
+        "planetary, sun: a, ring: housing, carrier: b, teeth: {sun: 30, ring: 90}, %s: 0.9}}, "
+        "gears: {low: [], coasting: {coast: true}}}"
+    )
+    results = solve(loads(case % "efficiency: 0.96, back_efficiency", format="yaml"))
+    assert results.efficiency == pytest.approx([(1 + 3 * 0.96) / 4, 4 / (1 + 3 / 0.9)], rel=1e-12)
+    with pytest.raises(ReadError, match=r"elements\.E\.back_efficiency: it needs `efficiency`"):
+        loads(case % "back_efficiency", format="yaml")
 
 
 def test_a_shaft_turns_both_ends_alike_and_loses_what_it_says() -> None:

@@ -84,6 +84,7 @@ def test_each_step_by_hand() -> None:
 
 
 def test_energies_add_up_with_a_loss_of_the_gear() -> None:
+    """The gear loses what its map has at the torque that enters, less the inertia of the input."""
     chance = seeded(62)
     for _ in range(count(12, 500)):
         car, _, _ = random_drive(chance)
@@ -98,11 +99,10 @@ def test_energies_add_up_with_a_loss_of_the_gear() -> None:
         assert energy.machine == pytest.approx(
             energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values()), rel=1e-9
         )
-        machine, torques = found.steps["machine speed [rpm]"], found.steps["machine torque [N*m]"]
+        entering = zip(found.steps["speed [rpm]"], found.steps["torque [N*m]"], strict=True)
         value = interpolated(columns, rows)
         braked = [
-            value(n * math.pi / 30, abs(torque)) * n * math.pi / 30 * 2
-            for n, torque in zip(machine, torques, strict=True)
+            value(n * math.pi / 30, abs(torque)) * n * math.pi / 30 * 2 for n, torque in entering
         ]
         assert energy.lost["gear.1"] == pytest.approx(sum(braked), rel=1e-9)
 

@@ -123,9 +123,13 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
         yield from _simple(element, kind, path)
     if element.efficiency is not None:
         place = (*path, "efficiency")
-        worm = element.back_efficiency is not None
+        worm = element.kind == "worm"
         yield from of_efficiency(element.efficiency, (*place, "worm") if worm else place)
-    yield from of_back_efficiency(element.back_efficiency, (*path, "efficiency", "wheel"))
+        back = (*place, "wheel") if worm else (*path, "back_efficiency")
+        yield from of_back_efficiency(element.back_efficiency, back)
+    elif element.back_efficiency is not None:
+        message = "it needs `efficiency`, that of power from the first member to the second"
+        yield Problem("E302", message, (*path, "back_efficiency"))
     yield from _mesh_efficiency(element.mesh_efficiency, path)
     if element.efficiency is not None and element.mesh_efficiency:
         message = "`efficiency` is the efficiency of the whole gear set; give one of the two"

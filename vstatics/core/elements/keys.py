@@ -65,6 +65,13 @@ _COMMON = (
         "Efficiency of the gear set as a single mechanism with its third member held.",
         limits=_EFFICIENCY,
     ),
+    KeyShape(
+        "back_efficiency",
+        EFFICIENCY,
+        "Efficiency if power flows from the second member to the first; by default `efficiency`, "
+        "without which it has no meaning.",
+        limits={"minimum": 0, "maximum": 1},
+    ),
     KeyShape("mesh_efficiency", MESH_EFFICIENCY, "Efficiencies of the meshes of this gear set."),
     *ELASTIC,
 )
@@ -257,6 +264,7 @@ def record_of(element: Element) -> dict[str, Any]:
         "ratios": element.ratios,
         "planets": element.planets,
         "efficiency": element.efficiency,
+        "back_efficiency": element.back_efficiency,
         "mesh_efficiency": element.mesh_efficiency,
         "rims": element.rims,
         "meshes": element.meshes,
@@ -266,8 +274,8 @@ def record_of(element: Element) -> dict[str, Any]:
     }
     for key, internal in _WHEELS:
         record[key] = [wheel for wheel in element.wheels if wheel.internal == internal]
-    if element.back_efficiency is not None:
-        record["efficiency"] = {"worm": element.efficiency, "wheel": element.back_efficiency}
+    if element.kind == "worm":
+        record["efficiency"] = {"worm": element.efficiency, "wheel": record.pop("back_efficiency")}
     return record
 
 
@@ -282,7 +290,7 @@ def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
 def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
     """Return the gear set of a record; gears of a planet group are named after the case's links."""
     kind = record["kind"]
-    efficiency, back = record.get("efficiency"), None
+    efficiency, back = record.get("efficiency"), record.get("back_efficiency")
     if isinstance(efficiency, dict):
         efficiency, back = efficiency["worm"], efficiency["wheel"]
     masses = record.get("planet", {})

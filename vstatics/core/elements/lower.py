@@ -171,6 +171,7 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
             group.carrier,
             ratio=float(ratio),
             efficiency=element.efficiency or efficiency,
+            back_efficiency=element.back_efficiency,
             planet_ratio=_to_planet(group, wheel, ratio),
             name=element.name + name,
             stiffness=element.stiffness,

@@ -235,15 +235,21 @@ class CycleSteps(NamedTuple):
         The torque is that of the engine less that of the inertia of the input link.
         """
         moving = self.trace.speed > 0
-        inertia = np.zeros(len(self.gears))
-        for number, gear in enumerate(self.case.gears):
-            rows = np.flatnonzero((self.gears == number) & moving)
-            inertia[rows] = self._inertia_torque(rows, self.case.gear_input(gear))
+        entering = engine + self._input_inertia(np.arange(len(engine)))
         return {
             "duration [s]": self.trace.duration,
             "speed [rpm]": np.where(moving, self.engine_speeds, 0.0) * 30 / math.pi,
-            "torque [N*m]": np.where(moving, engine + inertia, 0.0),
+            "torque [N*m]": np.where(moving, entering, 0.0),
         }
+
+    def _input_inertia(self, rows: Integers) -> Floats:
+        """Return the inertia torques of the input link in some steps [N*m]."""
+        inputs = np.array([self.case.gear_input(gear) for gear in self.case.gears])[self.gears]
+        torques = np.zeros(len(rows))
+        for link in np.unique(inputs[rows]).tolist():
+            here = inputs[rows] == link
+            torques[here] = self._inertia_torque(rows[here], link)
+        return torques
 
     def _inertia_torque(self, rows: Integers, link: int) -> Floats:
         """Return the inertia torque ``-J dw/dt`` of a link in some steps [N*m]."""
@@ -255,12 +261,17 @@ class CycleSteps(NamedTuple):
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return inertia torques on links that are neither outputs nor held, by path [N*m]."""
+        """Return inertia torques on links that are neither outputs nor held, by path [N*m].
+
+        The loss of a gear depends on the torque that enters it, so its load contains the inertia
+        of the input link.
+        """
         return {
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
             for gear in case.gears
             for link, inertia in case.heavy.items()
             if inertia and link != case.gear_output(gear) and link not in gear.speeds  # held
+            if gear.loss is None or link != case.gear_input(gear)
         }
 
     def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
@@ -379,13 +390,15 @@ class CycleSteps(NamedTuple):
         for number, gear in enumerate(self.case.gears):
             if gear.loss is not None:
                 of_gear = np.flatnonzero(here.gears == number)
-                torques[of_gear] = self._with_loss(rows, of_gear, speeds, torques)
+                inertia = self._input_inertia(rows)
+                entering = self._with_loss(rows, of_gear, speeds, torques + inertia)
+                torques[of_gear] = entering - inertia[of_gear]
         return torques
 
     def _with_loss(
         self, rows: Integers, of_gear: Integers, speeds: Floats, torques: Floats
     ) -> Floats:
-        """Return engine torques with the loss of their gear as a whole [N*m]."""
+        """Return torques entering a gear, for those without its loss as a whole [N*m]."""
         loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
         if loss is None:
             return torques[of_gear]
@@ -411,11 +424,11 @@ class CycleSteps(NamedTuple):
         """
         lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
         here = self.at(rows)
-        speeds = here.engine_speeds
+        speeds, entering = here.engine_speeds, engine[rows] + self._input_inertia(rows)
         for number, gear in enumerate(self.case.gears):
             own = here.gears == number
             if gear.loss is not None and own.any():
-                sizes = speeds[own], np.abs(engine[rows][own])
+                sizes = speeds[own], np.abs(entering[own])
                 if gear.loss.is_outside(*sizes).any():
                     lost.outside[f"the loss of gear {gear.name}"] = None
                 brake = brake_torque(gear.loss, *sizes)
@@ -428,7 +441,9 @@ class CycleSteps(NamedTuple):
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
         """Add the losses of rows in which brakes take the excess, and return its energy [J]."""
         here = self.at(rows)
-        points = DutyPoints(self.gears[rows], here.engine_speeds, engine[rows], np.ones(len(rows)))
+        has_loss = np.array([gear.loss is not None for gear in self.case.gears])[here.gears]
+        entering = engine[rows] + np.where(has_loss, self._input_inertia(rows), 0.0)
+        points = DutyPoints(here.gears, here.engine_speeds, entering, np.ones(len(rows)))
         loads = self._solved(self.case, rows, points)
         lost.add(loads, rows, self.trace.duration[rows])
         torque = self._given(self.case, rows, loads) * np.sign(here.output_speeds)

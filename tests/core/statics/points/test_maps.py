@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 from tests.chance import count, seeded
 from vstatics import CaseError, Gear, Load, Mechanism, ReadError, Transmission, load, loads, solve
-from vstatics.core.model.laws import MapLaw
+from vstatics.core.model.laws import MapLaw, PointLaw
 from vstatics.core.model.parts import BatteryBalance
 from vstatics.core.readers.named.law_formulas import EfficiencyFormula
 from vstatics.core.statics.points.gear_loss import braked_torques
@@ -106,6 +106,45 @@ def test_a_formula_that_gives_no_efficiency_leaves_no_torques(formula: str) -> N
     assert "of pair " in results.messages[0].text
 
 
+def test_a_constant_map_is_a_number() -> None:
+    flat = MapLaw([0, 50], [[0, 0.9, 0.9], [99, 0.9, 0.9]])
+    for law in (flat, PointLaw([(0, 0.9)], "torque")):
+        part = Mechanism(1, 2, 0, 2.0, law)
+        results = solve(Transmission(2, [], [part], [Gear()], load=Load(900, 40)))
+        assert results.efficiency == pytest.approx([0.9], rel=1e-15)
+
+
+@pytest.mark.parametrize("rises", [0.009, 0.0092])
+def test_the_iteration_may_be_slow(rises: float) -> None:
+    """Driven by its second link at 100 N*m, a pair has eta = 0.04 + rises 100 eta."""
+    law = EfficiencyFormula(f"0.04 + {rises}*T")
+    part = Mechanism(2, 1, 0, 1.0, 0.9, back_efficiency=law)
+    pair = Mechanism(2, 3, 0, 1.0, EfficiencyFormula("0.9 + 0*T"))
+    results = solve(Transmission(3, [], [part, pair], [Gear()], load=Load(900, 100)))
+    assert results.efficiency == pytest.approx([0.9 * 0.04 / (1 - 100 * rises)], rel=1e-11)
+
+
+def test_a_map_of_the_other_direction_changes_nothing() -> None:
+    chance, ahead = seeded(54), MapLaw([0, 9], [[0, 0.8, 0.9], [9, 0.8, 0.9]])
+    for _ in range(count(12, 500)):
+        back = MapLaw(*random_map(chance, low=0.2, high=1))
+        results = [
+            solve(Transmission(2, [], [part], [Gear()], load=Load(900, 400)))
+            for part in (
+                Mechanism(2, 1, 0, 1.0, number, back_efficiency=back) for number in (0.9, ahead)
+            )
+        ]
+        assert results[0].efficiency == pytest.approx(results[1].efficiency, rel=1e-11, nan_ok=True)
+
+
+def test_a_trial_that_locks_has_no_efficiency() -> None:
+    """With its ring fixed a carrier turns (u - 1)/u; u eta is below 1 at trials, not at eta."""
+    values = [0.7, 0.7, 0.4, 0.45]
+    part = Mechanism(1, 0, 2, 1.95, MapLaw([0, 100, 200, 300], [[0, *values], [900, *values]]))
+    results = solve(Transmission(2, [], [part], [Gear()], load=Load(900, 90)))
+    assert results.efficiency == pytest.approx([(1 - 1.95 * 0.7) / (1 - 1.95)], rel=1e-12)
+
+
 def test_a_formula_that_is_not_used_takes_no_torques_away() -> None:
     """A pair without torque, and the efficiency of the other direction, have no value here."""
     idle = Mechanism(1, 2, 0, 2.0, EfficiencyFormula("0.9 - 2/T"))
@@ -189,7 +228,10 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
     [
         ("0,0,0.9\n0,5,0.9\n9,0,0.9\n", "a full grid: there is no value at 9 rad/s, 5 N"),
         ("0,0,0.9\n0,0,0.8\n", "line 3: 0 rad/s, 0 N.m is on line 2, too; expected each point"),
-        ("0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n", r"rows\[1\]\[2\]: read 1.2, expected an efficiency"),
+        (
+            "0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n",
+            "`map.csv`, line 2: read 1.2, expected an efficiency above 0",
+        ),
         ("0,0,0.9\n0,5,0.9\n", r"rows: read 1, expected two speeds or more"),
         ("0,0\n", "line 2: expected 3 numbers"),
     ],

@@ -20,6 +20,10 @@ MOST_POINT_FILE_BYTES = 1_000_000
 """Maximum number of bytes of a file of points."""
 Values = Literal["efficiency", "loss"]
 _MEASURES: Mapping[str, Measure] = {"speed": "si_speed", "torque": "si_torque"}
+_VALUES = {
+    "efficiency": "an efficiency above 0 and up to 1 (100 % with the heading `efficiency [%]`)",
+    "loss": "a loss of 0 or more",
+}
 _LOSS_UNITS: tuple[LossUnit, ...] = ("W", "kW", "N*m")
 _HEADS = {
     "": "speed [rad/s],torque [N*m]",
@@ -105,6 +109,8 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
             first = points[speed, torque][0]
             message = f"line {line}: {_point(speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
+        if not (0 < value <= 1 if values == "efficiency" else value >= 0):
+            raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}")
         points[speed, torque] = line, value
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):

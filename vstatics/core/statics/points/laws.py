@@ -29,6 +29,8 @@ from vstatics.core.statics.results import Results
 
 MOST_FIXED_POINT_STEPS = 100
 """Largest number of fixed-point iterations."""
+MOST_EXTRAPOLATED_STEPS = 40
+"""Largest number of further iterations, for slow or oscillating ones, with extrapolation."""
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
@@ -226,19 +228,13 @@ def _differ(speeds: Floats, others: Floats) -> Booleans:
 def _wrong_efficiencies(
     case: Transmission, laws: Laws, sizes: _Sizes, results: Results, settled: Booleans
 ) -> Outside:
-    """Return the points at which the formula of an efficiency in use is not above 0 and up to 1.
-
-    It is in use where power flows through the mechanism in the direction of the efficiency.
-    """
+    """Return the points at which the formula of an efficiency in use is not above 0 and up to 1."""
     by_name: dict[str, Booleans] = {}
     settled = settled & results.consistent
     for number, law in laws.items():
         if law.text and _is_efficiency(number):
-            sign = results.power_sign[:, number.gear, number.owner]
-            in_use = sign != 0
-            if case.mechanisms[number.owner].back_efficiency is not None:
-                in_use = sign > 0 if number.quantity == "efficiency" else sign < 0
-            wrong = ~_are_efficiencies(law.at(*sizes[number])) & settled[:, number.gear] & in_use
+            wrong = ~_are_efficiencies(law.at(*sizes[number])) & settled[:, number.gear]
+            wrong &= _is_in_use(case, number, results)
             if wrong.any():
                 none = np.zeros_like(settled)
                 by_name.setdefault(_name(case, number), none)[:, number.gear] |= wrong
@@ -247,6 +243,13 @@ def _wrong_efficiencies(
 
 def _is_efficiency(number: CaseNumber) -> bool:
     return number.quantity in ("efficiency", "back_efficiency")
+
+
+def _is_in_use(case: Transmission, number: CaseNumber, results: Results) -> Booleans:
+    """Return whether power flows through the mechanism in the direction of the efficiency."""
+    sign = results.power_sign[:, number.gear, number.owner]
+    in_use: Booleans = sign > 0 if number.quantity == "efficiency" else sign < 0
+    return in_use if case.mechanisms[number.owner].back_efficiency is not None else sign != 0
 
 
 def _are_efficiencies(values: Floats) -> Booleans:
@@ -287,8 +290,7 @@ class _Search:
             values: Floats = law.at(*sizes[number])
             if law.text:  # the value of a formula is judged at the solution
                 values = np.clip(np.nan_to_num(values, nan=LEAST_EFFICIENCY), LEAST_EFFICIENCY, 1.0)
-                values = np.where(np.isnan(sizes[number][-1]), np.nan, values)
-            efficiencies[number] = values
+            efficiencies[number] = np.where(np.isnan(sizes[number][-1]), np.nan, values)
         return results, efficiencies
 
     def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
@@ -304,14 +306,23 @@ class _Search:
             for number, law in self.laws.items()
         }
         still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
-        for _ in range(MOST_FIXED_POINT_STEPS):
+        before = guess
+        for step in range(MOST_FIXED_POINT_STEPS + MOST_EXTRAPOLATED_STEPS):
             _, efficiencies = self._tried(guess)
             still[:], lacking[:] = True, False
+            extrapolates = step >= MOST_FIXED_POINT_STEPS and step % 2 == 1
+            latest = dict(guess)
             for number, values in efficiencies.items():
                 moved = np.abs(values - guess[number]) > STANDS_STILL
                 still[:, number.gear or 0] &= ~moved
                 lacking[:, number.gear or 0] |= np.isnan(values)
-                guess[number] = np.where(np.isnan(values), guess[number], values)
+                following = np.where(np.isnan(values), guess[number], values)
+                if extrapolates:
+                    limit = _extrapolated(before[number], guess[number], following)
+                    limit = np.clip(limit, *_ends(self.laws[number]))
+                    following = np.where(moved & np.isfinite(limit), limit, following)
+                guess[number] = following
+            before = latest
             if still.all():
                 break
         return guess, still & ~lacking, lacking
@@ -338,10 +349,17 @@ class _Search:
         return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
-        """Search a law for all solutions of gears with a single unknown efficiency."""
-        single = [numbers[0] for numbers in self.of_gear.values() if len(numbers) == 1]
+        """Search laws for all solutions of gears in which a single mechanism has laws."""
+        single = [
+            number
+            for numbers in self.of_gear.values()
+            if len({number.owner for number in numbers}) == 1
+            for number in numbers
+            if len(set(_ends(self.laws[number]))) > 1
+        ]
         if not single:
             return
+        results, _ = self._tried(best)
         grid = {n: np.linspace(*_ends(self.laws[n]), SCAN_POINTS) for n in single}
         left = {n: np.empty((SCAN_POINTS, self.variants)) for n in single}
         for place in range(SCAN_POINTS):
@@ -350,6 +368,8 @@ class _Search:
             for n in single:
                 left[n][place] = efficiencies[n] - guess[n]
         for n in single:
+            if len(self.of_gear[n.gear or 0]) > 1:
+                left[n][:, ~_is_in_use(self.case, n, results)] = np.nan
             self._count(n, best, state, grid[n], left[n])
 
     def _count(
@@ -400,6 +420,13 @@ class _Search:
             low, high = np.where(above, middle, low), np.where(above, high, middle)
         stands: Booleans = np.abs(values) <= SAME_SOLUTION
         return middle, stands
+
+
+def _extrapolated(first: Floats, second: Floats, third: Floats) -> Floats:
+    """Return the limits of geometric sequences by Aitken's rule."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        limit: Floats = third - (third - second) ** 2 / (third - 2 * second + first)
+    return limit
 
 
 def _ends(law: Law) -> tuple[float, float]:
