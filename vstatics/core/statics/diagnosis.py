@@ -73,6 +73,7 @@ def _messages(results: Results) -> Iterator[Message]:
     rated = any(element.capacity for element in case.shift_elements)
     overloaded = list(carried.overloads(results)) if rated else []
     unbalanced = list(carried.out_of_balance(results)) if case.has_converter else []
+    may_be_outside = case.has_converter or results.points
     gears = zip(case.gears, regular_gears(results), idle_with_torque(results), strict=True)
     for number, (given, is_usual, idle) in enumerate(gears):
         held = [element for element in wheels if results.holds[number, element - 1]]
@@ -85,10 +86,10 @@ def _messages(results: Results) -> Iterator[Message]:
             *(_idle_messages(results, number, gear, idle) if idle else ()),
             *(_sharing_freewheels(case, given, held) if held else ()),
             *(() if is_usual else _drag_messages(results, number, gear)),
-            *_outside_messages(results, number, gear),
+            *(_outside_messages(results, number, gear) if may_be_outside else ()),
             *(Said("W430", text) for index, text in overloaded if index == number),
             *(Said("W431", text) for index, text in unbalanced if index == number),
-            *_open_converters(case, given),
+            *(_open_converters(case, given) if given.speed_ratios else ()),
             *(_driving_neutral(results, number) if given.kind == "neutral" else ()),
         )
         # a gear can contain several contradictions with one and the same text
@@ -106,8 +107,6 @@ def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, flo
 
 def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
     """Note speed ratios that a gear gives to entries of `converters`, which are open in statics."""
-    if not gear.speed_ratios:
-        return
     last = len(case.mechanisms[case.own_mechanisms])
     bodies = case.bodies(gear)
     for number, ratio in gear.speed_ratios.items():
@@ -130,8 +129,6 @@ def outside_message(names: Sequence[str]) -> Message:
 
 def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     case = results.case
-    if not (case.has_converter or results.points):
-        return
     names = [
         mechanism.name
         for mechanism, ratio in _converters(case, gear)
