@@ -140,10 +140,10 @@ def build(*holding: bytes) -> str:
         inner[:] = sorted(name for name in inner if name != "__pycache__")
         for name in sorted(name for name in names if not name.startswith(".")):
             path = os.path.join(folder, name)  # noqa: PTH118
-            with open(path, "rb") as file:  # noqa: PTH123
+            with open(path, "rb", buffering=0) as file:  # noqa: PTH123
                 content = file.read()
             if not holding or any(words in content for words in holding):
-                label = os.path.relpath(path, top).replace(os.sep, "/")
+                label = path[len(top) + 1 :].replace(os.sep, "/")
                 digest.update(f"{label} {len(content)}\n".encode() + content)
     return digest.hexdigest()[:12]
 

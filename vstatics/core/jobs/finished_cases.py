@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, Self
 
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.extras import build
-from vstatics.core.jobs.files import hash_of, hash_of_file
+from vstatics.core.jobs.files import hash_of, hash_of_file, write_all
 from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder
 
@@ -148,12 +148,19 @@ class FinishedCases:
         self._run = hashlib.sha256(described(options)).hexdigest()[:16]
         self._done: dict[str, _Entry] = {}
         self._lock: int | None = None
+        self._record: int | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the attributes for another process, which opens the record itself."""
+        return vars(self) | {"_record": None}
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
         """Release the directory, and remove unfinished files of ended workers."""
+        if self._record is not None:
+            os.close(self._record)
         if self._lock is not None:
             self._files.forget(self.mark)
             self._files.remove(self.name + LOCKED)
@@ -203,8 +210,9 @@ class FinishedCases:
         return ""
 
     def _append(self, data: bytes) -> None:
-        with self._files.appending(self.name) as write:
-            write(data)
+        if self._record is None:
+            self._record = self._files.open(self.name, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
+        write_all(self._record, data)
 
     def _take(self, line: bytes) -> None:
         """Register the result of a line, unless the line is cut or damaged or the case failed."""

@@ -99,8 +99,7 @@ def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:
     name = os.fspath(file)
     how = _at_once if regular else None
     stream = cast("BinaryIO", open(name, "rb", buffering=0, opener=how))  # noqa: SIM115 - closed by the caller
-    mode = os.fstat(stream.fileno()).st_mode
-    if regular and not stat.S_ISREG(mode):
+    if regular and not stat.S_ISREG(mode := os.fstat(stream.fileno()).st_mode):
         stream.close()
         raise NotRegularError(mode, name)
     return stream

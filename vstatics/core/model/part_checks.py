@@ -210,6 +210,11 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
         yield Problem("E227", "all three links are the housing, expected at least one link", path)
     if len(set(members)) < len(members):
         yield Problem("E228", f"links {mechanism.links}: expected different links", path)
+    yield from of_mechanism_numbers(mechanism, path)
+
+
+def of_mechanism_numbers(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
+    """Check the ratios and efficiencies of a mechanism, and the points of a converter."""
     ratio = mechanism.ratio
     if mechanism.kind:
         yield from _of_kind(mechanism, path)

@@ -12,7 +12,7 @@ from vstatics.core.errors import CaseError, plural
 from vstatics.core.extras import higher
 from vstatics.core.model.checks import carried_keys, problems
 from vstatics.core.model.fields import AnyDrawing, IdleConvention, TransmissionFields
-from vstatics.core.model.part_checks import of_mechanism
+from vstatics.core.model.part_checks import of_mechanism_numbers
 from vstatics.core.model.parts import (
     HOUSING,
     NO_LOAD,
@@ -188,7 +188,7 @@ class Transmission(TransmissionFields):
     def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:
         """Return the transmission with other ratios, efficiencies and planet ratios of mechanisms.
 
-        Everything else about the mechanisms must be unchanged. Only the mechanisms are checked
+        Everything else about the mechanisms must be unchanged. Only these numbers are checked
         again.
 
         Raises
@@ -197,18 +197,16 @@ class Transmission(TransmissionFields):
             If a number of a mechanism is not valid.
         """
         others = tuple(mechanisms)
-        parts = enumerate(others, 1)
         errors = [
             e
-            for n, mechanism in parts
-            for e in of_mechanism(mechanism, ("mechanisms", n), self.links)
+            for n, mechanism in enumerate(others, 1)
+            for e in of_mechanism_numbers(mechanism, ("mechanisms", n))
         ]
         if errors:
             raise CaseError(errors)
         case = object.__new__(type(self))
-        derived = {"_derived": self._derived, **vars(self)}
-        derived.pop("laws", None)  # alone among the cached values, they depend on the numbers
-        case._set(**derived | {"mechanisms": others})
+        vars(case).update(vars(self), _derived=self._derived, mechanisms=others)
+        vars(case).pop("laws", None)  # alone among the cached values, they depend on the numbers
         return case
 
     @staticmethod

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Mapping, Sequence
+from itertools import accumulate
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -91,7 +92,8 @@ class Block:
 
     def __init__(self, forms: Mapping[str, Form]) -> None:
         self.forms = dict(forms)
-        self.bytes = np.empty(sum(map(_size, forms.values())), dtype=np.uint8)
+        *self.starts, size = accumulate(map(_size, forms.values()), initial=0)
+        self.bytes = np.empty(size, dtype=np.uint8)
         tables = self.tables(self.bytes)
         gears = max((form.shape[0] for form in forms.values()), default=0)
         self.gears = [
@@ -100,11 +102,10 @@ class Block:
 
     def tables(self, memory: Any) -> dict[str, Any]:
         """Return the tables of the block in the given memory."""
-        tables, start = {}, 0
-        for name, form in self.forms.items():
-            tables[name] = np.ndarray(form.shape, form.kind, memory, start)
-            start += tables[name].nbytes
-        return tables
+        return {
+            name: np.ndarray(form.shape, form.kind, memory, start)
+            for (name, form), start in zip(self.forms.items(), self.starts, strict=True)
+        }
 
 
 def _size(form: Form) -> int:

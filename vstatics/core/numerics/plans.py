@@ -72,9 +72,11 @@ class Plans:
     def run(self, inputs: Inputs, rows: Rows) -> None:
         """Calculate all variants, and write each result to its row of `rows`."""
         total = inputs.values.shape[1]
+        if total == 1:
+            for plan in self.plans:
+                if not plan.signed and plan.run_one(inputs, rows):
+                    return
         usable = [plan for plan in self.plans if not plan.signed or total > 1]
-        if total == 1 and any(plan.run_one(inputs, rows) for plan in usable):
-            return
         self.calls += 1
         left = np.arange(total)
         for plan in usable:
@@ -250,8 +252,8 @@ class Plan:
 
     def run_one(self, inputs: Inputs, rows: Rows) -> bool:
         """Write the results of a single variant, and return whether the plan is valid."""
-        for given, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
-            if not low <= given.low <= high:
+        for given, bounds in zip(inputs.ranges, self.ranges, strict=True):
+            if not bounds.low <= given.low <= bounds.high:
                 return False
         with contextlib.suppress(ZeroDivisionError):  # a divisor can underflow to 0
             return self.replay.run_one(self.numbers(inputs)[:, 0].tolist(), rows)

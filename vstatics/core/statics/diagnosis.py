@@ -20,7 +20,7 @@ from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, is_nan, plain
 from vstatics.core.statics import carried, digits, freewheels, ideal, matrix, torques
-from vstatics.core.statics.idle_by_coincidence import coincidences
+from vstatics.core.statics.idle_by_coincidence import coincidences, idle_with_torque
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
@@ -73,9 +73,9 @@ def _messages(results: Results) -> Iterator[Message]:
     rated = any(element.capacity for element in case.shift_elements)
     overloaded = list(carried.overloads(results)) if rated else []
     unbalanced = list(carried.out_of_balance(results)) if case.has_converter else []
-    for number, (given, is_usual) in enumerate(
-        zip(case.gears, regular_gears(results), strict=True)
-    ):
+    may_be_outside = case.has_converter or results.points
+    gears = zip(case.gears, regular_gears(results), idle_with_torque(results), strict=True)
+    for number, (given, is_usual, idle) in enumerate(gears):
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.with_engaged(given, held)
         lost = tuple(_lost_digit_messages(results, number)) if results.exact[number] else ()
@@ -83,13 +83,13 @@ def _messages(results: Results) -> Iterator[Message]:
             *(_conflict_messages(case, gear) if results.conflict[number] else ()),
             *(_further_outputs(results, number, gear) if case.outputs else ()),
             *(lost if is_usual else _of_irregular_gear(results, number, gear, lost)),
-            *_idle_messages(results, number, gear),
+            *(_idle_messages(results, number, gear, idle) if idle else ()),
             *(_sharing_freewheels(case, given, held) if held else ()),
             *(() if is_usual else _drag_messages(results, number, gear)),
-            *_outside_messages(results, number, gear),
+            *(_outside_messages(results, number, gear) if may_be_outside else ()),
             *(Said("W430", text) for index, text in overloaded if index == number),
             *(Said("W431", text) for index, text in unbalanced if index == number),
-            *_open_converters(case, given),
+            *(_open_converters(case, given) if given.speed_ratios else ()),
             *(_driving_neutral(results, number) if given.kind == "neutral" else ()),
         )
         # a gear can contain several contradictions with one and the same text
@@ -107,8 +107,6 @@ def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, flo
 
 def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
     """Note speed ratios that a gear gives to entries of `converters`, which are open in statics."""
-    if not gear.speed_ratios:
-        return
     last = len(case.mechanisms[case.own_mechanisms])
     bodies = case.bodies(gear)
     for number, ratio in gear.speed_ratios.items():
@@ -131,8 +129,6 @@ def outside_message(names: Sequence[str]) -> Message:
 
 def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     case = results.case
-    if not (case.has_converter or results.points):
-        return
     names = [
         mechanism.name
         for mechanism, ratio in _converters(case, gear)
@@ -622,17 +618,17 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
         )
 
 
-def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+def _idle_messages(results: Results, number: int, gear: Gear, idle: set[int]) -> Iterator[Said]:
     """Report idle mechanisms whose assumed direction of power affects the torques."""
-    idle = coincidences(results, number, gear)
-    if idle:
+    matters = coincidences(results, number, gear, idle)
+    if matters:
         what = "torques with losses and efficiency depend"
-        if not any(idle.values()):
+        if not any(matters.values()):
             what = "torques with losses, but not the efficiency, depend"
-        verb = "happens" if len(idle) == 1 else "happen"
+        verb = "happens" if len(matters) == 1 else "happen"
         yield Said(
-            "N413" if _is_straight_ahead(results, number, [*idle]) else "W425",
-            f"{spoken([*idle])} {verb} to transmit no power; {what} on the direction of power "
+            "N413" if _is_straight_ahead(results, number, [*matters]) else "W425",
+            f"{spoken([*matters])} {verb} to transmit no power; {what} on the direction of power "
             "that is assumed there",
         )
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
+import numpy as np
+
 from vstatics.core.model.transmission import Gear
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute
@@ -18,7 +20,22 @@ from vstatics.core.statics.state import GearState
 from vstatics.core.statics.torques import solve_torques
 
 
-def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
+def idle_with_torque(results: Results) -> list[set[int]]:
+    """Return the indices of mechanisms that could be idle under torque, in each gear of a case.
+
+    Gears are judged by the arrays; in gears without consistent torques no mechanism is idle.
+    """
+    case, consistent = results.case, results.consistent
+    if case.drawing is not None:
+        gears = enumerate(consistent.tolist())
+        return [set(_idle_in_sets(results, n)) if holds else set() for n, holds in gears]
+    first = len(case.shift_elements)
+    loaded = results.lossy_torques[:, first : first + len(case.mechanisms)] != 0
+    marks = (results.idle & loaded & consistent[:, np.newaxis]).tolist()
+    return [{index for index, is_idle in enumerate(row) if is_idle} for row in marks]
+
+
+def coincidences(results: Results, number: int, gear: Gear, idle: set[int]) -> dict[str, bool]:
     """Return the idle mechanisms whose assumed direction of power affects the results.
 
     Names of mechanisms are mapped to whether the efficiency depends on the assumption, too. If
@@ -31,22 +48,17 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
         Index of the gear in `results`.
     gear : Gear
         The gear with the freewheels that hold among the engaged shift elements.
+    idle : set of int
+        Mechanisms of the gear from `idle_with_torque`.
     """
-    idle = set(_idle_with_torque(results, number)) if results.consistent[number] else set()
     if not idle or idle <= held_as_one(results.case, gear):
         return {}
     return _coincidences_of_state(results.gear_at(number))
 
 
-def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
-    """Yield the indices of mechanisms that could be idle under torque, judging by the arrays."""
+def _idle_in_sets(results: Results, number: int) -> Iterator[int]:
+    """Yield the indices of mechanisms of drawn gear sets that could be idle under torque."""
     case, is_idle = results.case, results.idle[number].tolist()
-    if case.drawing is None:
-        first = len(case.shift_elements)
-        for index, idle in enumerate(is_idle):
-            if idle and results.lossy_torques[number, first + index] != 0:
-                yield index
-        return
     behind = len(case.springs) + 1
     torques = iter(results.lossy_torques[number, len(case.shift_elements) : -behind].tolist())
     meshes = zip(

@@ -216,6 +216,8 @@ class Results(PhysicalResults):
         exists = self.calculable
         if name in ("locked", "dragged"):
             exists = exists & ~self.undecided
+        if exists.all():
+            return array.astype(np.float64)
         return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 
     def gear(self, gear: int | str) -> GearState:

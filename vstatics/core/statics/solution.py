@@ -84,6 +84,8 @@ def _variants(
 
     Ratios and efficiencies have the shape (variants, mechanisms).
     """
+    if ratios is None and efficiencies is None:
+        return (), None, None
     count = len(case.mechanisms)
     given = {
         name: None if numbers is None else by_mechanism(name, numbers, count)
