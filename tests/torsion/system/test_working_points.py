@@ -138,24 +138,25 @@ def test_the_pump_sets_the_torques_of_all_springs() -> None:
     assert coasts
 
 
-def test_the_torque_on_the_pump_is_that_of_its_own_row_beside_gear_sets() -> None:
-    """100 N*m at 2000 rpm need lambda 0.0022797: i = 0.8 + 0.2 (3.8 - 2.2797)/3.8, by hand."""
-    text = """
+@pytest.mark.parametrize("torque", [100.0, -40.0])
+def test_the_torque_on_the_pump_is_that_of_its_own_row_beside_gear_sets(torque: float) -> None:
+    """It falls to 0 at i = 1 from 3.8e-3 w^2 at 0.8, and further to -2e-3 w^2 at 1.2."""
+    text = f"""
     links: [engine, turbine, ring, out]
-    load: {speed: 2000 rpm, torque: 100 N*m}
-    elements: {P: {kind: planetary, sun: turbine, ring: ring, carrier: out, teeth: {sun: 30, ring: 70}}}
-    mechanisms: {TC: {kind: converter, first: engine, second: turbine,
-                      points: [[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]}}
-    shift_elements: {B: [ring, housing]}
-    gears: {"1": [B]}
-    inertias: {engine: 0.2, turbine: 0.1, out: 5}
+    load: {{speed: 2000 rpm, torque: {torque} N*m}}
+    elements: {{P: {{kind: planetary, sun: turbine, ring: ring, carrier: out, teeth: {{sun: 30, ring: 70}}}}}}
+    mechanisms: {{TC: {{kind: converter, first: engine, second: turbine,
+                      points: [[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0], [1.2, 0.98, -2e-3]]}}}}
+    shift_elements: {{B: [ring, housing]}}
+    gears: {{"1": [B]}}
+    inertias: {{engine: 0.2, turbine: 0.1, out: 5}}
     """
     case = loads(text)
-    needed = 100 / (2000 * RPM) ** 2
+    expected = 1 - 0.2 * torque / (2000 * RPM) ** 2 / (3.8e-3 if torque > 0 else 2e-3)
     [gear] = modes(case)
     assert gear.converters
-    assert gear.converters["TC"].speed_ratio == pytest.approx(1 - 0.2 * needed / 3.8e-3, rel=1e-9)
-    assert solve(case).speed_ratio[0, 0] == pytest.approx(1 - 0.2 * needed / 3.8e-3, rel=1e-9)
+    assert gear.converters["TC"].speed_ratio == pytest.approx(expected, rel=1e-9)
+    assert solve(case).speed_ratio[0, 0] == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_load_that_contradicts_the_pump_is_reported() -> None:

@@ -202,10 +202,11 @@ class _WorkingPoints:
         return speed
 
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
-        """Return the largest speed ratio up to 1 at which the pump takes the torque of the load."""
+        """Return the largest speed ratio at which the pump takes the torque of the load."""
         if (self.load.torque is None and not self.driving) or self.load.speed is None:
             raise self._unknown([converter], "a `load` with speed and torque would determine it")
-        corners = {point[0] for point in converter.points if point[0] < 1} | {1.0}
+        corners = {point[0] for point in converter.points}
+        corners.add(max(1.0, *corners))
         excess = {ratio: self._excess(converter, ratios, ratio) for ratio in corners}
         for above, below in pairwise(sorted(corners, reverse=True)):
             if excess[above] == 0:
@@ -215,7 +216,8 @@ class _WorkingPoints:
 
                 excess_at = partial(self._excess, converter, ratios)
                 return float(brentq(excess_at, below, above, xtol=SPEED_RATIO_STEP))
-        why = "at no speed ratio up to 1 it takes the torque of the load at the speed of the load"
+        top = f"{max(corners):g}"
+        why = f"at no speed ratio up to {top} it takes the torque of the load at the speed of the load"
         raise self._unknown([converter], why)
 
     def _excess(self, converter: Converter, ratios: Ratios, ratio: float) -> float:
