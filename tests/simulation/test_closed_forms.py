@@ -10,6 +10,7 @@ from tests.simulation.test_golden import closes, happened
 from vstatics import Gear, ShiftElement, Spring, Transmission
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.springs import between
+from vstatics.core.readers import loads
 from vstatics.simulation import (
     Formula,
     Motion,
@@ -87,6 +88,23 @@ def test_coast_down_to_rest() -> None:
     # what it turned: J (w0 - R/c ln(1 + c w0/R))/c
     angle = 2 * (100 - 60 * math.log(1 + 50 / 30)) / 0.5
     assert motion.energy.heat["1"] == pytest.approx(30 * angle, rel=EXACT)
+
+
+@pytest.mark.parametrize("freewheel", ["", "F: {kind: freewheel, links: [ring, housing]}"])
+def test_drag_follows_the_speed_with_or_without_a_freewheel(freewheel: str) -> None:
+    """J dw/dt = -(a + c w): w = (w0 + a/c) exp(-c t/J) - a/c, with J = 0.3 + 7/2.5^2."""
+    case = loads(f"""
+links: [in, ring, out]
+inertias: {{in: 0.3, ring: 0.05, out: 7}}
+load: {{speed: 2000 rpm, torque: 100 N*m}}
+drag: {{in: "2 + 0.005*w"}}
+mechanisms: {{set: {{first: in, second: ring, third: out, ratio: -1.5}}}}
+shift_elements: {{B: {{links: [ring, housing], capacity: 600 N*m}}, {freewheel}}}
+gears: {{low: [B]}}
+""")
+    motion = simulate(Scenario(case, 5.0, Start(gear="low", speed=100.0)))
+    expected = (100 + 2 / 0.005) * math.exp(-0.005 * 5 / (0.3 + 7 / 2.5**2)) - 2 / 0.005
+    assert motion.speeds[-1, 0] == pytest.approx(expected, rel=EXACT)
 
 
 def test_speed_reached_on_a_road() -> None:

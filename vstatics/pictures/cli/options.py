@@ -224,7 +224,7 @@ options = gathered(
                 "--limits",
                 metavar="CASE",
                 default="",
-                help="Case whose vehicle has the full-load curve to draw on a map over "
+                help="Draw the full-load curve of the vehicle in this case on a map over "
                 "load.speed and load.torque.",
             ),
             click.option(

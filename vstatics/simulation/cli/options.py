@@ -119,7 +119,7 @@ options = gathered(
         "--method",
         type=click.Choice(get_args(Method)),
         default="events",
-        help="Method of integration. `tarasik` uses the equations (12) to (15) of the source, for "
+        help="Method of integration. `tarasik` uses equations (12) to (15) of Tarasik (2018), for "
         "comparison.",
     ),
     arguments.limit,

@@ -86,7 +86,8 @@ def start_gear(scenario: Scenario) -> Gear | None:
         return gear
     from vstatics.core.statics.solve import solve
 
-    return solve(case).gear_at(number - 1).gear
+    # the solver gives its gear the drag at the speed of the load, but a motion follows the laws
+    return gear._replace(engaged=solve(case).gear_at(number - 1).gear.engaged)
 
 
 def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:

@@ -119,8 +119,8 @@ duty_options = gathered(
         "classes",
         callback=value(_classes),
         metavar="CLASSES",
-        help="Load spectrum of each member of a duty cycle in CSV: a number of equal classes of "
-        "torque, or upper bounds such as '50,100,200 N*m'.",
+        help="Add the load spectrum of each member over a duty cycle in CSV. Give the number of "
+        "equal classes of torque, or their upper bounds, such as '50,100,200 N*m'.",
     ),
 )
 """Decorator that adds both options; the command receives `duty`."""

@@ -88,7 +88,8 @@ idle = under(
         cls=RenamedOption,
         former=["--idle"],
         type=click.Choice(get_args(IdleConvention)),
-        help="Sign of the power of unloaded mechanisms.  [default: as in the case]",
+        help="Power sign of mechanisms without power flow: 0 (exact), or the sign in the "
+        "published listing.  [default: as in the case]",
     ),
 )
 quiet = under(

@@ -59,7 +59,8 @@ def box_command(
     ratios in all gears are a family.
 
     -o DIR writes each gearbox as a case with its stick diagram, and tables and a page for
-    all. Files of an earlier search in DIR are replaced, unless you have edited one.
+    all. Files of an earlier search in DIR are replaced. If you have edited one of these files,
+    the command stops and replaces nothing.
 
     \b
     Examples:
