@@ -217,7 +217,7 @@ class _WorkingPoints:
                 excess_at = partial(self._excess, converter, ratios)
                 return float(brentq(excess_at, below, above, xtol=SPEED_RATIO_STEP))
         top = f"{max(corners):g}"
-        why = f"at no speed ratio up to {top} it takes the torque of the load at the speed of the load"
+        why = f"at no speed ratio up to {top} it takes the torque of the load at its speed"
         raise self._unknown([converter], why)
 
     def _excess(self, converter: Converter, ratios: Ratios, ratio: float) -> float:
