@@ -239,3 +239,12 @@ def test_conventions_of_a_calculation_stand_on_the_sheet() -> None:
         assert said_and_asked(one, 0)[0] != said_and_asked(case, 0)[0]
     told = said_and_asked(load(CASES / "ravigneaux-gf4a.yaml"), 0)[0]
     assert "| one-way clutch 2 | freewheel | carrier | housing | holds |" in told
+
+
+def test_a_sheet_gives_maps_of_efficiency_whole_and_formulas_without_a_unit() -> None:
+    over = "{over: [speed, torque], columns: [0, 90], rows: [[5, 0.8, 0.9], [7, 0.9, 1]]}"
+    text = LAWFUL.replace("{over: torque, points: [[0, 0.9], [150, 0.97]]}", over)
+    text = text.replace("second: 41}", 'second: 41}, efficiency: "0.9 + 0.1*tanh(T)"')
+    sheet = said_and_asked(loads(text), 0)[0]
+    assert "m: 0, 90; speed, rad/s: (5, 0.8, 0.9), (7, 0.9, 1)" in sheet
+    assert "tanh(T) |" in sheet

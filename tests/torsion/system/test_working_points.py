@@ -157,3 +157,38 @@ def test_a_load_that_contradicts_the_pump_is_reported() -> None:
             assert f"this vibration is about {one.torque:.5g} N*m at the input" in text
         told += len(gear.warnings)
     assert 0.3 < told / tries < 0.9
+
+
+def test_a_converter_beside_drawn_gear_sets_finds_the_ratio_of_statics() -> None:
+    """lambda(i) = 200/(2200 rpm)^2 on the line from 4.8e-3 at 0.85 to 0 at 1."""
+    case = Transmission.from_dict(
+        {
+            "links": ["engine", "turbine", "out"],
+            "input": "engine",
+            "output": "out",
+            "load": {"speed": "2200 rpm", "torque": "200 N*m"},
+            "inertias": {"engine": 0.2, "out": 3},
+            "mechanisms": {
+                "TC": {
+                    "kind": "converter",
+                    "first": "engine",
+                    "second": "turbine",
+                    "points": [[0, 2.2, 5e-3], [0.85, 1, 4.8e-3], [1, 1, 0]],
+                }
+            },
+            "elements": {
+                "P": {
+                    "kind": "planetary",
+                    "sun": "turbine",
+                    "ring": "housing",
+                    "carrier": "out",
+                    "teeth": {"sun": 30, "ring": 75},
+                }
+            },
+            "gears": {"1": []},
+        }
+    )
+    [converter] = working_gear(case, case.gears[0], {}).converters
+    expected = 1 - 0.15 * 200 / (2200 * RPM) ** 2 / 4.8e-3
+    assert expected == pytest.approx(float(solve(case).speed_ratio[0, 0]))
+    assert converter.speed_ratio == pytest.approx(expected)

@@ -240,7 +240,7 @@ def _acting(case: Transmission, gear: Gear) -> Grid:
         rows.append((entry, "sense of rotation", word(turns)))
     if gear.balance:
         rows += [
-            (link, "efficiency", cell_of(efficiency))
+            (link, "efficiency", cell_of(efficiency, ""))
             for link, efficiency in gear.balance.efficiencies
         ]
         rows.append((HOUSING, "charging power, kW", cell_of(gear.balance.battery)))

@@ -11,6 +11,7 @@ from vstatics.core.elements.drawing import drawing_of, parts_of
 from vstatics.core.elements.element import Element
 from vstatics.core.elements.group import group_of
 from vstatics.core.elements.kinds import Planetary
+from vstatics.core.model.laws import MapLaw
 from vstatics.core.model.parts import HOUSING, Law, Mechanism, ShiftElement
 from vstatics.core.model.springs import Spring, ends
 from vstatics.core.model.transmission import Gear, Transmission
@@ -37,13 +38,20 @@ _TOLD = frozenset(
 _OVER = {"speed": "speed, rad/s", "torque": "torque, N*m"}
 
 
-def cell_of(value: Any) -> Value:
-    """Return a number with the digits that a calculation needs, or a law with all points."""
+def cell_of(value: Any, unit: str = "N*m") -> Value:
+    """Return a number with the digits that a calculation needs, or a law with all points.
+
+    >>> cell_of(MapLaw([0, 90], [[5, 0.8, 0.9], [7, 0.9, 1]], ""))
+    'torque, N*m: 0, 90; speed, rad/s: (5, 0.8, 0.9), (7, 0.9, 1)'
+    """
     if value is None or isinstance(value, str):
         return value or NOTHING
     if isinstance(value, Law):
         if value.text:
-            return f"{value.text} [{tr('N*m')}]"
+            return f"{value.text} [{tr(unit)}]" if unit else value.text
+        if isinstance(value, MapLaw):
+            columns, rows = (", ".join(map(data_text, of)) for of in (value.columns, value.rows))
+            return f"{heading(_OVER['torque'])}: {columns}; {heading(_OVER['speed'])}: {rows}"
         points = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in value.points)
         return f"{heading(_OVER[value.over])}: {points}"
     if math.isnan(value):
@@ -168,7 +176,7 @@ def losses(case: Transmission) -> Grid:
                 continue
             between = " - ".join(map(in_words, filter(None, members[:2]))) if part.element else ""
             back = mechanism.back_efficiency
-            both = cell_of(mechanism.efficiency), "" if back is None else cell_of(back)
+            both = cell_of(mechanism.efficiency, ""), "" if back is None else cell_of(back, "")
             rows.append((part.name, between, *both))
     headings = ["mechanism", "between", "efficiency", "efficiency backward"]
     optional = ("between", "efficiency backward")

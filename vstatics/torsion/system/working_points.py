@@ -22,6 +22,7 @@ from vstatics.core.model.open_converters import with_mechanisms, with_open_conve
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.carried import disagree, disagreement, torque_of_pump
+from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.suggestions import nearest
@@ -222,10 +223,12 @@ class _WorkingPoints:
         return self._on_pump(converter, case).excess
 
     def _on_pump(self, converter: Converter, case: Transmission) -> _OnPump:
-        results, place = solve(case), case.devices.index(converter.name)
-        ratio = case.mechanisms[place - len(case.shift_elements)].ratio
+        results = solve(case)
+        place = [mechanism.name for mechanism in case.mechanisms].index(converter.name)
+        row = row_names(case, "torques").index(first_rows(case)[place])
+        ratio = case.mechanisms[place].ratio
         speed = self._pump_speed(converter, results)
-        brought = float(results.lossy_torques_Nm[0, place - len(case.devices) - 1])
+        brought = float(results.lossy_torques_Nm[0, row])
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:
