@@ -164,3 +164,20 @@ gears: {low: [B]}
     text = " ".join(write([explain_gear(results, 1)]).split())
     assert "the teeth of planet set.short are not given" in text
     assert "set.long are not given" not in text
+
+
+def test_a_converter_beside_gear_sets_drawn_is_open_in_their_explanation() -> None:
+    """72 ring and 30 sun teeth, and the sun at 0.98 of the engine: i = 2.4/0.98."""
+    case = loads("""\
+links: [engine, turbine, sun, big, carrier, ring]
+input: engine
+output: ring
+load: {speed: 2200 rpm, torque: 200 N*m}
+shift_elements: {A: [turbine, sun], B: [carrier, housing], LU: [engine, turbine]}
+mechanisms: {TC: {kind: converter, first: engine, second: turbine, points: [[0, 2], [1, 1]]}}
+elements:
+  set: {kind: ravigneaux, small_sun: sun, large_sun: big, ring: ring, carrier: carrier,
+        teeth: {small_sun: 30, large_sun: 36, ring: 72}}
+gears: {creep: {engaged: [A, B], slip: {LU: 0.02}, open: [TC]}}
+""")
+    assert explain_gear(solve(case), "creep").ratio == pytest.approx(2.4 / 0.98)

@@ -16,6 +16,7 @@ from tests.commands import SHIPPED
 from tests.pictures.drawn import WITHOUT_PLAN, titled
 from tests.shipped import shipped_results
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, solve
+from vstatics.core.readers import loads
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.plan.rays import plans
@@ -181,3 +182,16 @@ def test_a_variator_that_gears_set_has_rays_of_its_links() -> None:
     assert [mark.output for mark in plan.marks] == pytest.approx(
         [(2.2 - ratio) / 3.2 for ratio in (0.6, 0, -0.6)]
     )
+
+
+def test_a_plan_leaves_the_speed_ratio_of_a_variator_beside_drawn_sets_free() -> None:
+    """The carrier turns at (1 + 2.5 v)/3.5 of the sun, with the speed ratio v."""
+    case = loads("""\
+links: [in, out, ring]
+output: out
+mechanisms: {V: {kind: variator, first: in, second: ring, speed_ratio: 0.8}}
+elements: {P: {kind: planetary, sun: in, ring: ring, carrier: out, teeth: {sun: 30, ring: 75}}}
+gears: {a: {}, b: {speed_ratios: {V: 0.4}}}
+""")
+    [plan] = plans(solve(case))
+    assert [mark.output for mark in plan.marks] == pytest.approx([3 / 3.5, 2 / 3.5])

@@ -11,9 +11,9 @@ import pytest
 from tests.chance import generator
 from tests.commands import CASES
 from tests.synthesis.ratios.test_formula import FILES, entangled
-from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, load, solve
+from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.core.explain.bodies import on_own_links
-from vstatics.synthesis.ratios.fitting import fit
+from vstatics.synthesis.ratios.fitting import fit, fitted_case
 from vstatics.synthesis.ratios.least_squares import minimize
 
 BELAZ = load(CASES / "belaz7516.yaml")
@@ -305,3 +305,35 @@ def test_the_best_is_the_least_sum_of_squares_also_where_another_one_meets_all()
     ]
     assert squares == sorted(squares)
     assert found.residual == found.solutions[0].residual
+
+
+def test_speed_ratios_of_a_gear_are_not_fitted() -> None:
+    """Behind the speed ratios 0.8 and 0.4, i = -4 needs the ratio -3.2; the other gear has -8."""
+    case = Transmission.from_dict(
+        {
+            "links": ["a", "b", "c"],
+            "mechanisms": {"V": {"kind": "variator", "first": "a", "second": "b"}},
+            "elements": {
+                "pair": {
+                    "kind": "gear_pair",
+                    "first": "b",
+                    "second": "c",
+                    "teeth": {"first": 20, "second": 40},
+                },
+            },
+            "gears": {"1": {"speed_ratios": {"V": 0.8}}, "2": {"speed_ratios": {"V": 0.4}}},
+            "input": "a",
+            "output": "c",
+        }
+    )
+    found = fit(case, {"1": -4.0})
+    assert found.ratios["pair"] == pytest.approx(-3.2)
+    assert solve(fitted_case(case, found.ratios)).ratio == pytest.approx([-4.0, -8.0])
+
+
+def test_a_converter_that_finds_its_ratio_is_not_fitted() -> None:
+    points = ((0, 2, 0.005), (1, 1, 0.0))
+    converter = Mechanism(1, 2, 0, math.nan, name="TC", kind="converter", points=points)
+    load = Load(2000, 100)
+    case = Transmission(3, [], [converter, Mechanism(2, 3, 0, -2.0)], [Gear()], load=load)
+    assert "TC finds its speed ratio by the load" in complaints(case, {"1": 3.0})

@@ -181,3 +181,9 @@ def test_what_is_missing_is_said(
     package = 'the package scipy: pip install ".[torsion]" in the source folder'
     assert said.fails(f"a picture of natural modes needs {package}")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_gear_has_its_modes_even_if_another_has_its_number_as_a_name() -> None:
+    results = chain(2)
+    case = results.case.replace(gears=[Gear(name="2"), Gear(name="1")])
+    assert [gear.name for gear in modes_of(solve(case), [1])] == ["2"]

@@ -452,3 +452,11 @@ def test_a_slip_with_a_unit_or_the_wrong_sign_gives_no_cycle() -> None:
         drive(in_rpm, trace((0, 5, "low"), (4, 7, "low")), GearChoice())
     with pytest.raises(CaseError, match=r"gear low has no torques .* only a slip below 0 is poss"):
         drive(loads(SLIPPING), trace((0, 7, "low"), (4, 5, "low")), GearChoice())
+
+
+def test_slip_in_a_gear_without_a_ratio_hinders_no_cycle() -> None:
+    idle = Gear(slip={1: 0.2}, name="N")
+    steps = trace((0, 10, "1"), (9, 20, "1"))
+    cases = (CASE.replace(gears=[*CASE.gears, *more]) for more in ((), [idle]))
+    cycles = [drive(case, steps, GearChoice()) for case in cases]
+    assert cycles[0].energy.engine == cycles[1].energy.engine

@@ -45,11 +45,13 @@ class OwnLinks(NamedTuple):
 
         Such mechanisms are shafts, and symmetrical differentials of ratio -1, but not groups of
         planets with that ratio. A ratio of 1 counts as well, as the third link then has no effect.
-        The ratio of a variator is adjustable, so it never counts.
+        Variators and converters count, too; pairs that represent them do not.
         """
         mechanism = self.case.mechanisms[number]
         if mechanism.name in self.variators:
             return False
+        if mechanism.kind:
+            return True
         if mechanism.ratio != -1 or mechanism.third == HOUSING:
             return mechanism.ratio == 1
         elements = [part.element for part in self.parts for _ in part.lowered]
@@ -92,7 +94,11 @@ def on_own_links(case: Transmission) -> OwnLinks:
 
 def _undrawn(case: Transmission, **changes: Any) -> Transmission:
     # strengths and bearings name members of the drawn gear sets
-    return replace(case, drawing=None, fatigue={}, bearings={}, **changes)
+    changes |= {"drawing": None, "fatigue": {}, "bearings": {}}
+    own = len(case.mechanisms[case.own_mechanisms])
+    first = len(changes.get("mechanisms", case.mechanisms)) - own
+    numbers = {n: first + n for n in range(1, own + len(case.converters) + 1)}
+    return replace(case, gears=[gear.renumbered(numbers) for gear in case.gears], **changes)
 
 
 def structure(on_links: OwnLinks, gear: Gear) -> Structure:

@@ -35,11 +35,8 @@ def with_open_converters(case: Transmission) -> Transmission:
     others = [part.name for part in case.converters]
     before = [*(part.name for part in mechanisms), *others]
     after = [*(part.name for part in remaining), *others, *(part.name for part in moved)]
-    gears = []
-    for gear in case.gears:
-        ratios = {after.index(before[n - 1]) + 1: r for n, r in gear.speed_ratios.items()}
-        opened = tuple(after.index(before[n - 1]) + 1 for n in gear.open)
-        gears.append(gear._replace(speed_ratios=ratios, open=opened))
+    numbers = {number: after.index(name) + 1 for number, name in enumerate(before, 1)}
+    gears = [gear.renumbered(numbers) for gear in case.gears]
     return with_mechanisms(case, remaining, gears=gears, converters=[*case.converters, *moved])
 
 

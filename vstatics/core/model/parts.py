@@ -734,6 +734,19 @@ class Gear(NamedTuple):
         links = [link for link, _ in self.balance.efficiencies] if self.balance else []
         return [link for link in links if link not in (*ends, *self.speeds, *self.torques)]
 
+    def renumbered(self, numbers: Mapping[int, int]) -> Gear:
+        """Return the gear with new numbers of variators and converters, by their old numbers.
+
+        Those without a new number are left out.
+
+        >>> Gear(speed_ratios={1: 0.8, 2: 0.5}, open=[3]).renumbered({2: 4, 3: 5}).open
+        (5,)
+        """
+        ratios = {numbers[n]: i for n, i in self.speed_ratios.items() if n in numbers}
+        return self._replace(
+            speed_ratios=ratios, open=tuple(numbers[n] for n in self.open if n in numbers)
+        )
+
 
 def element_name(number: int, element: ShiftElement) -> str:
     """Return the default name of a shift element: F for a clutch, T for a brake, L for a freewheel.

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.core.errors import CaseError
+from vstatics.core.model.open_converters import with_mechanisms
 from vstatics.core.model.transmission import ShiftElement, Transmission
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.statics.results import Results
@@ -146,15 +147,15 @@ def _with_free_ratios(case: Transmission) -> Transmission:
     given = {number for gear in case.gears for number in gear.speed_ratios}
     if not given:
         return case
-    first_own = case.own_mechanisms.start
-    remaining, opened = [], list(case.shift_elements)
-    for number, mechanism in enumerate(case.mechanisms, 1 - first_own):
+    remaining, opened = {}, list(case.shift_elements)
+    for number, mechanism in enumerate(case.mechanisms[case.own_mechanisms], 1):
         if number in given:
             opened.append(ShiftElement(mechanism.first, mechanism.second, mechanism.name))
         else:
-            remaining.append(mechanism)
-    gears = [gear._replace(speed_ratios={}) for gear in case.gears]
-    return case.replace(shift_elements=opened, mechanisms=remaining, gears=gears)
+            remaining[number] = mechanism
+    numbers = {number: place for place, number in enumerate(remaining, 1)}
+    gears = [gear.renumbered(numbers) for gear in case.gears]
+    return with_mechanisms(case, [*remaining.values()], shift_elements=opened, gears=gears)
 
 
 def _marks(

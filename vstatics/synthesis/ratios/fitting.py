@@ -213,7 +213,7 @@ def fitted_case(case: Transmission, ratios: Mapping[str, float]) -> Transmission
     plain = on_own_links(case).case
     mechanisms = [
         part
-        if is_same(part.ratio, ratios[part.name])
+        if part.kind or is_same(part.ratio, ratios[part.name])
         else part._replace(ratio=ratios[part.name], planet_ratio=None)
         for part in plain.mechanisms
     ]

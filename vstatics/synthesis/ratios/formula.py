@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Literal, NamedTuple
 
+from vstatics.core.errors import CaseError, spoken
 from vstatics.core.explain.bodies import OwnLinks
 from vstatics.core.explain.shares import as_typed
 from vstatics.core.model.transmission import HOUSING, Gear, SpeedOf, Transmission
@@ -154,7 +156,16 @@ def _rows(
     fixed: Mapping[int, float],
 ) -> Iterator[LinearRow]:
     case = links.case
+    unloaded, ratios = case.unloaded_converters(gear), case.gear_ratios(gear)
+    of_kinds = {index for index, mechanism in enumerate(case.mechanisms) if mechanism.kind}
+    if faulty := [n for n in of_kinds - unloaded if not ratios[n] or math.isnan(ratios[n])]:
+        names = spoken([case.mechanisms[index].name for index in faulty])
+        message = f"gear {gear.name}: without a speed ratio of {names} other than 0, its equations "
+        raise CaseError("E279", f"{message}cannot be written: expected another gear")
+    fixed = {**fixed, **{index: 1 / ratios[index] for index in of_kinds}}
     for index, mechanism in enumerate(case.mechanisms):
+        if index in unloaded:
+            continue
         of_links: Sequence[Term] = ((ONE, ZERO), (ZERO, -ONE), (-ONE, ONE))
         ratio = index
         if index in fixed:

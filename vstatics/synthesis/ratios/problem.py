@@ -106,7 +106,8 @@ def usual(links: OwnLinks, index: int) -> tuple[float, float]:
     mechanism = links.case.mechanisms[index]
     size = abs(mechanism.ratio)
     if links.is_fixed(index):
-        return mechanism.ratio, mechanism.ratio
+        ratio = 1.0 if math.isnan(mechanism.ratio) else mechanism.ratio
+        return ratio, ratio
     widest = max(LARGEST_SET_RATIO, 2 * size, 2 / size)
     least, most = 1 / widest, widest
     if mechanism.third != HOUSING and size != 1:
@@ -223,6 +224,11 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
     CaseError
         If arguments are not valid, with all problems; each path begins with the argument.
     """
+    for gear in case.gears:
+        for index in case.sought_converters(gear):
+            message = f"{case.mechanisms[index].name} finds its speed ratio by the load: expected "
+            message += "the gear train behind it, with its turbine as `input`, or a `speed_ratio`"
+            raise CaseError("E456", message, ("mechanisms", index + 1))
     links = on_engaged_links(case)
     problems: list[Problem] = []
     if not 0 < tolerance < math.inf:

@@ -180,7 +180,14 @@ def case_with_teeth(
             parts = zip(("first", "second", "third"), gear_set.members, strict=False)
             names |= {f"{gear_set.name}.{old}": f"{gear_set.name}.{new}" for old, new in parts}
     drawn = replace(drawing, elements=tuple(elements), mechanisms=tuple(left))
-    changes = {} if given else {"mechanisms": ()}
+    places = [part.name for part in left]
+    numbers = {
+        n: places.index(part.name) + 1
+        for n, part in enumerate(drawing.mechanisms, 1)
+        if part.name in places
+    }
+    gears = [gear.renumbered(numbers) for gear in case.gears]
+    changes: dict[str, Any] = {"gears": gears} if given else {"gears": gears, "mechanisms": ()}
     for key in ("fatigue", "bearings"):
         changes[key] = _renamed(getattr(case, key), names)
     return case.replace(drawing=drawn, description="", source="", **changes)

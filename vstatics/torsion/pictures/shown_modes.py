@@ -33,7 +33,8 @@ def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
     require("torsion", "a picture of natural modes")
     from vstatics.torsion.vibration.gear_modes import modes
 
-    modes_by_gear = modes(results.case, list(gears) or None)
+    asked = [results.case.gears[number - 1].name for number in gears]
+    modes_by_gear = modes(results.case, asked or None)
     if not any(gear.modes for gear in modes_by_gear):
         names = listed([gear.name for gear in modes_by_gear])
         subject = f"gear {names} has" if len(modes_by_gear) == 1 else f"gears {names} have"

@@ -471,7 +471,8 @@ def turned(case: Transmission, ratios: Floats) -> Transmission:
     for gear, by_output in zip(case.gears, ratios, strict=True):
         ends = case.gear_input(gear), case.gear_output(gear)
         ratio = float(by_output[ends[0] - 1] / by_output[ends[1] - 1])
-        slip = {n: slip * ratio if slip else 0.0 for n, slip in gear.slip.items()}
+        driven = not math.isnan(ratio)  # no vehicle is driven in a gear without a ratio
+        slip = {n: slip * ratio if slip and driven else 0.0 for n, slip in gear.slip.items()}
         gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
     return case.replace(gears=gears, outputs=())
 
