@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from tests.commands import vstatics
+from tests.installed import needs
 from tests.processes import names
 from tests.sweep.sweeps import CASE_TEXT
 from vstatics.sweep.cli import estimate
@@ -93,6 +94,7 @@ def test_a_dry_run_tells_the_size_of_what_is_packed(varied: tuple[str, ...]) -> 
     assert 0.9 * size < float(told[1]) * {"kB": 1e3, "MB": 1e6}[told[2]] < 1.6 * size
 
 
+@needs("simulation")
 def test_a_dry_run_of_runs_without_end_is_done_soon(monkeypatch: pytest.MonkeyPatch) -> None:
     """A mass on a spring swings 1.6 times a second: ten years are 3e8 periods, a run of hours."""
     monkeypatch.setattr(estimate, "TRIED", 0.1)
