@@ -66,7 +66,7 @@ MANY = 100
 )
 @arguments.settings
 @arguments.language(
-    "headings and words; names and messages stay as they are. `source` is an alias of -f source",
+    "headings and words; names and messages stay as they are. `source` is the same as -f source",
     "source",
 )
 def run_command(

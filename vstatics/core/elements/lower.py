@@ -44,7 +44,7 @@ class Lowered(NamedTuple):
 
 
 class DrawnPart(NamedTuple):
-    """Gear set or given mechanism, with the resulting mechanisms."""
+    """Gear set with the mechanisms that result from it, or a mechanism given directly."""
 
     name: str
     element: Element | None

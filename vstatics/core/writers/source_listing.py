@@ -247,7 +247,7 @@ def write(
 
 
 def _given(case: Transmission) -> Iterator[str]:
-    """Yield the fields of a deck below the headings of the source."""
+    """Yield the fields of a deck, each below its heading in the source."""
     for line in deck.template(case):
         name, colon, numbers = line.partition(": ")
         if line.startswith(BELOW):

@@ -41,7 +41,7 @@ def sliding_torque(spring: Spring) -> float:
 
 
 class DryFriction(NamedTuple):
-    """Springs of a gear with dry friction."""
+    """Springs of a gear that have dry friction."""
 
     names: tuple[str, ...]
     rows: Floats

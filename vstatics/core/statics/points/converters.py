@@ -121,7 +121,7 @@ class SoughtRatio:
 
     @property
     def fast(self) -> float:
-        """Speed ratio at which a driven turbine loses power [-]."""
+        """Speed ratio from which a converter driven by its turbine loses power [-]."""
         last, torque_ratio = self.converter.points[-1][:2]
         return 2 * max(last, 1.0, 1 / torque_ratio if torque_ratio else 0.0)
 

@@ -35,7 +35,9 @@ LOADING_SECONDS = 5.0
 @under(
     PROCESSING,
     click.option(
-        "--complete", is_flag=True, help="Exit with status 1 if gearboxes can be missing."
+        "--complete",
+        is_flag=True,
+        help="Exit with status 1 if the search may have missed gearboxes.",
     ),
     click.option(
         "--dry-run", is_flag=True, help="Print only estimates of the number of gearboxes and time."

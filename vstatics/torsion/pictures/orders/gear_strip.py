@@ -39,7 +39,7 @@ class GearStrip(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """Width of the strip with the numbers of modes [pt]."""
+        """Width of the strip, including the numbers of modes at its end [pt]."""
         return self.across + width_of(self._ends)
 
     @property

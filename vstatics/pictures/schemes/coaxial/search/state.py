@@ -1,6 +1,6 @@
 """Bars at a place along the axis, and the component there.
 
-A bar is eight times its link plus the number of a part of the link. Separate parts of a link must
+A bar has the number eight times its link plus the part of the link. Separate parts of a link must
 be connected further to the right.
 """
 

@@ -101,7 +101,7 @@ def _may_be(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRo
         further = largest
     if high < wanted.steps[0] or low > largest or room.steps[first, ratio, 0] > wanted.spread[1]:
         return False
-    gears = goal.targets + wanted.most - depth - 1  # that can still follow
+    gears = goal.targets + wanted.most - depth - 1  # largest number that can still follow
     return bool(gears == 0 or room.steps[first, ratio, 1] + gears * further >= wanted.spread[0])
 
 
