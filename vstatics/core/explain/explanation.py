@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Annotated, NamedTuple
 
@@ -16,7 +16,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.explain.bodies import OwnLinks, Structure, as_solved, on_own_links, structure
 from vstatics.core.explain.converters import ConverterPoint, converter_points, loaded_converters
 from vstatics.core.explain.equations import speed_system, torque_system
-from vstatics.core.explain.formula import RatioFormula, formula, symbols_of
+from vstatics.core.explain.formula import RatioFormula, Symbol, formula, symbols_of
 from vstatics.core.explain.machines import MachineBalance, machine_balance
 from vstatics.core.explain.names import Names, names_of
 from vstatics.core.explain.shares import NoFormula
@@ -24,7 +24,7 @@ from vstatics.core.explain.signs import PowerSign, TriedSigns, signs_of, tried_s
 from vstatics.core.explain.sums import System
 from vstatics.core.extras import higher
 from vstatics.core.model.springs import ends
-from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, Transmission
+from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import ROUNDED_NUMBER, SAME_FORMULA
 from vstatics.core.numerics.traced import plain
@@ -141,25 +141,24 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_one_case(results, "explain_gear")
-    number = results.case.gear_number(gear) - 1
-    points = converter_points(results.gear_at(number), results.case.gears[number])
-    variators = [mechanism.name for mechanism in results.case.mechanisms if mechanism.kind]
-    solved = _with_pairs(results, number, [each.converter for each in points])
-    (results, with_torques, told), number = solved, 0 if variators else number
-    state, loaded_state = results.gear_at(number), with_torques.gear_at(number)
-    case, actual = as_solved(state.case), state.gear
+    asked, number = results, results.case.gear_number(gear) - 1
+    points = converter_points(asked.gear_at(number), asked.case.gears[number])
+    turning, results = _with_pairs(asked, number)
+    number = number if results is asked else 0
+    state = results.gear_at(number)
+    case, actual = as_solved(turning), state.gear
     names = names_of(case)
     elements = [element.name for element in case.shift_elements]
-    loaded = loaded_devices(case, actual)
-    of_converters = loaded_converters(loaded_state)
-    matrix = structural_matrix(as_solved(loaded_state.case)) + 0.0
-    torques, lossy = _torques(loaded_state, names.with_torque_ratios(of_converters), matrix)
+    loaded, of_converters = loaded_devices(case, actual), loaded_converters(state)
+    matrix = structural_matrix(as_solved(state.case)) + 0.0
+    torques, lossy = _torques(state, names.with_torque_ratios(of_converters), matrix)
     fault = FAULTS.get(state.status, "")
-    on_links = on_own_links(case)._replace(variators=variators)
+    on_links = on_own_links(case)._replace(variators=_variators(asked.case))
     bodies = None if fault else structure(on_links, actual)
     together = list(_together(on_links, actual, bodies)) if bodies else []
     one_piece, standing = _pieces(on_links, bodies) if bodies else ([], [])
-    ratio, reason = _formula(state, names, on_links, bodies) if bodies else (None, fault)
+    symbols = symbols_of(case, names, on_links)
+    ratio, reason = _formula(state, names, symbols, on_links, bodies) if bodies else (None, fault)
     return Explanation(
         gear=actual.name,
         engaged=[elements[n - 1] for n in state.engaged if n not in state.holding],
@@ -170,7 +169,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         matrix=matrix[:, loaded],
         speeds=_speeds(case, state, names),
         torques=torques,
-        signs=[s for n, s in enumerate(signs_of(loaded_state)) if n not in of_converters],
+        signs=[sign for n, sign in enumerate(signs_of(state)) if n not in of_converters],
         lossy=lossy,
         input_torque=case.input_torque(actual),
         coasts=case.coasts(actual),
@@ -182,10 +181,10 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         formula=ratio,
         reason=reason,
         ratio=float(results.ratio[number]),
-        efficiency=float(with_torques.efficiency[number]),
-        messages=[*_messages_about(told, actual.name), *_assumed_teeth(results, case)],
-        balance=machine_balance(with_torques, number),
-        tried=tried_signs(loaded_state) or None,
+        efficiency=float(results.efficiency[number]),
+        messages=[*_messages_about(asked, actual.name), *_assumed_teeth(results, case)],
+        balance=machine_balance(results, number),
+        tried=tried_signs(state) or None,
         slipping=[elements[n - 1] for n in actual.slipping] or None,
         converters=points or None,
     )
@@ -213,45 +212,39 @@ def _assumed_teeth(results: Results, case: Transmission) -> Iterator[str]:
                 )
 
 
-def _with_pairs(
-    results: Results, place: int, converters: Sequence[str]
-) -> tuple[Results, Results, Results]:
-    """Return results for the speeds, for the torques and for the messages of a gear."""
-    if not any(mechanism.kind for mechanism in results.case.mechanisms):
-        return results, results, results
-    with_torques = solve(_pairs(results, place, keeping=converters))
-    if not converters:
-        return with_torques, with_torques, with_torques
-    return solve(_pairs(results, place)), with_torques, results
+def _variators(case: Transmission) -> list[str]:
+    return [mechanism.name for mechanism in case.mechanisms if mechanism.kind]
 
 
-def _pairs(results: Results, place: int, keeping: Collection[str] = ()) -> Transmission:
-    """Return a gear as a case with gear pairs instead of variators, which have their equations.
+def _with_pairs(results: Results, number: int) -> tuple[Transmission, Results]:
+    """Return the case of a gear with gear pairs instead of variators and converters, and results.
 
-    Parameters
-    ----------
-    keeping : collection of str
-        Converters that remain, with their speed ratios; the others become pairs, too, whose
-        equations of speeds are those of the converters.
+    A pair has the equation of the speeds of a converter, but not its torque ratio, so the results
+    are those with converters. A case without variators and converters does not change.
     """
-    case, gear = results.case, results.case.gears[place]
-    ratios = map(plain, results.gear_at(place).ideal.variant.ratios)
-    mechanisms, unloaded = list[Mechanism](), case.unloaded_converters(gear)
-    for number, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True)):
-        if not mechanism.kind:
-            mechanisms.append(mechanism)
-        elif number in unloaded or (mechanism.name in keeping and not math.isnan(ratio)):
-            mechanisms.append(mechanism._replace(ratio=ratio))
-        elif ratio and not math.isnan(ratio):
-            mechanisms.append(mechanism._replace(kind="", ratio=1 / ratio, points=()))
-        else:
+    state, given = results.gear_at(number), results.case.gears[number]
+    case, unloaded = state.case, state.case.unloaded_converters(given)
+    if not _variators(case):
+        return case, results
+    mechanisms, converters = list(case.mechanisms), {}
+    for place, mechanism in enumerate(case.mechanisms):
+        if not mechanism.kind or place in unloaded:
+            continue
+        ratio = plain(state.ideal.variant.ratios[place])
+        if not ratio or math.isnan(ratio):
             what = "the speed ratio 0" if ratio == 0 else "no known speed ratio"
             raise CaseError(
                 "E279",
-                f"gear {gear.name}: {mechanism.name} has {what}, of which no equations are "
+                f"gear {given.name}: {mechanism.name} has {what}, of which no equations are "
                 "written; its sheet, `explain --worksheet`, has its rules",
             )
-    return replace(case, mechanisms=mechanisms, gears=[gear._replace(speed_ratios={})])
+        if mechanism.kind == "converter":
+            converters[place] = mechanism._replace(ratio=ratio)
+            mechanisms[place] = mechanism._replace(kind="variator", ratio=ratio, points=())
+    pairs = replace(case, mechanisms=mechanisms, gears=[given]).as_pairs(given)
+    assert pairs is not None  # noqa: S101 - every speed ratio is known, and not 0
+    loaded = [converters.get(place, pair) for place, pair in enumerate(pairs.mechanisms)]
+    return pairs, solve(replace(pairs, mechanisms=loaded))
 
 
 FAULTS = {
@@ -284,10 +277,9 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
 
 
 def _formula(
-    state: GearState, names: Names, on_links: OwnLinks, bodies: Structure
+    state: GearState, names: Names, symbols: Sequence[Symbol], on_links: OwnLinks, bodies: Structure
 ) -> tuple[RatioFormula | None, str]:
     """Return the formula if the calculated ratio is reproduced, else the reason."""
-    symbols = symbols_of(as_solved(state.case), names, on_links)
     try:
         ratio = formula(on_links, state.gear, names, symbols, bodies)
     except NoFormula as none:
