@@ -12,6 +12,8 @@ import pytest
 
 from tests.commands import BAD, CASES, MZKT, NEUTRAL, Said, vstatics
 from vstatics.core.comparison.numbers import Difference
+from vstatics.core.comparison.steps import steps_of
+from vstatics.core.tables.written_results import Figure, WrittenResult
 
 SPLIT = CASES / "power-split.yaml"
 """A case with names, given speeds and holding torques."""
@@ -136,6 +138,15 @@ def test_a_deviation_is_relative_to_the_magnitude_and_none_of_rounding_noise() -
     assert noise.deviation == pytest.approx(5e15)
     assert math.isnan(noise.shown_deviation)
     assert math.isnan(Difference("ratio", "", "1", 0.5, 0.0).deviation)
+
+
+def test_the_rounding_of_a_step_ratio_is_that_of_both_ratios() -> None:
+    """First order: the relative roundings of dividend and divisor add up."""
+    ratios = [Figure(4.0, 0.04), Figure(-0.5, 0.01), Figure(-0.2, 0.01)]
+    result = WrittenResult({"ratio": [ratios]}, None, False)
+    [(pair, step)] = steps_of(result, ["1", "R1", "R2"], None).items()
+    assert pair == ("R1", "R2")
+    assert step == pytest.approx((2.5, 2.5 * (0.01 / 0.5 + 0.01 / 0.2)))
 
 
 def test_a_ratio_of_0_is_compared(written: Write) -> None:

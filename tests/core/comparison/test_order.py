@@ -8,7 +8,8 @@ import yaml
 
 from tests.chance import generator
 from tests.commands import CASES, vstatics
-from vstatics import compare, load, solve
+from vstatics import Gear, ShiftElement, Transmission, compare, load, solve
+from vstatics.core.comparison.namesakes import row_names_of
 from vstatics.core.comparison.verdicts import CaseVerdict, NumberRecord, Verdict
 
 NAMED = ("mechanisms", "elements", "shift_elements", "springs", "gears")
@@ -160,3 +161,12 @@ def test_a_link_that_becomes_the_input_by_its_place_is_a_change_of_the_case(tmp_
     said = changed(data, tmp_path, links=data["links"][::-1])
     assert [*map(tuple, said.case)] == [("input", first, last), ("output", last, first)]
     assert not changed(data, tmp_path, input=first, output=last).case
+
+
+def test_renamed_clutches_between_other_links_are_matched_in_order() -> None:
+    new, old = (
+        Transmission(4, [ShiftElement(a, b, name) for name, a, b in clutches], [], [Gear()])
+        for clutches in ([("X", 1, 3), ("Y", 2, 4)], [("A", 1, 2), ("B", 3, 4)])
+    )
+    _, parts = row_names_of(new, old)
+    assert parts == {"X": "A", "Y": "B"}

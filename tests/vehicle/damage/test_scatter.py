@@ -44,6 +44,13 @@ def test_each_sample_has_the_life_of_its_integral() -> None:
     np.testing.assert_allclose(found.samples.curve, expected.curve, rtol=1e-8)
 
 
+def test_percents_of_lives_are_those_of_the_stepped_distribution() -> None:
+    lives = np.random.default_rng(5).lognormal(size=37)
+    shares = np.arange(1, 100) / 100
+    expected = np.quantile(lives, shares, method="inverted_cdf")
+    np.testing.assert_array_equal(LifeSamples.of(lives).curve, np.transpose([expected, shares]))
+
+
 def test_stresses_are_drawn_again_until_above_0() -> None:
     drawn = Scattered(1.0, "normal", 2.0).samples(10_000, np.random.default_rng(1))
     assert drawn.min() > 0

@@ -145,13 +145,8 @@ def _groups(count: int, pairs: Sequence[tuple[int, int]]) -> list[int]:
 
 
 def named_ratios(layouts: Sequence[TeethLayout]) -> dict[str, TeethRatio]:
-    """Return the ratios of gear sets by name, a single ratio also by the name of the set."""
-    by_name: dict[str, TeethRatio] = {}
-    for layout in layouts:
-        by_name |= {ratio.name: ratio for ratio in layout.ratios}
-        if len(layout.ratios) == 1:
-            by_name[layout.name] = layout.ratios[0]
-    return by_name
+    """Return the ratios of gear sets by name."""
+    return {ratio.name: ratio for layout in layouts for ratio in layout.ratios}
 
 
 def teeth_layouts(links: OwnLinks) -> list[TeethLayout]:

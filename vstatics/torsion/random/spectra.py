@@ -113,8 +113,8 @@ class SpectrumPoints(NamedTuple):
 
     Examples
     --------
-    >>> SpectrumPoints(((10.0, 1.0), (20.0, 3.0))).at(np.array([15.0, 25.0]))
-    array([2., 0.])
+    >>> SpectrumPoints(((10.0, 1.0), (20.0, 3.0))).at(np.array([5.0, 15.0, 25.0]))
+    array([0., 2., 0.])
     """
 
     points: tuple[tuple[float, float], ...]
