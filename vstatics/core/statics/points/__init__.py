@@ -167,7 +167,5 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
         forward = columns.get(CaseNumber(index, "efficiency", owner), [mechanism.efficiency])[0]
         back = columns.get(CaseNumber(index, "back_efficiency", owner), [mechanism.back_efficiency])
         backward = forward if back[0] is None else back[0]
-        efficiencies.append(
-            Efficiency(float(forward), float(backward), mechanism.kind == "variator")
-        )
+        efficiencies.append(Efficiency(float(forward), float(backward)))
     return efficiencies
