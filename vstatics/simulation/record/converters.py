@@ -12,12 +12,12 @@ from vstatics.simulation.tolerances import STANDING
 
 
 def turbine(converter: str) -> str:
-    """Return the row name of the torque that a turbine gives to the link."""
+    """Return the row name of the torque that the turbine of a converter gives to its link."""
     return f"{converter}.turbine"
 
 
 def speed_ratios(converters: Sequence[Converter], speeds: Floats) -> Floats:
-    """Return ``i = w_T/w_P``, shape (converters, times); NaN with the pump at rest.
+    """Return turbine speed divided by pump speed, shape (converters, times); NaN if the pump rests.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def speed_ratios(converters: Sequence[Converter], speeds: Floats) -> Floats:
 
 
 def turning(divisors: Floats, speeds: Floats) -> Floats:
-    """Return speeds for use as a divisor, with NaN for links at rest.
+    """Return speeds for use as divisors: NaN instead of 0.
 
     A speed counts as zero if it is only rounding noise of the fastest link.
     """
