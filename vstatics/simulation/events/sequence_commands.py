@@ -16,7 +16,7 @@ from vstatics.simulation.system.sight import looking, with_settings
 
 
 class StepCommands:
-    """Actions of all sequence steps so far, written into the scenario as inputs at given times.
+    """Actions of all finished sequence steps, written into the scenario as inputs at given times.
 
     Parameters
     ----------

@@ -95,7 +95,7 @@ def panels_of(
     Parameters
     ----------
     by_size : bool
-        Separate lines whose largest values differ so much that some lines would appear flat.
+        Separate lines of very different size, among which small lines would appear flat.
 
     Examples
     --------

@@ -54,7 +54,7 @@ def ranges(
     kinds : sequence of slice
         Groups of columns of the same quantity.
     before : CurveRanges, optional
-        Ranges of the run so far, which the result includes.
+        Ranges of an earlier part of the run, which the result includes.
     """
     least = np.fmin.reduce([np.fmin.reduce(part.values, axis=(1, 2)) for part in curves])
     largest = np.fmax.reduce([np.fmax.reduce(part.values, axis=(1, 2)) for part in curves])

@@ -91,7 +91,7 @@ class Record:
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
 
     def copy(self) -> Record:
-        """Return a copy that continues independently, without the pieces recorded so far."""
+        """Return a copy that continues independently, but without recorded pieces."""
         copied = copy(self)
         copied.events, copied.messages, copied.pieces = [*self.events], [*self.messages], []
         copied.drawn = DrawnRun(self.system, self.every, self.drawn.table.asked)
@@ -102,7 +102,7 @@ class Record:
 
     @property
     def turnover(self) -> float:
-        """Largest energy transferred or stored so far, the scale of errors of the balance [J].
+        """Largest energy transferred or stored until now, the scale of errors of the balance [J].
 
         Net work is not a scale, because a torque can take the energy that another torque gives.
         """
@@ -306,8 +306,7 @@ class Record:
         )
 
     def _tell_backward(self) -> None:
-        """Add a note for links that turn opposite to a target, farther from it than at the
-        start."""
+        """Add a note for links that end with the wrong sign, farther from a target than before."""
         last = self.pieces[-1]
         speeds = last.margins.equations.speeds(self.time, last.states[-1]).tolist()
         for link, target in self.targets:

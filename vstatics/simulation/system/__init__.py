@@ -1,4 +1,4 @@
-"""A case in motion as matrices, and its equations of motion between two events.
+"""Mechanical model of a scenario as matrices, and its equations of motion between two events.
 
 `devices` translates a scenario into bodies, constraints, contacts, springs and outside torques, and
 `matrices` contains them as matrices. `curves` and `ports` calculate capacities and torques at an
