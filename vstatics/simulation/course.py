@@ -228,7 +228,7 @@ class EventRun:
     def _drags_otherwise(self, judge: Judge) -> bool:
         """Return whether feedback control now closes or opens a shift element that has drag.
 
-        The control is 0 at such an instant, so the next state depends on the motion.
+        The control is 0 at such an instant, so the motion a little later decides.
         """
         carrying, states = self.selection.choices.carrying, judge.equations.states
         for contact, state in zip(self.system.contacts, states.contacts, strict=True):
@@ -406,8 +406,8 @@ class EventRun:
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
         """Return the state just after a corner if time steps fail right before the corner.
 
-        A quantity that leaves 0 at the corner is wrong by its full size after a step across the
-        corner, even in sign. So the motion is extrapolated linearly to the other side.
+        A quantity that leaves 0 at the corner would be wrong by its full size, even in sign, after
+        an integrated step across it. So the motion is extrapolated linearly to the other side.
         """
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         before, change = self._sides(equations, time, state), equations.derivative(time, state)

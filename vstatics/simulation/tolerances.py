@@ -68,7 +68,7 @@ EQUAL_SIDES = 1e-10
 SOON = 1e2
 """Smallest scale of compared numbers, relative to the change of their difference in a look-ahead.
 
-Times are rounded, so a difference that changes fast is uncertain.
+Times have rounding errors, so a difference that changes fast is uncertain.
 """
 MET = 1e-3
 """Fraction of the look-ahead: numbers that become equal within it count as equal now."""
@@ -137,7 +137,7 @@ NOT_ZERO = 1e-300
 CHORD = 8e-4
 """Largest distance of a column from straight lines between stored instants, relative to its range.
 
-People see a distance of 1e-3.
+A distance of 1e-3 is visible.
 """
 NO_RANGE = 1e-9
 """Largest range of a column that counts as constant, relative to the largest value of its kind."""
@@ -148,7 +148,7 @@ EQUAL_EXTREMES = 1e-7
 CHANGE_STEP, LONGEST_CHANGE_STEP = 1e-6, 1e-5
 """Interval of differences along a motion, relative to the duration, and its largest value in s.
 
-With these intervals, rounding leaves nine digits of a jerk.
+With these intervals, nine digits of a jerk are correct.
 """
 NO_CHANGE = 1e-14
 """Change of a sum that counts as rounding error, relative to the terms of the sum."""

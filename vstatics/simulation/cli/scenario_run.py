@@ -43,7 +43,7 @@ def expect_damage(reading: Reading) -> None:
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     """Run the scenario of a case, with enough instants for pictures, and print its messages.
 
-    Messages of the run are printed.
+    Without a scenario, the result is None.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 _LOW = 0.1
 """Height of a minimum between two instants, relative to the fall of the margin towards it.
 
-A minimum below this fraction of the fall is examined closely, since it could be negative.
+Lower minima are examined closely, since they could be negative.
 """
 _PLACES = 65
 """Number of points at which a polynomial is evaluated between two instants."""

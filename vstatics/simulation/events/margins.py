@@ -76,7 +76,11 @@ class LargeSizes(NamedTuple):
 
 
 class SplitRoom(NamedTuple):
-    """Distances of redundant torques to torque limits."""
+    """Distances of redundant torques to torque limits.
+
+    Redundant torques can be split between sticking contacts and mechanisms in many ways. A slack is
+    the distance of a torque to its limit.
+    """
 
     slack: Floats
     directions: Floats
@@ -243,8 +247,8 @@ class Margins:
         self.touching: list[tuple[int, float]] = []
         """Springs that are twisted beyond their play: index, and sign of the torque in the margin.
 
-        The sign is the sign of the elastic torque while spring and damper are in contact, and the
-        opposite sign while they are parted.
+        The sign is that of the elastic torque while the spring is in contact, and the opposite sign
+        while it is parted.
         """
         for index, (spring, state) in springs:
             side = spring.side(self._piece(index)) if spring.can_part else 0.0
@@ -464,9 +468,10 @@ class Margins:
     def _roomiest(self, slack: Floats, held: Floats) -> SplitRoom:
         """Return the slacks with the torque sign of each mechanism that leaves most slack.
 
-        The friction torque of a mesh is within a cone on either side of 0. The least-norm split
-        does not determine the side of a redundant torque, so other sides are tried until some split
-        is within all limits. Only a mesh at its limit can gain room on its other side.
+        The friction torque of a mechanism at rest is within limits proportional to its torque, for
+        both signs of this torque (a double cone). The least-norm split does not determine the sign
+        of a redundant torque, so other signs are tried until some split is within all limits. Only
+        a mechanism at its limit can gain slack by the other sign.
         """
         directions = self._directions(held)
         if self.last_room and self.last_room.is_of(slack, directions):
@@ -509,7 +514,7 @@ class Margins:
     def split(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
         """Return constraint torques, of least norm within the limits, shape (multipliers, times).
 
-        All shapes end with the times; `rates` and `torques` are those of the ports.
+        Times are the last axis of all arguments; `rates` and `torques` have a row for each port.
         """
         held = self.equations.structure.torques @ torques
         if not self.shared:

@@ -66,8 +66,9 @@ class CornerMeetings:
     def hastens(self, place: CornerPlace, time: float, end: float) -> bool:
         """Return whether a jump is reached ever faster, so that the run cannot reach the end.
 
-        A cycle of constant period needs twice the time for each doubling of its meetings. Where no
-        doubling takes longer than the one before, their number grows exponentially, at least.
+        A cycle of constant period needs twice the time for each doubling of the number of arrivals.
+        If no doubling takes longer than the doubling before, this number grows at least
+        exponentially.
         """
         doublings = self.doublings[place]
         if doublings[-1] < time or len(doublings) <= _FIRST_DOUBLING + _DOUBLINGS:
@@ -81,7 +82,7 @@ class CornerMeetings:
     def is_passed(self, place: CornerPlace, time: float) -> bool:
         """Return whether a bend was reached too often and needs no event for a while.
 
-        Its formula has one value on both sides, so the run can go on without a stop there.
+        A formula is continuous at a bend, so the run can go on without stopping there.
         """
         times = [*self.times.get(place, ())][-_PASSED:]
         return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.span

@@ -19,7 +19,7 @@ _IN_VAIN = 3
 _WORTH_WHILE = 24_000
 """Number of further combinations tried, times the squared number of choices.
 
-Fewer choices are tried in a large system, where a trial takes longer.
+Fewer combinations are tried in a large system, where a trial takes longer.
 """
 
 
@@ -34,8 +34,9 @@ Changed = tuple[tuple[int, Any], ...]
 class ModeSearch:
     """Search through combinations of states: most sticking states first.
 
-    The failures of a choice show which choice to try next. If this fails, a guess is tried, and
-    finally all remaining choices.
+    Of equally many, the combination nearest to the states before comes first. The failing margins
+    of a combination show which combinations to try next. If this is not successful, a guess is
+    tried, and finally all remaining combinations.
     """
 
     def __init__(

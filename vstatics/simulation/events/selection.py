@@ -1,8 +1,9 @@
 """Selection of the sticking and slipping states of all parts from an instant on.
 
-Of all admissible choices, the one with most sticking states is selected, then the one nearest to
-the states before. The search first lets all candidates stick, then lets one of them slip, and so
-on. A choice is admissible if no margin is negative, and no margin at 0 falls.
+Of all admissible combinations of states, the combination with most sticking states is selected; of
+equally many, the combination nearest to the states before. The search begins with all candidates
+sticking, then lets a single candidate slip, and so on. A combination is admissible if no margin is
+negative, and no margin of 0 falls.
 """
 
 from __future__ import annotations
@@ -155,7 +156,7 @@ class ModeSelection:
     def _joined(self, states: States, choices: Sequence[Choice]) -> States:
         """Return states in which contacts between rigidly connected links stick as well.
 
-        Such a contact has no slip that could begin, and its torque is redundant.
+        Such a contact cannot slip, and its torque is redundant.
         """
         structure = self.structure(states.held, states.meshes)
         contacts = list(states.contacts)
@@ -177,8 +178,8 @@ class ModeSelection:
     ) -> States:
         """Return states in which all mechanisms move whose speeds follow from links with inertia.
 
-        In a gear, these are nearly all meshes. Only in a slipping part can a mesh be at rest, or
-        its speed jump.
+        While a gear is engaged, nearly all mechanisms do. Only a mechanism next to slipping
+        contacts can be at rest, or have a speed that jumps.
         """
         options = {index: options for kind, index, options in choices if kind == "meshes"}
         if not options:
@@ -246,7 +247,7 @@ class ModeSelection:
     ) -> tuple[Selected | None, list[Watch]]:
         """Try a combination, and adjust the power flows of mechanisms and the pieces of laws.
 
-        Returns the choice if it is admissible, and otherwise the failing watches.
+        Returns the combination if it is admissible, and the failing margins otherwise.
         """
         tried = set()
         failing: list[Watch] = []
@@ -312,8 +313,8 @@ class ModeSelection:
         """Return the state a little later, its margins, and their least significant changes.
 
         Torques are taken at the later time: a brake whose capacity begins at 0 does nothing before.
-        The change from rest that such a brake causes is only compared with the speeds and torques
-        at the later time, as it is small compared with all others.
+        The small change from rest that such a brake causes is only compared with the speeds and
+        torques at the later time.
         """
         later, count, equations = time + self.within, margins.deciding, margins.equations
         ahead = state + self.within * equations.derivative(later, state)
@@ -335,7 +336,7 @@ class ModeSelection:
         """Return the state a little later under torques that depend on the later state.
 
         A steep law around zero slip can reverse a slip that is too small for the look-ahead. Such a
-        slip is considered to begin if the torques at zero slip make it begin.
+        slip counts as begun if the torques at zero slip make it begin.
         """
         slips = slice(len(margins.slipping))
         for _ in range(_MOST_TURNED):

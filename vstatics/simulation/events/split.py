@@ -18,6 +18,8 @@ _MOST_TORQUE_CORNERS = 3000
 def widest(slack: Floats, directions: Floats) -> Floats:
     """Return the slacks of the split whose smallest slack is largest.
 
+    The smallest slack is negative if no split is within all limits.
+
     Parameters
     ----------
     slack : ndarray, shape (limits,)
@@ -47,8 +49,8 @@ def widest(slack: Floats, directions: Floats) -> Floats:
 def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats | None:
     """Return the matrix from slacks to all splits in which d + 1 slacks are equal.
 
-    The split with most room is one of them. Few sets of directions occur in a run, so the equations
-    of their corners are solved once, for any slacks.
+    The split with the largest smallest slack is among them. A run contains few sets of directions,
+    so each matrix is used for many slacks.
 
     Returns
     -------

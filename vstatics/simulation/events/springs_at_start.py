@@ -29,8 +29,8 @@ def with_viscous_damping(
 ) -> tuple[MotionSystem, tuple[Message, ...]]:
     """Return the system with loss factors as viscous damping at the lowest natural frequency.
 
-    A loss factor eta is equivalent to viscous damping ``eta k/omega`` at one frequency only. The
-    lowest natural frequency with all parts sticking that stick at the start is used.
+    A loss factor eta of a stiffness k is equivalent to viscous damping ``eta k/omega`` at a single
+    frequency omega: here the lowest natural frequency while all contacts without slip stick.
     """
     if not any(spring.loss_factor for spring in system.springs):
         return system, ()

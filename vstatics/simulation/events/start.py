@@ -49,7 +49,8 @@ def with_all_converters(scenario: Scenario) -> Scenario:
 def with_fixed_ratios(scenario: Scenario) -> Scenario:
     """Return the scenario with gear pairs instead of variators with constant ratio.
 
-    Variators that move, or that have the ratio 0, are kept.
+    The pairs have the ratios of the start gear. Moving variators, and variators with the ratio 0,
+    remain.
     """
     case, name = scenario.case, scenario.start.gear
     if not any(mechanism.kind for mechanism in case.mechanisms):
@@ -197,7 +198,7 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
 def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, float] | None:
     """Return the first equation that contradicts those before, with the value expected there.
 
-    The first `certain` rows are taken as correct, and row numbers count from there.
+    The first `certain` equations are taken as correct, and the index counts from there.
     """
     for count in range(certain + 1, len(values) + 1):
         rows, wanted = matrix[:count], values[:count]
@@ -252,7 +253,7 @@ def _backward(
 def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
     """Return speeds with open values chosen so that springs do not twist and freewheels hold.
 
-    A motion without inertia never needs a given speed: the torques at t = 0 determine it.
+    A motion without inertia needs no given speed: the torques at t = 0 determine it.
     """
     heavy, _ = split_motions(system.heavy, free)
     rows = system.rows(

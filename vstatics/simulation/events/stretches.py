@@ -403,7 +403,7 @@ class Closed:
     def _exponential(self, length: float) -> tuple[Exponential, float]:
         """Return the exponential over a part, and the unit of its variables other than the state.
 
-        All variables except x are measured in this unit.
+        Its vector contains the scaled state, time, 1, and derivatives of the nonlinear torques.
         """
         known = self.exponentials.get(length)
         if known is not None:

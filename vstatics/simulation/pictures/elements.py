@@ -40,7 +40,7 @@ def carrying(motion: Motion) -> Booleans:
 def states(motion: Motion) -> list[ElementStates]:
     """Return the times at which shift elements slip and stick under torque.
 
-    An element without torque, or with drag torque alone, is disengaged.
+    A shift element without torque, or with drag torque alone, counts as disengaged.
     """
     fastest = np.abs(motion.speeds).max(initial=0.0)
     listed = []

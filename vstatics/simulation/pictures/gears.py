@@ -61,7 +61,10 @@ def element_sets(results: Results) -> GearSets:
 
 
 def common(sets: GearSets, motion: Motion) -> list[str]:
-    """List the shift elements that belong to all gears but do not always stick."""
+    """List the shift elements that belong to all gears but do not always stick.
+
+    A lock-up clutch is an example.
+    """
     sticks = motion.beside.get("sticks", {})
     every = frozenset.intersection(*sets.values()) if len(sets) > 1 else frozenset()
     return [name for name in motion.elements if name in every and not np.all(sticks.get(name, 1))]
@@ -70,9 +73,8 @@ def common(sets: GearSets, motion: Motion) -> list[str]:
 def gear_pieces(sets: GearSets, motion: Motion) -> list[GearPiece]:
     """Return the periods of engaged gears in the order of time.
 
-    If the elements of a gear are part of the elements of another engaged gear, only the other gear
-    is returned.
-    Gears with identical elements are engaged at the same time.
+    Gears with identical shift elements are engaged at the same time. If an engaged gear has all
+    shift elements of another gear and more, the other gear does not count as engaged.
     """
     sticks = motion.beside.get("sticks")
     if sticks is None:

@@ -143,7 +143,7 @@ def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[s
 def capacity_side(torques: Floats, capacity: Floats) -> Floats:
     """Return the sign with which a capacity is drawn: the sign of the latest large torque.
 
-    The side changes only for a torque that is a large part of the capacity, or at zero capacity.
+    The sign changes only at a torque above half of the capacity, or after zero capacity.
 
     >>> capacity_side(np.array([-1.0, 6.0, -1.0, 2.0, -9.0]), np.full(5, 10.0))
     array([ 1.,  1.,  1.,  1., -1.])

@@ -40,7 +40,7 @@ _ASKED = {
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
     """Return the panels of a run that are not empty.
 
-    Additional links and springs follow after the panels that matter for every shift.
+    The panels that matter for every shift come first, other links and springs last.
     """
     speeds = panels_of("speed", "speed, rpm", RAD_PER_RPM, _speeds(case, motion), by_size=True)
     main = [

@@ -40,7 +40,7 @@ class TwoMasses(NamedTuple):
     def input_inertia(self, speed_in: float, speed_out: float) -> float:
         """Return J_in by (3), (5) and (11) [kg*m^2]: ``sum J w^2/w_in^2`` of the lumped bodies.
 
-        [kg*m^2]; infinite if the input is at rest.
+        It is infinite if the input is at rest.
         """
         speeds = self.turning @ np.array([speed_in, speed_out])
         energy = float(self.inertias @ speeds**2)

@@ -17,7 +17,10 @@ from vstatics.simulation.system.equations import Equations
 
 
 def element_heat(equations: Equations, states: Floats) -> Floats:
-    """Return the heat of shift elements in each state, shape (shift elements, states) [J]."""
+    """Return the heat of shift elements in each state, shape (shift elements, states) [J].
+
+    The states are columns of `states`, shape (size, states).
+    """
     system, works = equations.system, states[equations.works]
     heat = np.zeros((len(system.case.shift_elements), states.shape[1]))
     for index, contact in enumerate(system.contacts):

@@ -1,8 +1,9 @@
 """Choice of the instants that draw the columns of a run: extremes, and ends of chords.
 
-Between two points of integration a column is approximated by the polynomial through its values at
-some nodes. The second derivative gives the number of chords, the first derivative the extremes. The
-polynomials only choose instants; the values there are calculated from the states.
+In each part of a time step a column is approximated by the polynomial through its values at some
+nodes. Its second derivative gives the number of straight lines (chords) that draw it, its first
+derivative the extremes. The polynomials only choose instants; the values drawn there are calculated
+from the states.
 """
 
 from __future__ import annotations
@@ -71,7 +72,7 @@ def ranges(
 def drawn_times(curves: Sequence[Curves], column_ranges: CurveRanges, most: int) -> list[Floats]:
     """Return the times, for each curve, whose chords approximate all columns [s].
 
-    If more than `most` times are needed, the chords become longer.
+    The ends of parts are left out. If more than `most` times are needed, the chords become longer.
 
     Examples
     --------
@@ -106,7 +107,7 @@ def _counts(curves: Curves, column_ranges: CurveRanges) -> Integers:
 def extreme_times(curves: Sequence[Curves], column_ranges: CurveRanges) -> list[Floats]:
     """Return the times, for each curve, at which columns are largest or least [s].
 
-    The first of several equal extremes is included.
+    Of several equal extremes, the first is included.
 
     Examples
     --------

@@ -119,8 +119,8 @@ def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
 def _output_torque(equations: Equations, accelerations: Floats, torques: Floats) -> Floats:
     """Return the torque that the gear train gives to the output link [N*m].
 
-    The balance of the link gives the torque: its inertia takes the rest of the outside torques. A
-    link without gear sets or shift elements receives the torque of its springs.
+    It is the inertia torque of the link minus the outside torques on it. Springs count as outside
+    unless the link has neither gear sets nor shift elements: then the springs drive it.
     """
     system, layout = equations.system, equations.layout
     link = system.case.output - 1

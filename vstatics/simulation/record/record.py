@@ -217,8 +217,8 @@ class Record:
     def leaves_zero(self, equations: Equations, time: float, state: Floats) -> bool:
         """Return whether a control value is about to exceed its scale; if so, raise the scale.
 
-        A value that leaves 0 by rounding alone has no accurate step relative to itself, so its
-        error is measured against the magnitude that it soon reaches.
+        A value that leaves 0 cannot be integrated with a small error relative to itself. Its error
+        is compared with the magnitude that it soon reaches.
         """
         length = DISTANCES[-1] * equations.within
         later = equations.moved(time, state, length)

@@ -29,8 +29,8 @@ Kind = Literal[
 ]
 """Kinds of rows; a table of kind `number` has a single row without a name.
 
-Friction acts in shift elements, at links with a resistance or a road, and in springs with a limit
-or friction. Losses occur in components and at links with drag.
+`friction`: shift elements, links with a resistance or a road, and springs with a limit or friction.
+`loss`: components, and links with drag.
 """
 
 

@@ -61,8 +61,8 @@ def _course(labelled: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
 def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
     """Yield the tables of all runs by kind of table: a list with None for runs without it.
 
-    Events are paired by kind and order, whatever their times. Both runs have the same units in a
-    table. Energies of which no digit is certain are shown as 0.
+    All runs use the same units in a table. The name of an event comes before its time, so that
+    events are paired by name. Energies that are rounding noise become 0.
     """
     tables = [
         {grid.key: grid for grid in motion_grids(motion) if grid.key != "stopped"} if motion else {}

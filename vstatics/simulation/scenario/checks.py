@@ -1,8 +1,8 @@
 """Checks of a scenario, its laws, points and formulas before the calculation.
 
-Paths contain names: ``("controls", "FH")``, ``("torques", "out", 2)`` for the second of several
-laws, ``("shifts", 1, "to")``, numbers from 1. Problems that only a calculation finds, such as
-contradictory start speeds, are reported there.
+The path of a problem contains names, and numbers from 1: ``("controls", "FH")``, ``("torques",
+"out", 2)`` for the second of several laws, ``("shifts", 1, "to")``. Contradictory start speeds and
+other problems that only a calculation finds are reported by the calculation.
 """
 
 from __future__ import annotations
@@ -464,7 +464,7 @@ def of_formula(
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
     """Yield the problems of a law by points.
 
-    These are missing points, unequal numbers of abscissas and ordinates, numbers that are not
+    Problems are missing points, unequal numbers of abscissas and ordinates, numbers that are not
     finite, and abscissas out of order.
     """
     if not points.x or len(points.x) != len(points.y):

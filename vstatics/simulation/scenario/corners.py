@@ -107,7 +107,7 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
 def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
     """Return a tree as it is near a value of the variable; comparisons and `sign` become numbers.
 
-    Within comparisons, `abs`, `min` and `max` are replaced by the operand that they equal there.
+    Within other comparisons, `abs`, `min` and `max` are replaced by the operand that they equal.
     """
     if not isinstance(tree, Applied):
         return tree

@@ -1,6 +1,6 @@
 """Comparisons in formulas, and the times at which compared functions of time become equal.
 
-Module `corners` finds the times for polynomials, this module for other functions.
+Module `corners` finds these times for polynomials, this module for other functions.
 """
 
 from __future__ import annotations
@@ -60,8 +60,8 @@ def asked(tree: Tree) -> Iterator[Pairs]:
 def crossings(tree: Tree, until: float) -> tuple[float, ...]:
     """Find the times at which functions of time other than polynomials make a formula bend or jump.
 
-    A function of the time that is compared with a motion counts where its slope changes sign, so a
-    motion that is integrated from one such time to the next meets the function in between.
+    If a function of time is compared with a quantity of the motion, the result contains its
+    extremes: between two extremes it is monotonic, so integration steps cannot miss a crossing.
 
     Parameters
     ----------

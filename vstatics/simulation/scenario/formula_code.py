@@ -1,8 +1,8 @@
 """Compilation of the tree of a formula to a fast Python function.
 
-The Python syntax tree is built part by part from the checked tree of the formula, so the text
-itself is never executed. Where a float has no result (``1/0``, ``exp(1000)``) the formula is
-calculated again with arrays, as in a sweep, and the result is infinite or NaN.
+A Python syntax tree is built part by part from the checked tree of the formula, so the text itself
+is never executed. Where Python raises an error (``1/0``, ``exp(1000)``), the formula is evaluated
+again by the rules of NumPy, as in a sweep, and the result is infinite or NaN.
 """
 
 from __future__ import annotations

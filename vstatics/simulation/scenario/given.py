@@ -1,8 +1,8 @@
 """Values in the document of a scenario, before the case determines their units.
 
-Numbers carry their unit, since the expected measure can depend on the case: a pressure where a
-shift element has friction, a velocity where a link has a road. `values` builds the parts of a
-scenario from these values.
+Numbers carry their unit, since the expected quantity can depend on the case: a pressure if a shift
+element has friction, a velocity if a link has a road. `values` builds the parts of a scenario from
+these values.
 """
 
 from __future__ import annotations

@@ -40,10 +40,7 @@ class LawJump(NamedTuple):
 
     @property
     def change(self) -> Curve:
-        """Derivative of `speed` with respect to time [rad/s^2].
-
-        [rad/s^2]
-        """
+        """Derivative of `speed` with respect to time [rad/s^2]."""
         return curve_slope(self.speed)
 
     @property

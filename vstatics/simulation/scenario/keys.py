@@ -1,7 +1,4 @@
-"""Keys of a scenario in YAML and JSON; see `model.shape`. The types of their values are in `given`.
-
-The values that are read from them are in `given`.
-"""
+"""Keys of a scenario in YAML and JSON, see `model.shape`; `given` has the types of their values."""
 
 from __future__ import annotations
 

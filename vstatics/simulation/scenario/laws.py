@@ -20,7 +20,7 @@ Over = Literal["time", "speed", "angle"]
 class Points(NamedTuple):
     """Linear interpolation between points, constant before the first and after the last point.
 
-    Where an abscissa repeats, the later value holds from there.
+    Where an abscissa repeats, the value jumps to the later value.
 
     Parameters
     ----------
@@ -201,6 +201,8 @@ class Road(NamedTuple):
     def rolling_growth(self) -> Points | None:
         """Outside torque by rolling resistance beyond its value at rest, over the wheel speed.
 
+        None if the rolling resistance is constant, or with a variable radius.
+
         Examples
         --------
         >>> Road(1000 / GRAVITY, 0.5, rolling=((0.0, 0.01), (20.0, 0.03))).rolling_growth
@@ -222,8 +224,8 @@ class Road(NamedTuple):
     def torque(self, speed: Any) -> Any:
         """Return the outside torque at wheel speeds [rad/s], without dry friction [N*m].
 
-        It consists of ascent and air drag; with a variable radius also of the difference of the
-        rolling resistance in motion from its value at rest.
+        It is the torque of ascent and air drag. With a variable radius it includes the rolling
+        resistance beyond its value at rest.
 
         Examples
         --------

@@ -78,8 +78,8 @@ HOLDS = Programme(constant(math.inf), is_dog=True)
 def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
     """Return the capacity over time of each shift element.
 
-    A freewheel has the capacity that the case gives, or an unlimited capacity. An element without a
-    control keeps the state of the start, or follows the shifts.
+    A freewheel has the capacity in the case, or an unlimited capacity. A shift element without a
+    control remains as at the start, or follows the shifts.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Rejection of numbers of an impossible size, for which results would be rounding errors.
 
-A mistyped exponent is refused at its place in the document, before speeds reach 1e90 rad/s.
+A mistyped exponent is rejected at its position in the document, before speeds reach 1e90 rad/s.
 """
 
 from __future__ import annotations

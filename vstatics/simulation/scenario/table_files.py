@@ -34,6 +34,8 @@ def table_of(scenario: str, name: str) -> LookupTable:
 def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     """Build a table from rows, each with its line number: a heading, then rows of numbers.
 
+    The heading contains the quantity of the first column with its unit, then the columns.
+
     Raises
     ------
     ValueError

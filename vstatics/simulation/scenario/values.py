@@ -1,6 +1,6 @@
 """Conversion of the values in a document to parts of a scenario, with plain floats in SI units.
 
-The place of a value decides which unit belongs to it.
+The key of a value, and the case, determine which units are allowed.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Mechanical model of a scenario: bodies, constraints, contacts, springs and outside torques."""
+"""Mechanical model of a scenario: bodies, constraints, contacts, springs and outside torques.
+
+A speed row contains the coefficients of the speeds of links in a speed such as a slip.
+"""
 
 from __future__ import annotations
 
@@ -161,8 +164,9 @@ def _back(mechanism: Mechanism) -> float:
 def _taken_by_planets(case: Transmission) -> Floats:
     """Return the torques that accelerate planets, per acceleration of links.
 
-    ``d(J w_p^2/2)/dw_1`` changes with time as ``J (dw_p/dw_1) dw_p/dt``: the teeth pass this torque
-    to planets that are not links of the case. Shape (mechanisms, links) [kg*m^2].
+    The teeth transmit ``J (dw_p/dw_1) dw_p/dt`` from the first link of a mechanism, with speed w_1,
+    to planets with speed w_p that are not links of the case. The result has the shape (mechanisms,
+    links) [kg*m^2].
     """
     inertias = np.zeros((len(case.mechanisms), case.links))
     drawing = drawing_of(case)
@@ -275,7 +279,7 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
 def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideTorque]]:
     """Return contacts for dry friction and jumps of outside torques, and all other outside torques.
 
-    Contacts are numbered from `first`.
+    The indices of the contacts begin with `first`.
     """
     contacts: list[Contact] = []
     outside = []

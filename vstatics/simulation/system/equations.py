@@ -130,8 +130,8 @@ class Equations:
     def _split_light(self) -> None:
         """Separate balances of torques that depend on speeds from balances that do not.
 
-        The balances along motions without inertia determine the speeds of these motions. Balances
-        that do not depend on speeds do so by the slopes of their torques with time.
+        The balances along motions without inertia determine the speeds of these motions. If a
+        balance does not depend on speeds, its derivative with respect to time does.
         """
         structure, ports = self.structure, self.ports
         self.unsensed: list[tuple[int, Look]] = []
@@ -503,7 +503,10 @@ class Equations:
         return state + length / 6 * (first + 2 * (second + third) + fourth)
 
     def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
-        """Return the derivative of the state with respect to time."""
+        """Return the derivative of the state with respect to time.
+
+        `slopes` are known derivatives of spring limits [N*m/s].
+        """
         return self._change(time, state, self.rates(time, state), slopes)
 
     def _change(
@@ -627,9 +630,9 @@ class Map(NamedTuple):
 class Affine:
     """Matrices of equations whose torques are linear in rates, twists and angles.
 
-    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, values]. The vector c contains the parts of
-    port torques and of rates of values that depend on time alone. Rates of ports and speeds of
-    motions without inertia are maps of this kind, too.
+    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, v]. The vector c contains the terms of port
+    torques, and of rates of values, that depend on time alone. Rates of ports and speeds of motions
+    without inertia are linear functions of x, c and dc/dt, too.
 
     Parameters
     ----------
@@ -736,7 +739,7 @@ class Affine:
 def _slope_beside_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
     """Return the derivatives of functions at 0; next to a jump, from the side without it.
 
-    A difference across a jump grows as its step shrinks, and does not belong to any motion.
+    A difference quotient across a jump grows as its step shrinks.
 
     >>> def function(x):
     ...     return np.array([3 * x + (x > 0), abs(x)])

@@ -45,7 +45,7 @@ class FixedPoints:
     ) -> Vector | None:
         """Return a fixed point whose residual is at most `least`; None if the search fails.
 
-        Of several fixed points, it is usually the nearest to the beginning.
+        Of several fixed points, it is usually the nearest to `begin`.
         """
         same = self._by_secants(begin, function, least)
         if same is None:

@@ -1,9 +1,10 @@
 """Mechanical model of a scenario: inertias, constraints, and rows of ports.
 
-``M dw/dt = T - A M_devices``; A is the structural-distribution matrix of statics and M has the
-inertias of the links. The columns of mechanisms are constraints, the columns of shift elements
-carry friction, and the columns of springs carry elastic torques. A port is a torque that depends on
-the motion: a row that gives a rate, and a torque along this row.
+``M dw/dt = T - A m`` for speeds w, inertia matrix M, outside torques T and torques m of components;
+A is the structural-distribution matrix of statics. The columns of mechanisms are constraints, the
+columns of shift elements carry friction, and the columns of springs carry elastic torques. A port
+is a place at which a torque acts that is known from the motion: the product of its speed row and
+the speeds of links is its rate, and the torque acts along this row.
 """
 
 from __future__ import annotations
@@ -63,8 +64,8 @@ class Contact(NamedTuple):
     switch: Switch | None = None
     """Jump of an outside torque, for a contact that represents this jump and not friction.
 
-    The contact is on a side of the jump, or sticks where the motion slides along the jump with a
-    torque between both sides (Filippov). No part of it is friction. A link with a given speed is
+    Its slip is the distance of the motion from the jump. While the contact sticks, the motion
+    slides along the jump, with a torque between both sides (Filippov). A link with a given speed is
     treated as always sliding.
     """
     is_given: bool = False
@@ -245,7 +246,11 @@ def sign(value: float) -> str:
 
 
 class PortLayout:
-    """Order of the ports, and of the recorded angles and values."""
+    """Order of the ports, and of the recorded angles and values.
+
+    Ports: outside torques, contacts, springs, pumps and turbines of converters, links whose speeds
+    formulas read, variators, mechanisms with varying efficiency.
+    """
 
     def __init__(self, system: MotionSystem) -> None:
         self.outside = self.contacts = len(system.outside)

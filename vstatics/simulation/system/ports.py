@@ -1,7 +1,7 @@
 """Torques of ports and converters at an instant, from time, rates, twists and angles.
 
-Torques linear in time and rate are arrays, ``u = c0 + c1 t + s rate``. Springs add ``k e`` with k
-and c0 of the active piece of the curve. All other torques are functions, evaluated separately.
+Torques linear in time t and rate r of the port are arrays, ``c0 + c1 t + s r``. Springs add ``k e``
+for the twist e, with k and c0 of the active linear piece. All other torques are functions.
 """
 
 from __future__ import annotations
@@ -56,9 +56,8 @@ class States(NamedTuple):
     pieces: tuple[int, ...]
     """Index of the active linear piece of each law.
 
-    The order is: for each outside torque the piece over speed or angle (0 for other laws); for each
-    converter; for the friction coefficient of each contact, over slip; for the curve of each
-    spring, over twist.
+    In this order: each outside torque over speed or angle (0 for other laws); each converter over
+    speed ratio; the friction of each contact over slip; the curve of each spring over twist.
     """
 
     @property
@@ -260,7 +259,7 @@ class Ports:
     def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
         """Return the terms that depend on time alone, and their derivatives, shape (ports, times).
 
-        Slopes of formulas are differences over `within` [s], and are left out if it is None.
+        Derivatives of formulas are differences over `within` [s]; without it, they are 0.
         """
         times = self.inside(times)
         given = self.c0[:, None] + self.c1[:, None] * times
@@ -385,9 +384,9 @@ class Ports:
     ) -> None:
         """Set up a slipping contact under feedback control, with friction that depends on slip.
 
-        At slips near rounding, the torque approaches its value at 0 linearly, as a damper torque.
-        The line continues beyond zero slip, where only trial points of the search are, so that the
-        search returns. No law is too steep then for floating-point numbers, as a root is at 0.
+        At slips near rounding errors, the torque approaches its value at 0 linearly, like the
+        torque of a damper. The line continues beyond zero slip, where Newton iterations can be, so
+        that they return; their result is a slip of 0 even for very steep laws.
         """
         value, slope = friction
         looks = [look for look in (programme.look, programme.rub) if look]
@@ -436,8 +435,8 @@ def converter_torques(
 ) -> tuple[float, float]:
     """Return the torques of a converter at pump and turbine for given speeds [N*m].
 
-    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda on the
-    line of a piece; both torques are 0 with the pump at rest.
+    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda linear
+    in the speed ratio on a piece; both torques are 0 while the pump is at rest.
     """
     if pump == 0:
         return 0.0, 0.0

@@ -1,7 +1,7 @@
 """Quantities of the motion that formulas read, in a fixed order (the *seen* quantities).
 
-The row contains the rates of ports, twists, angles, values (control states and temperatures), and
-quantities derived from torques (`derived`).
+The order is: rates of ports, twists, angles, values (control states and temperatures), and
+quantities derived from torques (`PortLayout.derived`).
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: in
 def corners(system: MotionSystem) -> list[Corner]:
     """Return the corners of formulas that depend on the motion.
 
-    The argument of a table is compared with all corners of the table.
+    The argument of a lookup table is compared with all breakpoints of the table.
     """
     layout = system.layout
     candidates: list[tuple[Path, Formula, Iterable[Pairs], int, int]] = []

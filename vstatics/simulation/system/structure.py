@@ -30,15 +30,16 @@ Held = tuple[bool, ...]
 MeshStates = tuple[str, ...]
 """States of the rigid mechanisms.
 
-`""`: lossless; `stick`; else two signs as `+-`, of the speed of the first link relative to the
-third and of the torque on the first link.
+`""`: lossless; `stick`: at rest by friction; otherwise two signs such as `+-`: of the speed of the
+first link relative to the third, and of the torque on the first link.
 """
 
 _LAST_PREFERENCE = 1e2
 _FIRST = 1e-2
 """Small and large weight in the norm of redundant torques.
 
-Redundant torques go to the constraints of mechanisms first, to drags and sticking meshes last.
+Redundant torques go to the constraints of mechanisms first, and to drags and the friction of
+mechanisms at rest last.
 """
 
 
@@ -130,7 +131,8 @@ class MotionStructure:
     def motions(self, speeds: Floats, driven: Floats) -> Floats:
         """Return the coordinates of motions with inertia for given speeds of links.
 
-        The last motions have the speeds of the drivers.
+        Inconsistent speeds are replaced by a motion of the same momentum. The last motions have the
+        speeds `driven` of the drivers.
         """
         count = self.free.shape[1] - len(driven)
         free = self.free[:, :count]
@@ -145,7 +147,7 @@ def _driven(
 ) -> tuple[tuple[int, ...], Floats]:
     """Return the drivers, and the speeds of links per unit speed of each driver.
 
-    Contacts at one place count once.
+    Several drivers at the same jump count once.
     """
     places: dict[Switch | int, list[int]] = {}
     for index in contact_rows:
@@ -186,7 +188,7 @@ def _constraints(
 ) -> tuple[Floats, Floats, list[Multiplier]]:
     """Return the matrices C and B, and the identity of the constraint torque of each column.
 
-    C and B are equal if no mesh has losses.
+    C and B are equal if no mechanism has losses.
     """
     mesh_states = list(zip(system.meshes, meshes, strict=True))
     held_rows = {
@@ -252,8 +254,8 @@ def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
 def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Floats, Floats]:
     """Return combinations of constraint torques that circulate power in parallel paths.
 
-    The equations do not determine their size. As in statics, the friction of sticking meshes is
-    minimised (usually to zero), and then the norm of the multipliers.
+    The equations do not determine their size. As in statics, the friction of mechanisms at rest is
+    minimised (usually to zero), and then the norm of the constraint torques.
 
     Returns
     -------
@@ -284,8 +286,8 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
 def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:
     """Return the matrix from torques of ports to constraint torques, and the redundant directions.
 
-    Redundant multipliers have least weighted norm. Drags and the friction of sticking meshes take
-    a torque only if no other constraint can carry it.
+    Redundant torques have least weighted norm. Drags and the friction of mechanisms at rest carry a
+    torque only if no other constraint can.
     """
     count = columns.shape[1]
     if not count:

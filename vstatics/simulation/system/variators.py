@@ -1,8 +1,8 @@
 """Variators with a moving speed ratio: ``w_second = x(t) w_first``, torques (x m eta^-s, -m).
 
-The constraint row has the constant ratio `reference`, ``x0 w_first - w_second``. Two ports describe
-the motion of the ratio. The speed of the row is ``(x0 - x) w_first``, as of a driver with the
-derivative
+Here m is the torque of the second link, and s the direction of power. The constraint row has the
+constant ratio `reference`: ``x0 w_first - w_second``. Two ports describe the motion of the ratio.
+The speed of the row is ``(x0 - x) w_first``, as of a driver with the derivative
 
     u = -x' w_first - (x - x0) a_first,
 

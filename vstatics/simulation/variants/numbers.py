@@ -166,7 +166,7 @@ class ScenarioNumbers:
     def sampled(self, text: str) -> NumberPath:
         """Return the number to which a distribution under `samples` belongs, with its SI unit.
 
-        The values are bare if neither the number nor the distribution has a unit.
+        The unit is empty if neither the number nor the distribution has a unit.
 
         Raises
         ------

@@ -42,7 +42,7 @@ def samples_answer(varied: Sequence[str], columns: Mapping[str, Statistics]) -> 
 def statistics_grids(samples: SamplesAnswer) -> Iterator[Grid]:
     """Yield a table of random numbers and a table of results, with a row for each quantity.
 
-    The number of runs is in the title, or in a column if it varies.
+    The number of runs is in the title, or in a column if it differs between rows.
     """
     heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS))
     for title, columns in zip(("Drawn", "Results"), samples, strict=True):

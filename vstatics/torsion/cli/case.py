@@ -171,7 +171,7 @@ def gears_answer(
 ) -> CaseAnswer:
     """Return an answer about gears, which fails if a gear has an error.
 
-    The errors are reported before other problems.
+    Errors are reported before other problems.
     """
     faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
     return CaseAnswer(grids, answer, [*faults, *problems], failed=bool(faults))

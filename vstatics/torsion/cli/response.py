@@ -135,7 +135,7 @@ def _unbounded(gear: GearResponse) -> str:
 def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
     """Return a note about springs that dry friction keeps from twisting, or an empty text.
 
-    The torque of a spring that slides is at least the torque of its friction, ``4 M/pi``.
+    The torque of a sliding spring is at least ``4 M/pi`` for friction M.
     """
     import numpy as np
 

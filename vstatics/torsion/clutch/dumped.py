@@ -52,10 +52,7 @@ _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
 DUMP_FORM = "vstatics-dump"
 """Name of the JSON format of answers about clutch dumps."""
 FIRST_APPROXIMATION = 1.5
-"""Initial speed divided by the rate of twist at an event, as table 3.6 of the source assumes. [-]
-
-Table 3.6 of the source uses this ratio.
-"""
+"""Initial speed divided by the rate of twist at an event, as in table 3.6 of the source. [-]"""
 
 MARGINS: Mapping[DumpCase, str] = {"B3": "2 to 4", "V2": "17 to 23", "V3": "2 to 4"}
 """Excess of the closed form over a numerical integration, for the vehicles of table 3.8. [%]
@@ -106,7 +103,7 @@ class Swing(NamedTuple):
     torque_by_speed: float
     """Amplitude of the torque divided by the amplitude of the rate of twist. [N*m*s/rad]
 
-    With the natural frequency K this is 1/(K E).
+    It is 1/(K E) for the natural frequency K.
     """
 
     def largest(self, torque: float, speed: float) -> float:

@@ -187,7 +187,7 @@ def _masses(
 ) -> tuple[dict[str, float], list[str]]:
     """Return the reduced inertias of J1 to J5, and the names of other rotating bodies.
 
-    Planets belong to the mass of a link of their gear set, preferably the carrier.
+    Planets belong to the same mass as a link of their gear set, preferably the carrier.
     """
     owners = {link: name for name, links in clutch.masses.items() for link in links}
     totals = dict.fromkeys(clutch.masses, 0.0)

@@ -57,7 +57,7 @@ class Dump(NamedTuple):
     def boundary_speed(self) -> float:
         """Engine speed below which the clutch grabs, (3.14) [rad/s].
 
-        Because of free play, the clutch accelerates only the disc.
+        Because of backlash, the clutch at first accelerates only the disc J2.
         """
         return self.slipping_torque * math.sqrt(self.E / self.J2)
 

@@ -1,8 +1,8 @@
 """Dry friction of springs under a harmonic torque, as an equivalent damper.
 
 The friction M of a spring whose twist has the amplitude A at the frequency w dissipates as much as
-the damper ``4 M/(pi A w)``. Its torque then has the amplitude ``4 M/pi``, whatever A is, in phase
-with the rate of twist; a smaller torque does not move the spring, which is stuck.
+the damper ``4 M/(pi A w)``. The torque of this damper has the amplitude ``4 M/pi`` for any A, in
+phase with the rate of twist. Under a smaller torque the spring is stuck: it does not twist.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ class DryFriction(NamedTuple):
 def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Complex:
     """Return the torques of dry friction at given frequencies.
 
-    Each torque resists the twist ``free - receptance @ torques``.
+    Each torque resists the resulting twist ``free - receptance @ torques``.
 
     Parameters
     ----------
@@ -155,8 +155,8 @@ def _newton(
 ) -> Complex:
     """Return torques by a semismooth Newton method, with NaN where it does not converge.
 
-    The torque of a spring is the point of the disc of its limit nearest to the torque plus the
-    scaled rate of twist, which holds for sliding and stuck springs alike.
+    A complex torque lies in a disc with its limit as radius. Sliding or stuck, it is the point of
+    the disc that is nearest to the torque plus the scaled rate of twist.
     """
     count = len(limits)
     sizes = np.abs(np.diagonal(receptance, axis1=1, axis2=2))

@@ -281,7 +281,8 @@ def _amplitudes(
 ) -> Complex:
     """Calculate the amplitudes of links under generalised forces, shape (links, speeds) [rad].
 
-    Amplitudes are NaN at the frequency of an undamped mode, and at 0 if rigid motions exist.
+    Amplitudes are NaN at the frequency of an undamped mode, and at frequency 0 if a motion without
+    twist is possible.
     """
     unbounded = np.any(np.abs(omegas[:, None] - undamped) <= NO_POWER * undamped, axis=1)
     unbounded |= (omegas == 0) & (split.rigid.shape[1] > 0)

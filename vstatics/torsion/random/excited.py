@@ -120,8 +120,7 @@ class ExcitedGear:
     def _basis(self) -> Floats:
         """Coordinates of the gear as columns of link angles, shape (links, coordinates).
 
-        They are modes, rigid motions, massless motions, and last `unit`, the motion of the links
-        for a given angle of 1 rad of the excited link.
+        They are modes, rigid motions, massless motions, and finally `unit`.
         """
         split = coordinates(self.system)
         parts = [self.natural.shapes, rigid_basis(self.system, split), split.massless]

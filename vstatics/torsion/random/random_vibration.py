@@ -43,10 +43,7 @@ class RandomDevice(NamedTuple):
     crossings: float
     """Rate of upward crossings of the mean. [1/s]"""
     life: Sometimes[float] = None
-    """Life of a component with a fatigue strength; infinite for an unlimited life. [s]
-
-    An infinite value means an unlimited life.
-    """
+    """Life of a component with a fatigue strength; infinite for an unlimited life. [s]"""
 
 
 class RandomLink(NamedTuple):
@@ -81,7 +78,7 @@ class GearRandom(NamedTuple):
     half_widths: Sequence[float] = ()
     """Half width of the resonance peak of each mode, at half of the squared amplitude. [rad/s]
 
-    The half width is ``-Re s`` of the eigenvalue s of the mode.
+    It is ``-Re s`` of the eigenvalue s of the mode.
     """
     spectrum: Sometimes[RandomSpectrum] = None
     error: Failure = ""

@@ -1,8 +1,9 @@
 """Variances of the motion of a gear under a random input, as far as they exist.
 
-For a rational spectrum the variances follow from a Lyapunov equation. White noise drives a filter
-with two states for each part of a correlation, and the filter drives the gear. For spectra given by
-points, and with loss factors, the variances are integrals over omega, split at the resonances.
+For a rational spectrum the variances follow from a Lyapunov equation: for each term of a
+correlation function, white noise drives a filter with two states, which drives the gear. For
+spectra given by points, and with loss factors, the variances are integrals over omega, split at the
+resonances.
 
 A quantity has no variance if an undamped motion contributes to it, or if white noise moves it
 directly.
@@ -51,10 +52,7 @@ class Driven(NamedTuple):
     undamped: Floats
     """Basis of the undamped motions, shape (states, u)."""
     moved: Floats
-    """Effect of the input on undamped coordinates, shape (u, u): column k after k integrations.
-
-    Column k is the effect of the input after k integrations.
-    """
+    """Effect of the input on undamped coordinates, shape (u, u): column k after k integrations."""
 
     def variance(self, signal: Signal | None) -> float:
         """Return the variance of a signal, NaN if it does not exist."""
@@ -128,8 +126,8 @@ class FormVariances(NamedTuple):
     between: Floats | None = None
     """Integrals ``2 int omega S d omega`` of the spectra S of angles, over omega above 0. [rad^2/s]
 
-    They are calculated if loss factors exist: the torque of a loss factor is in phase with the rate
-    and proportional to the angle.
+    They are needed for loss factors only, whose torque is in phase with the rate of twist but
+    proportional to the twist.
     """
 
 

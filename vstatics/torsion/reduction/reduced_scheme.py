@@ -75,7 +75,7 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
 def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
     """Replace rigid gear sets by stiff springs if all their links have inertia and can move.
 
-    The links of such a set have independent speeds then, so they share the inertia of its planets.
+    The links of such a set then have independent speeds, and share the inertia of its planets.
     """
     group = {link: links[0] for links in joined_links(system) for link in links}
     free = system.free()
@@ -134,7 +134,10 @@ def _scheme(system: TorsionalSystem) -> TorsionScheme | str | None:
 def _independent(
     system: TorsionalSystem, groups: Sequence[Sequence[int]], free: Floats
 ) -> list[Sequence[int]]:
-    """Choose groups of rigidly joined links whose angles determine all motions."""
+    """Choose groups of rigidly joined links whose angles determine all motions.
+
+    Groups with inertia are preferred.
+    """
     heavy = [set(body.form) for body in system.bodies if body.inertia > 0]
     by_inertia = sorted(groups, key=lambda group: not any(b.issubset(group) for b in heavy))
     chosen: list[Sequence[int]] = []

@@ -214,7 +214,7 @@ def _multiple(row: Floats, reference: Floats) -> float | None:
 def _reaction(system: TorsionalSystem, link: int, to: int, at_rest: set[int]) -> float | None:
     """Return ``w_to/w_link`` of a link at rest if it is released while input or output is held.
 
-    Links that are rigidly joined to it are released too, such as a ring gear held by the casing.
+    Links that are rigidly joined to it, such as a ring gear in a casing, are released, too.
     """
     group = next((set(links) for links in joined_links(system) if link in links), {link})
     holding = [

@@ -41,7 +41,7 @@ SimplificationRule = Literal["partial", "r", "b", "u"]
 """Method of partial frequencies for chains, or static condensation with a `BranchRule`."""
 SIMPLIFICATION_RULES: tuple[SimplificationRule, ...] = get_args(SimplificationRule)
 ACCURATE = 0.5
-"""Ratio to a removed partial frequency below which frequencies err by 5 % at most, (П1.8).
+"""Ratio to a removed partial frequency below which errors of frequencies are mostly under 5 %.
 
 Source: (П1.8).
 """
@@ -369,8 +369,8 @@ def acted_on_by_several(scheme: TorsionScheme, mass: int) -> bool:
 def without_branch_mass(scheme: TorsionScheme, mass: int, rule: BranchRule) -> TorsionScheme:
     """Remove the inertia of a mass, and give shares of it to other masses.
 
-    Where three or more springs meet, the mass remains without inertia. The scheme thus keeps its
-    layout, which shows the masses on which each device acts.
+    If three or more springs meet at the mass, it remains without inertia. The scheme thus still
+    shows on which masses each spring acts.
 
     Parameters
     ----------

@@ -55,7 +55,7 @@ class Coordinates(NamedTuple):
 def coordinates(system: TorsionalSystem) -> Coordinates:
     """Split the motions of a system that its constraints allow.
 
-    Motions that neither an inertia nor a device resists are held at 0 and take part in no mode.
+    Motions that neither inertia nor a component resists are held at 0 and take part in no mode.
 
     Examples
     --------

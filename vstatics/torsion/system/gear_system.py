@@ -1,10 +1,9 @@
 """Torsional system of a gear, with bodies, elastic components and rigid components.
 
 The equation is ``M q'' + D q' + K q = 0`` for the angles q of the links, with ``M`` of the bodies,
-``K`` and ``D`` of the elastic devices, and constraints by the rigid devices. The twist of a device
-is its row of the structural-distribution matrix (Tsitovich, Algin, Vehicle dynamics, 1981, 1.2: the
-equations of a gearbox with a compliant casing, (1.11), are the equations of a mechanism with the
-row as the twist).
+``K`` and ``D`` of the elastic components, and constraints by the rigid components. The twist of a
+component is a linear form of angles: its row of the structural-distribution matrix (Tsitovich,
+Algin, Vehicle dynamics, 1981, 1.2 and (1.11)).
 """
 
 from __future__ import annotations
@@ -132,7 +131,7 @@ class TorsionalSystem(NamedTuple):
     def slip_resistance(self) -> Floats:
         """Contribution of dampers and converters to ``D``, shape (links, links) [N*m*s/rad].
 
-        The share of converters is not symmetric.
+        It is not symmetric if there are converters.
         """
         return self.damper_rows.T @ self.damper_rows + self.converter_resistance
 
@@ -185,8 +184,8 @@ def torsional_system(
 ) -> TorsionalSystem:
     """Build the torsional system of a gear, whose engaged elements include freewheels that hold.
 
-    Springs with points have the given slopes, by name [N*m/rad]. Springs with a slope of 0 and
-    converters transmit nothing.
+    `slopes` are the stiffnesses of nonlinear springs, by name [N*m/rad]. Springs with a slope of 0,
+    and converters, transmit no torque.
 
     Examples
     --------

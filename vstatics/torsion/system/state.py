@@ -18,7 +18,7 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     """Return the torsional system of a gear, or the reason why it cannot vibrate.
 
     Freewheels hold if they hold at mean speeds. Free vibration needs no input, so the input can be
-    held if any other link can move. Springs with points have the slopes of `spring_slopes`.
+    held if any other link can move. Nonlinear springs have the stiffnesses of `spring_slopes`.
 
     Raises
     ------

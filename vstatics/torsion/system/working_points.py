@@ -52,7 +52,7 @@ class WorkingGear(NamedTuple):
 FAR = (1.0, 8.0, 64.0, 512.0, 4096.0)
 """Trial torques of the input, relative to the torque of the pump. [-]
 
-Large values are needed because drag can absorb a small torque. [-]
+Large values are needed because drag can absorb a small torque.
 """
 
 

@@ -10,5 +10,6 @@ components, with their `nodes`; `tables` returns their tables.
 ratios vary. `crossings` finds the modes whose frequencies can cross; `varied_frequencies` serves
 the sweep.
 
-`measured` corrects a case by measured frequencies, with the formulas of `decrements`.
+`measured` corrects a case by measured frequencies and decrements, with the formulas of
+`decrements`; `decays` derives these numbers from a record.
 """

@@ -1,10 +1,10 @@
 """Groups of modes that no variant couples, whose frequencies can therefore cross in a sweep.
 
-In natural modes of the first variant the matrices of another variant are ``K + sum dc t t^T`` and
-``M + sum dJ b b^T``, where t are the twists of the varied devices and b the forms of the varied
-bodies. Motions without a common t or b remain uncoupled in all variants; within each uncoupled
-group the frequencies keep their order (von Neumann, Wigner, 1929). The groups therefore identify
-each mode by its shape, for any variants in any order.
+In coordinates of the natural modes of the first variant, another variant has the matrices ``K + sum
+dc t t^T`` and ``M + sum dJ b b^T``, where t contains the twists of a varied component and b the
+speeds of a varied body. Modes without a common t or b remain uncoupled in all variants. Within a
+group of coupled modes the frequencies keep their order (von Neumann, Wigner, 1929), so group and
+order identify a mode in any variant.
 """
 
 from __future__ import annotations

@@ -34,9 +34,8 @@ class Decay(NamedTuple):
 def decay(peaks: Sequence[float], period: float) -> Decay:
     """Calculate frequency and decrement from successive extremes M_k, (П2.1).
 
-    The mean line is (M_k-1 + 2 M_k + M_k+1)/4. The part of the vibration that remains in the mean
-    line is the same fraction of all amplitudes, so the decrement is exact, also with a mean that
-    drifts linearly.
+    The mean line is (M_k-1 + 2 M_k + M_k+1)/4. It still contains a part of the vibration, but the
+    same fraction of all amplitudes, so the decrement is exact, even if the mean drifts linearly.
 
     Parameters
     ----------
@@ -75,7 +74,7 @@ def decay(peaks: Sequence[float], period: float) -> Decay:
 def recorded_decay(times: Floats, values: Floats) -> Decay:
     """Calculate frequency and decrement from samples of a record.
 
-    Each extreme is the vertex of the parabola through three samples.
+    Each extreme is the vertex of a parabola through three samples.
 
     Parameters
     ----------

@@ -40,8 +40,8 @@ def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict
 def dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
     """Return the dampings of components with given decrements at an angular frequency, (П1.19).
 
-    Measured decrements change little with frequency: the product ``damping * omega`` is the
-    property of a device, so a damping is valid only near this frequency.
+    Measured decrements change little with frequency, so ``damping * omega`` is a property of a
+    component, and a damping is valid only near this frequency.
 
     Parameters
     ----------
@@ -123,8 +123,8 @@ def moved(damping: float, compliance: float, to: float) -> float:
     """Convert a damping parallel to a compliance to another compliance in series, (П1.27).
 
     The energy dissipated in a cycle of the torque remains unchanged. The damping of a whole shaft
-    can thus be assigned to a part of the shaft, and the dampings of the parts of a chain, after
-    their conversion, add up to the damping of the chain.
+    can thus be assigned to a part of it, and dampings of the parts of a chain, converted to the
+    compliance of the chain, add up to its damping.
 
     Parameters
     ----------

@@ -56,7 +56,7 @@ class Pencil(NamedTuple):
     def resistance_of_all(self, omegas: Floats) -> Floats:
         """Return a common ``D`` for all modes; an entry uses the mean frequency of its two modes.
 
-        The frequency of a massless motion is the geometric mean of all natural frequencies.
+        Massless motions count with the geometric mean of all natural frequencies.
         """
         logarithms = np.log(omegas) / 2
         creeping = np.full(len(self.stiffness) - self.modes, logarithms.mean())
@@ -66,7 +66,7 @@ class Pencil(NamedTuple):
     def lengths(self, shapes: Complex, values: Complex) -> Floats:
         """Return the lengths of complex shapes (columns); a natural mode has the length 1.
 
-        The elastic energy of massless motions counts like the energy of masses.
+        The elastic energy of massless motions counts like kinetic energy.
         """
         swinging, creeping = shapes[: self.massive], shapes[self.massive :]
         stiff = self.stiffness[self.massive :, self.massive :]
@@ -97,7 +97,7 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
 def resisting_rows(system: TorsionalSystem, resistances: Floats) -> Floats:
     """Return the motions of links that are resisted, as rows weighted by roots of resistances.
 
-    Dampers and converters resist in addition to the elastic devices with the given resistances.
+    Rows are twists times roots of `resistances` of elastic components, then dampers and converters.
     """
     slipping = np.abs(system.converter_resistance)
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
@@ -142,8 +142,8 @@ class EigenPairs(NamedTuple):
     def of_mode(self, mode: int) -> tuple[int, int]:
         """Return the two indices of the eigenvalues with the largest shares of a natural mode.
 
-        The places are equal for a complex eigenvalue, and those of two real eigenvalues for an
-        overdamped mode.
+        For a complex eigenvalue both indices are equal; an overdamped mode has two real
+        eigenvalues.
         """
         parts, swings = np.abs(self.shapes[mode]), self.eigenvalues.imag > 0
         first = _largest(parts, swings)
@@ -177,8 +177,8 @@ def _largest(parts: Floats, swings: Booleans) -> int:
 def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     """Calculate the eigenvalues and shapes of a system in first-order form.
 
-    Rigid motions appear in the state with their speeds only; rigid motions without resistance
-    are left out.
+    The state contains modal coordinates, massless motions and speeds. Rigid motions appear with
+    their speeds only, and are left out if nothing resists them.
 
     A damped massless motion y has an equation of the first order,
     ``D_yy y' = -K_yy y - (K_yq q + D_yq q')``, where q are the modal coordinates.

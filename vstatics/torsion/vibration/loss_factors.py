@@ -1,9 +1,8 @@
 """Eigenvalues of systems with loss factors, with equivalent viscous damping for each mode.
 
-Each mode therefore has its own matrix D. All modes are first solved with a common D close to all of
-these matrices; the candidates of each mode are then corrected for the D of the mode
-(`refined`). Where the eigenvalue with the largest part in a mode remains uncertain, the mode is
-solved separately.
+Each mode has a matrix D of its own. All modes are first solved with a common D close to all these
+matrices; then candidate eigenvalues of each mode are corrected for its D (`refined`). If it remains
+uncertain which eigenvalue has the largest share of a mode, the mode is solved separately.
 """
 
 from __future__ import annotations
@@ -21,10 +20,7 @@ from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined
 LIGHTLY_DAMPED = 0.3
 """Damping ratio up to which the squared shares of a mode in all shapes have a sum near 1. [-]"""
 REST = 0.5
-"""Difference of this sum from 1, relative to its largest term, below which no shape is missing. [-]
-
-[-]
-"""
+"""Difference of this sum from 1, relative to its largest term, that shows a missing shape. [-]"""
 SAME_SHAPE = 0.9999
 """Smallest share of a heavily damped mode in a shape that identifies both. [-]"""
 MOST_CANDIDATES = 5
@@ -48,10 +44,7 @@ def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
 
 
 def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPairs) -> Complex:
-    """Correct the eigenvalues of given modes for their own matrices D; NaN where uncertain.
-
-    Uncertain eigenvalues are NaN.
-    """
+    """Correct the eigenvalues of given modes for their own matrices D; NaN where uncertain."""
     pencils, pairs = pencil.at(omegas), np.full((len(modes), 2), np.nan, np.complex128)
     light = pencils.resistances[np.arange(len(modes)), modes, modes] <= 2 * LIGHTLY_DAMPED * omegas
     candidates_of_modes = [

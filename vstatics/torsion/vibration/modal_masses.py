@@ -1,7 +1,8 @@
 """Natural frequencies of many variants, from twists of components in motions of modal mass 1.
 
-The natural frequencies are the singular values of these twists, each multiplied by the root of the
-stiffness, as in `natural`. Stacks of small matrices serve many inertias and stiffnesses at once.
+The natural frequencies are the singular values of the matrix of these twists, multiplied by roots
+of stiffnesses, as in `natural`. Stacks of small matrices are solved for many inertias and
+stiffnesses at once.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from vstatics.torsion.tolerances import LOST_SQUARE
 class Split(NamedTuple):
     """Speeds of bodies and twists of components in each motion of `Coordinates`.
 
-    Leading axes stand for variants with other ratios.
+    Leading axes are variants with other ratios.
 
     Attributes
     ----------
@@ -92,7 +93,7 @@ def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats)
 def of_split(split: Split, inertias: Floats) -> NormedTwists:
     """Calculate the twists in motions of modal mass 1 from any basis of motions.
 
-    Leading axes belong to the forms or to the inertias.
+    Leading axes of `split` and of `inertias` are broadcast.
     """
     triangle = _triangle(np.sqrt(inertias)[..., None] * split.bodies)
     coefficients = np.broadcast_to(np.eye(triangle.shape[-1]), triangle.shape)
@@ -130,9 +131,9 @@ def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 
 def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
     """Return twists times roots of stiffnesses; massless motions are the first columns.
 
-    With massless motions the matrix is triangular. The block to the right of and below their
-    columns remains when massless motions follow the others in equilibrium. Stiff devices come
-    first, as an elimination by rows requires.
+    With massless motions the matrix is reduced to triangular form. The block to the right of and
+    below their columns applies when they follow the other motions in equilibrium. Rows of stiff
+    components come first, as accuracy of the elimination requires.
 
     Returns
     -------

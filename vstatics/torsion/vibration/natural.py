@@ -101,7 +101,7 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
 def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     """Return motions of modal mass 1, orthogonal in M to each other and to rigid motions.
 
-    Massless motions follow these motions in equilibrium of the elastic torques.
+    In these motions, links without inertia are in equilibrium of the elastic torques.
 
     Returns
     -------

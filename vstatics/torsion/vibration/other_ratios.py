@@ -1,10 +1,10 @@
 """Natural frequencies of variants with other ratios of gear sets.
 
-The motions of each variant are the solutions of homogeneous equations (`followed_motions`). Their
-rank is known for the first variant, from entries that are exactly zero or not (`numerics.motions`).
-Other variants are solved for the same unknowns by the same equations. If this block is well
-conditioned, and the solution satisfies the remaining equations too, the rank is the same; otherwise
-the variant has to be analysed separately.
+The possible motions of each variant are the solutions of homogeneous equations
+(`followed_motions`). The rank of these equations is known for the first variant
+(`numerics.motions`). Other variants are solved with the same equations for the same unknowns. If
+this block of equations is well conditioned, and the solution satisfies the remaining equations,
+too, the rank is the same; otherwise the variant must be analysed separately.
 """
 
 from __future__ import annotations

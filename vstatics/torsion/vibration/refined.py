@@ -49,7 +49,7 @@ class Pencils(NamedTuple):
     def roots(self, shapes: Complex) -> tuple[Complex, Complex]:
         """Return both roots s of ``x^T T(s) x = 0`` for a shape x of each system.
 
-        The root with the smaller modulus is the first.
+        The first root has the smaller modulus.
         """
         mass = (self.masses * shapes**2).sum(axis=1)
         square = (_products(self.stiffness, shapes) * shapes).sum(axis=1) / mass

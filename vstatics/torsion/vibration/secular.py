@@ -1,7 +1,8 @@
 """Natural frequencies as a function of the stiffness of a component, for many stiffnesses at once.
 
-A system without a device has modes ``omega_j`` of modal mass 1, in which the device has the twists
-``b_j``. The squared frequencies x of the system with the device are the roots of
+Without the component, a system has modes of frequency ``omega_j`` and modal mass 1, in which the
+component has the twists ``b_j``. The squared frequencies x of the system with a component of
+stiffness c are the roots of
 
     1/c = sum_j b_j^2/(x - omega_j^2)
 
@@ -88,6 +89,8 @@ _Terms = tuple[Floats, Floats]
 
 def _beyond(below: _Terms, compliances: Floats, pole: float) -> Floats:
     """Return the distances of the last root from the last pole, by Newton's method.
+
+    The unknown is the inverse distance.
 
     The sum is concave in it, and the first guess is beyond the root, so every step approaches the
     root from the same side.

@@ -115,9 +115,9 @@ def own_torques(
 ) -> dict[str, Values]:
     """Arrange torques like the `torques` in results; disengaged components have 0.
 
-    The torque of a converter is the torque on its pump. The torque of a member of a gear set is
-    the torque that the member gives to the planets. It excludes the inertia of the planets,
-    ``J_share w^2 q``, so the torques of a gear set do not add up to 0.
+    The torque of a converter is the torque on its pump. The torque of a member of a gear set is the
+    torque that it gives to the planets, without the inertia torque of the planets, ``J_share w^2
+    q``, so the torques of a gear set do not add up to 0.
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ NUMBERS = 2**17
 SOME = 20
 """Factor in the choice of a method for systems of many links.
 
-The secular equation requires all modes; these cost as much as the lowest modes of ``links/SOME``
+The secular equation requires all modes, which take as long as the lowest modes of ``links/SOME``
 variants.
 """
 
@@ -190,7 +190,7 @@ class _Alike:
     ) -> Iterator[tuple[_Alike, Sequence[int]]]:
         """Yield groups of motions that are uncoupled in all variants, with their modes.
 
-        A system of many links is not split, as only its lowest modes are calculated.
+        A system of many links is not divided, as only its lowest modes are calculated.
         """
         system = first.of(self.system)
         alike = ((system.inertias > 0) == (self.system.inertias > 0)).all()

@@ -1,7 +1,7 @@
 """Natural frequencies of variants of a sweep, for `omega[mode, gear]` in expressions.
 
 Variants with equal ratios have the same motions of links, so they are calculated together. A sweep
-calls `frequencies` through the record of this annex, and only when a frequency is requested.
+calls `frequencies` through the declaration of this annex, if an expression contains `omega`.
 """
 
 from __future__ import annotations
@@ -138,7 +138,7 @@ def frequencies(
 def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[str]:
     """Return the numbers, as texts, of all modes that gears of the case can have in a sweep.
 
-    A gear that is tied up counts with one mode, as it can rotate in a variant.
+    A gear that is tied up counts with a mode, as it can rotate in another variant.
 
     Raises
     ------
@@ -160,7 +160,7 @@ def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[st
 def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
     """Number the variants so that variants with equal ratios have equal numbers.
 
-    Freewheels and springs with points depend on torques, so efficiencies must be equal as well.
+    Freewheels and nonlinear springs depend on torques; with these, efficiencies must be equal, too.
     """
     by_torque = case.freewheels or any(spring.points for spring in case.springs)
     deciding = ("ratio", "efficiency") if by_torque else ("ratio",)

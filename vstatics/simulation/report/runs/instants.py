@@ -13,7 +13,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 NEAR = 5e-4
 """Allowed deviation of straight lines from a column, relative to the range of the column.
 
-This is half of a visible difference.
+It is half of a visible difference.
 """
 
 
@@ -31,8 +31,8 @@ def chosen_instants(
 ) -> ChosenInstants:
     """Choose the instants that draw columns with straight lines, largest deviation first.
 
-    Ends, jumps, extremes of each column, required times, and both sides of undefined values are
-    always chosen.
+    Ends, jumps, extremes of each column, required times, and both neighbours of undefined values
+    are always chosen.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Lever diagrams of a case, in which a script shows the speeds at the selected time.
 
-As in lever diagrams, points have true distances, and speeds are to the right of them.
+The points on a lever have true distances; speeds are drawn to the right of the points.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ MARGIN = 4.0
 def moving_levers(case: Transmission) -> Iterator[Markup]:
     """Yield a figure for each lever of a case; shafts without gear sets have no lever.
 
-    A point is ``<g data-link="sun">``; the point of the housing has no link. The script sets the
-    bar, the number, and the line through all points, as speeds are linear in the distance.
+    A point is ``<g data-link="sun">``; the point of the housing has no `data-link`. The script sets
+    the bar and number of each speed, and the line through the speeds of all points.
 
     Examples
     --------

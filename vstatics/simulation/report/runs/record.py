@@ -147,8 +147,8 @@ def _data(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, A
 def _packed(values: Floats) -> str:
     """Encode numbers without loss in base64, byte position by byte position.
 
-    Similar bytes, such as signs and exponents, are adjacent, which compresses well. A constant
-    column is encoded as one number.
+    The least significant bytes of all numbers come first, the bytes with sign and exponent last:
+    similar bytes are adjacent and compress well. A constant column is encoded as one number.
 
     >>> _packed(np.array([1.0, 2.0])), _packed(np.array([1.0, 1.0]))
     ('AAAAAAAAAAAAAAAA8AA/QA==', 'AAAAAAAA8D8=')

@@ -1,4 +1,7 @@
-"""Dots of resonances: their size shows the participation of the input, their fill the damping."""
+"""Dots of resonances: their size shows the participation of the input, their fill the damping.
+
+The participation is the amplitude of the input relative to the largest amplitude of the mode.
+"""
 
 from __future__ import annotations
 

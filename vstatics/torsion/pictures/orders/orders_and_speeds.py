@@ -16,7 +16,7 @@ from vstatics.torsion.clutch.clutch_dump import ClutchDump
 ORDERS = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
 """Orders shown if the number of cylinders is unknown, for four-stroke engines.
 
-These are the half order, the order of the shaft, and the firing of 4, 6, 8 and 12 cylinders.
+They are the half order, the order of the shaft, and the firing orders of 4, 6, 8 and 12 cylinders.
 """
 FASTEST_INPUT = 6000.0
 """Largest upper end of a diagram if no speed of the input is known. [rpm]"""
@@ -122,7 +122,8 @@ def _engine_speeds(case: Transmission) -> Iterator[float]:
 def highest_speed(known: Sequence[float], frequencies: Sequence[float], lowest: float) -> float:
     """Return a round speed above all known speeds [rpm].
 
-    If no speed is known, the lowest order meets all natural frequencies below the speed.
+    If no speed is known, it is a speed up to which the lowest order meets all natural frequencies,
+    but `FASTEST_INPUT` at most.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ MOST_DECADES = 7
 SLOW = 0.04
 """Speed below which amplitudes do not determine the scale, relative to the highest speed.
 
-Amplitudes grow without bound towards standstill.
+Amplitudes grow without bound as the speed approaches 0.
 """
 
 

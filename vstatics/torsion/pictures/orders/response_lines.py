@@ -52,7 +52,7 @@ def response_panels(
 ) -> tuple[ExcitedSpeeds, list[ResponsePanel]]:
     """Choose orders and speeds, and calculate the response of each gear.
 
-    The torque acts on the link given in the style, or by default on the input of the gear.
+    The torque acts on a link that the style names, or by default on the input of the gear.
     """
     case, excitation = results.case, style.excited
     harmonics = by_order(style)

@@ -27,7 +27,7 @@ class ModeDevice(NamedTuple):
     level: int = 0
     """Number of levels below the row; 0 is on the row.
 
-    For a device at the housing, the number of preceding devices at the same link.
+    For a component at the housing, the number of preceding components at the same link.
     """
 
     @property
@@ -59,7 +59,7 @@ class ModeLinks(NamedTuple):
 def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
     """Arrange the vibrating links of a gear in the order of the power flow.
 
-    Links are sorted by the smallest number of devices between link and input, then by number.
+    Links are sorted by the smallest number of components between link and input, then by number.
 
     Examples
     --------

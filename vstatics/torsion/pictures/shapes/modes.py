@@ -153,7 +153,7 @@ def _spaced(parts: str) -> str:
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
     """Draw the natural modes of gears below each other, on pages.
 
-    On a single page without a given height, the first gear is drawn by default.
+    If a single page without a given height is requested, only the first gear is drawn by default.
 
     Raises
     ------
