@@ -2,12 +2,12 @@
 
 1. `scenario` reads a scenario: a case, a start, controls or shifts, and torques.
 2. `system` builds a `MotionSystem`, and its equations of motion while given contacts stick. A
-contact transmits torque by friction or by form: a shift element, a load with dry friction, a drag.
+   contact transmits torque by friction or by form: a shift element, a dry-friction load, a drag.
 3. `events` solves the equations, in closed form or step by step, up to the next event, and selects
-the contacts that stick, slip or are open after it.
+   the contacts that stick, slip or are open after it.
 4. `course` goes from event to event, and `record` stores the requested results as a `Motion`, whose
-energy balance must close. `run` does all of this, `bounds` limits the wall-clock time, and
-`stepping` advances a run interactively.
+   energy balance must close. `run` does all of this, `bounds` limits the wall-clock time, and
+   `stepping` advances a run interactively.
 
 `published` is the method of Tarasik, for comparison. `variants` runs many variations of a scenario
 for sweeps and samples. `pictures` draws a run over time, `report` writes the section of a report

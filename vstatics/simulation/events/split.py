@@ -54,7 +54,8 @@ def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats |
 
     Returns
     -------
-    ndarray, shape (d * splits, limits) None if there are too many splits.
+    ndarray, shape (d * splits, limits)
+        None if there are too many splits.
     """
     if math.comb(limits, count + 1) > _MOST_TORQUE_CORNERS:
         return None

@@ -82,10 +82,13 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
 
     Returns
     -------
-    to_series : ndarray, shape (instants, DEGREE + 1) From values to Chebyshev coefficients.
-    to_powers : ndarray, shape (DEGREE + 1, DEGREE + 1) From Chebyshev coefficients to derivatives
-    at the start, with the length of a part as the unit of time. to_values : ndarray, shape (DEGREE
-    + 1, 1 + instants) From Chebyshev coefficients to values, at the start and at the instants.
+    to_series : ndarray, shape (instants, DEGREE + 1)
+        From values to Chebyshev coefficients.
+    to_powers : ndarray, shape (DEGREE + 1, DEGREE + 1)
+        From Chebyshev coefficients to derivatives at the start, with the length of a part as the
+        unit of time.
+    to_values : ndarray, shape (DEGREE + 1, 1 + instants)
+        From Chebyshev coefficients to values, at the start and at the instants.
     """
     places = _places(count)
     degree = _degree(count)

@@ -121,8 +121,9 @@ class Motion(NamedTuple):
         Reason why the run ended early.
     asked : mapping of str to mapping of str to ndarray, shape (instants,)
         Additional columns, by table and row.
-    damage : mapping of str to Damage Damage of components with a fatigue strength. beside : mapping
-    of str to mapping of str to ndarray, shape (instants,)
+    damage : mapping of str to Damage
+        Damage of components with a fatigue strength.
+    beside : mapping of str to mapping of str to ndarray, shape (instants,)
         Tables for pictures and the report; empty for the method `tarasik`.
     case : Transmission
         Case of the scenario.

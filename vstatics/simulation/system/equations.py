@@ -60,8 +60,9 @@ class Equations:
     structure : MotionStructure
     states : States
     time : float
-        Time of the first event. [s] rounding : float Largest slip that counts as 0, because it can
-        be rounding error. [rad/s]
+        Time of the first event. [s]
+    rounding : float
+        Largest slip that counts as 0, because it can be rounding error. [rad/s]
     carried : sequence of float
         Last torques on first links of mechanisms with varying efficiency; empty at the start. [N*m]
 

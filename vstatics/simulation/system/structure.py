@@ -260,9 +260,9 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
     Returns
     -------
     directions : ndarray, shape (multipliers, directions)
-        Combinations of constraint torques, as columns. conditions : ndarray, shape (multipliers,
-        directions) Linear conditions for the constraint torques, as columns; biorthogonal to
-        `directions`.
+        Combinations of constraint torques, as columns.
+    conditions : ndarray, shape (multipliers, directions)
+        Linear conditions for the constraint torques, as columns; biorthogonal to `directions`.
     """
     spare = null(rows) if rows.shape[1] else np.zeros((0, 0))
     if not spare.shape[1]:

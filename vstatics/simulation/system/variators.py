@@ -78,8 +78,9 @@ class VariatorTorques:
         Parameters
         ----------
         time : float
-            Time. [s] rates, torques : ndarray, shape (ports,) Rates and torques of ports; `torques`
-            is changed in place.
+            Time. [s]
+        rates, torques : ndarray, shape (ports,)
+            Rates and torques of ports; `torques` is changed in place.
         """
         ports = self.equations.ports
         time = min(max(time, ports.after), ports.until)

@@ -46,8 +46,9 @@ def dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[
     Parameters
     ----------
     decrements : mapping
-        Decrements of components. [-] compliances : mapping Compliances of these components, or
-        more. [rad/(N*m)]
+        Decrements of components. [-]
+    compliances : mapping
+        Compliances of these components, or more. [rad/(N*m)]
     omega : float
         Angular frequency. [rad/s]
 
@@ -86,8 +87,9 @@ def decrement(decrements: ByDevice, shares: ByDevice) -> float:
     Parameters
     ----------
     decrements : mapping
-        Decrements of components. [-] shares : mapping Shares of these components, or more, in the
-        elastic energy of the mode. [-]
+        Decrements of components. [-]
+    shares : mapping
+        Shares of these components, or more, in the elastic energy of the mode. [-]
 
     Examples
     --------
@@ -107,8 +109,9 @@ def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float
     total : float
         Decrement of the mode. [-]
     shares : mapping
-        Shares of the components in the elastic energy of the mode. [-] ratios : mapping Decrements
-        of the components, relative to each other. [-]
+        Shares of the components in the elastic energy of the mode. [-]
+    ratios : mapping
+        Decrements of the components, relative to each other. [-]
 
     Examples
     --------

@@ -27,9 +27,11 @@ class Split(NamedTuple):
     bodies : ndarray, shape (..., bodies, heavy motions)
         Speeds of bodies in motions with inertia.
     twists : ndarray, shape (..., devices, heavy motions)
-        Twists of components in motions with inertia. massless : ndarray, shape (..., devices,
-        massless motions) Twists of components in massless motions. rigid : ndarray, shape (...,
-        heavy motions, rigid motions) Rigid motions as combinations of motions with inertia.
+        Twists of components in motions with inertia.
+    massless : ndarray, shape (..., devices, massless motions)
+        Twists of components in massless motions.
+    rigid : ndarray, shape (..., heavy motions, rigid motions)
+        Rigid motions as combinations of motions with inertia.
     """
 
     bodies: Floats
@@ -109,8 +111,9 @@ def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 
     Parameters
     ----------
     stiffnesses : ndarray, shape (variants, devices)
-        Stiffnesses of the elastic components. [N*m/rad] first : int Number of the lowest mode that
-        must be accurate, from 0.
+        Stiffnesses of the elastic components. [N*m/rad]
+    first : int
+        Number of the lowest mode that must be accurate, from 0.
 
     Returns
     -------

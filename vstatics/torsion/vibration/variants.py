@@ -257,8 +257,10 @@ class WithoutDevice(NamedTuple):
     Attributes
     ----------
     poles : Poles
-        Modes without the component. slack : float Compliance in series with the component: of other
-        components that hold its links without inertia. [rad/(N*m)]
+        Modes without the component.
+    slack : float
+        Compliance in series with the component: of other components that hold its links without
+        inertia. [rad/(N*m)]
     """
 
     poles: Poles
@@ -277,8 +279,9 @@ def without(
     split : Coordinates
         Coordinates of this system.
     stiffnesses : ndarray, shape (devices,)
-        Stiffnesses of all elastic components. [N*m/rad] device : int Index of the component among
-        the elastic components.
+        Stiffnesses of all elastic components. [N*m/rad]
+    device : int
+        Index of the component among the elastic components.
 
     Examples
     --------
