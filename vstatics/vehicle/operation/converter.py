@@ -328,8 +328,8 @@ class ConverterGear(NamedTuple):
         everywhere = np.arange(len(engine))
 
         def surplus(at: Integers, torque: Floats) -> Floats:
-            # NaN: the converter would gain power, as its pump gets too little torque, or brakes too
-            # little.
+            # The torque is NaN if the converter would gain power: then its pump gets too little
+            # torque, or brakes too little.
             left = direction[at] * (brought(at, torque) - taken[at])
             return np.where(np.isnan(left), -gained[at], left)
 

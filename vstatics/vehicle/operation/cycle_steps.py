@@ -35,7 +35,7 @@ class GearChoice(NamedTuple):
     """Rule that chooses the gears of a trace without gears."""
 
     least_speed: float | None = None
-    """Engine speed that the highest possible gear must reach. [rad/s]"""
+    """Least engine speed; each step has the highest gear that reaches it. [rad/s]"""
     shifts: Sequence[ShiftSpeed] = ()
     least_loss: bool = False
     """If True, each step has the gear that needs the least energy of engine or battery."""
@@ -81,7 +81,9 @@ class CycleSteps(NamedTuple):
     converters: Mapping[int, ConverterGear]
     """Gear index -> gear with a free converter, whose speed ratio follows from torques."""
     engine_ratios: Floats
-    """Engine speed divided by output speed, shape (gears,); see `ConverterGear.free_ratio`. [-]
+    """Engine speed divided by output speed, shape (gears,). [-]
+
+    Free converters have their largest speed ratio without braking torque.
     """
     engine_speeds: Floats
     """Magnitudes of engine speeds, shape (steps,). [rad/s]"""

@@ -45,7 +45,7 @@ class DutyPoints(NamedTuple):
 
 
 def at_rows(error: CaseError, rows: Integers) -> CaseError:
-    """Return an error about points `rows` of a table, with rows instead of indices in `rows`."""
+    """Return an error whose paths contain rows of a table, instead of indices in `rows`."""
     problems = []
     for problem in error.problems:
         first = next(iter(problem.path), None)

@@ -177,8 +177,8 @@ def by_shift_speeds(
 def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
     """Return the highest gear, for each step, in which the engine reaches a least speed.
 
-    If the engine reaches it in no gear, the lowest gear within the last engine speed is chosen; if
-    the engine exceeds this speed in all gears, the highest.
+    If no gear reaches it, the lowest gear within the last engine speed is chosen; if all gears
+    exceed the last engine speed, the highest.
 
     Parameters
     ----------

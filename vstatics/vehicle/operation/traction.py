@@ -152,7 +152,10 @@ class Traction:
         speeds = results.speeds
         output = speeds[np.arange(len(outputs)), outputs]
         output = np.where(is_alone, output, math.nan)
-        """Output speed divided by engine speed, by gear; see `ConverterGear.free_ratio`. [-]"""
+        """Output speed divided by engine speed, by gear. [-]
+
+        Free converters have their largest speed ratio without braking torque.
+        """
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
             links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
@@ -222,8 +225,8 @@ class Traction:
         )
         engine = search.engine
         torque = np.where(np.isfinite(engine), vehicle.full_torque(engine), np.nan)
-        # At its last point, with the smallest speed ratio, the engine has too much torque.
-        ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)  # i = 0 can come before
+        # These engines have too much torque even at their last point and the smallest speed ratio.
+        ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)  # else it ends at i = 0
         fast = np.flatnonzero(np.isnan(engine) & ends_last & (search.surplus[:, 1] > 0))
         engine[fast] = last
         torque[fast] = converter.torque_at(
@@ -247,7 +250,8 @@ class Traction:
         return torques
 
     def top_speed(self, gear: int) -> float:
-        """Return the road speed [m/s] of equal force and resistance, or at last engine speed."""
+        """Return the top speed on a level road, limited by the last engine speed; else NaN
+        [m/s]."""
         ratio = self.per_engine[gear]
         if not (math.isfinite(ratio) and ratio > 0):
             return math.nan

@@ -76,7 +76,7 @@ def draw(
     pen = headed(title(results.case, name_of_picture), note, [], (style.width, high), style)
     row = pen.panel((left, low), (wide, STEP_ROW_HEIGHT), line)
     _draw_gears(row, forward, numbers, upright=upright)
-    if not is_stacked:  # else no space left of it
+    if not is_stacked:  # else gear names are above it
         _name_row(row, names[0])
     for place, (name, law) in enumerate(laws, 1):
         below = low - ends - place * STEP_ROW_HEIGHT - (place - 1 + is_stacked) * between
