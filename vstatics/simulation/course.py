@@ -645,7 +645,7 @@ class EventRun:
         elif (before in SIGNS and after in sticks) or (before == "open" and after == "rigid"):
             kind = "locks"
         elif {before, after} == {*SIGNS}:
-            # A device without capacity can be at rest: then it begins to slip instead of reversing.
+            # A contact without capacity can be at rest: then it begins to slip instead of reversing.
             slips = self.record.largest_slip(device.row) > STANDING * self.scales.speed
             kind = "reverses" if slips else "slips"
             if kind == "slips" and self._is_slipping(device, time):
@@ -656,9 +656,9 @@ class EventRun:
             self.record.events.append(slid_back(event) if after == "-" else event)
 
     def _is_slipping(self, device: Contact | Elastic, time: float) -> bool:
-        """Return whether a device began to slip, in any direction, right before a time [s].
+        """Return True if a contact or spring began to slip right before a time [s].
 
-        The direction found first can be wrong if the slip is too small for the look-ahead.
+        Its direction then can be wrong, if the slip was too small for the look-ahead.
         """
         near = SIGHT * self.span
         events = reversed(self.record.events)

@@ -60,7 +60,7 @@ class Contact(NamedTuple):
     while_open: int | None = None
     """Index of a shift element, for a drag that acts only while its capacity is 0."""
     beside: int | None = None
-    """Index, among devices, of a spring to which the contact is parallel."""
+    """Index, among components, of a spring to which the contact is parallel."""
     switch: Switch | None = None
     """Jump of an outside torque, for a contact that represents this jump and not friction.
 
@@ -80,7 +80,7 @@ class Contact(NamedTuple):
 
     @property
     def device(self) -> int | None:
-        """Index of the device to whose torque the contact contributes."""
+        """Index of the component to whose torque the contact contributes."""
         of = (self.element, self.while_open, self.beside)
         return next((index for index in of if index is not None), None)
 
@@ -96,7 +96,7 @@ class RigidMechanism(NamedTuple):
 
     name: str
     device: int
-    """Index of the mechanism among the devices: shift elements, mechanisms, springs."""
+    """Index of the mechanism among components: shift elements, mechanisms, springs."""
     row: Floats
     """Constraint row: 1, -u and u - 1 for the first, second and third link."""
     slip: Floats

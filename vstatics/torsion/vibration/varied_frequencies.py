@@ -38,7 +38,7 @@ class VariedQuantity(Protocol):
 
     @property
     def owner(self) -> int:
-        """Index of the mechanism, elastic device or link."""
+        """Index of the mechanism, elastic component or link."""
 
     @property
     def quantity(self) -> str:

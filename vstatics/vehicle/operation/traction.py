@@ -250,8 +250,7 @@ class Traction:
         return torques
 
     def top_speed(self, gear: int) -> float:
-        """Return the top speed on a level road, limited by the last engine speed; else NaN
-        [m/s]."""
+        """Return the top speed on a level road, up to the last engine speed; else NaN [m/s]."""
         ratio = self.per_engine[gear]
         if not (math.isfinite(ratio) and ratio > 0):
             return math.nan
