@@ -645,7 +645,7 @@ class EventRun:
         elif (before in SIGNS and after in sticks) or (before == "open" and after == "rigid"):
             kind = "locks"
         elif {before, after} == {*SIGNS}:
-            # A contact without capacity can be at rest: then it begins to slip instead of reversing.
+            # Without capacity, a contact can be at rest: then it begins to slip, not to reverse.
             slips = self.record.largest_slip(device.row) > STANDING * self.scales.speed
             kind = "reverses" if slips else "slips"
             if kind == "slips" and self._is_slipping(device, time):
