@@ -1,17 +1,18 @@
 """Simulation of shifts and launches: the motion of a case over time under a scenario.
 
 1. `scenario` reads a scenario: a case, a start, controls or shifts, and torques.
-2. `system` builds a `MotionSystem` with its equations of motion while a set of contacts sticks.
+2. `system` builds a `MotionSystem`, and its equations of motion while given contacts stick. A
+   contact transmits torque by friction or by form: a shift element, a dry-friction load, a drag.
 3. `events` solves the equations, in closed form or step by step, up to the next event, and selects
-   the sticking and slipping states after it.
+   the contacts that stick, slip or are open after it.
 4. `course` goes from event to event, and `record` stores the requested results as a `Motion`, whose
    energy balance must close. `run` does all of this, `bounds` limits the wall-clock time, and
    `stepping` advances a run interactively.
 
 `published` is the method of Tarasik, for comparison. `variants` runs many variations of a scenario
-for sweeps and samples. `pictures` draws a run over time, `report` writes the section of a page, and
-`cli` is the command `vstatics simulate`. The annex needs scipy, an extra. The derivation is in
-docs/method.md.
+for sweeps and samples. `pictures` draws a run over time, `report` writes the section of a report
+about a run, and `cli` is the command `vstatics simulate`. The annex needs scipy, an optional
+dependency. The equations are derived in docs/simulation/method.md.
 
 >>> from vstatics import ShiftElement, Transmission
 >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate

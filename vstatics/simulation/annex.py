@@ -1,4 +1,4 @@
-"""Commands, names, documents, pictures and schemas that simulation provides to the program."""
+"""Declaration of the annex: its commands, public names, documents, pictures and schemas."""
 
 from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind, ReportPart, Schema
 

@@ -8,11 +8,11 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 Guard: TypeAlias = Callable[[float], str]
-"""Callback that receives the reached time [s] and returns a reason to stop, or an empty text."""
+"""Callback that receives the simulated time [s] and returns a reason to stop, or an empty text."""
 
 
 def wall_limit(seconds: float) -> Guard:
-    """Return a guard that stops a run after a wall-clock time.
+    """Return a callback that stops a run after a wall-clock time.
 
     Parameters
     ----------
@@ -33,27 +33,27 @@ def wall_limit(seconds: float) -> Guard:
 
 
 class Pace:
-    """Estimator of the total time of a run, from a run stopped after some processor time.
+    """Estimator of the processor time of a whole run, from a trial run that it stops early.
 
     Processor time is measured, because other processes can delay the first steps of a run.
 
     Parameters
     ----------
     duration : float
-        Duration of the run. [s]
+        Simulated duration of the whole run. [s]
     seconds : float
-        Processor time after which the run is stopped, measured from its first step. Earlier time
-        can be spent on imports. [s]
+        Processor time after which the trial run is stopped. It is measured from the first step,
+        because imports can take time before. [s]
     """
 
     def __init__(self, duration: float, seconds: float) -> None:
         self.duration, self.seconds = duration, seconds
         self._first = math.inf
         self._half = self._last = (0.0, 0.0)
-        """Pairs of processor time and time reached in the run, at half time and last. [s]"""
+        """Pairs of processor time and simulated time, at half of the trial and at its end. [s]"""
 
     def __call__(self, at: float) -> str:
-        """Record the time reached, and stop the run when the pace is known."""
+        """Record the simulated time, and stop the run at the end of the trial."""
         now = time.process_time()
         self._first = min(self._first, now)
         self._last = now - self._first, at
@@ -63,7 +63,7 @@ class Pace:
 
     @property
     def needed(self) -> float:
-        """Estimated time of the whole run [s], from the second half of the trial; 0 if finished."""
+        """Estimated processor time of the whole run [s]; 0 if the run ended within the trial."""
         if self._last[0] < self.seconds:
             return 0.0
         (began, half), (taken, at) = self._half, self._last

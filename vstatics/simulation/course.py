@@ -53,24 +53,24 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_EVENTS_AT_ONCE = 60
-"""Largest number of events within a moment."""
+"""Largest number of events at nearly the same instant."""
 _LOOSEST = 4096.0
-"""Largest factor by which margins are relaxed at repeated events."""
+"""Largest factor on the tolerances of margins when events repeat at an instant."""
 _MOST_EVENTS = 100_000
 """Largest number of events of a run."""
 _BEHIND = 4.0
-"""Shortest time to pass a corner, as a multiple of the rounding error of times."""
+"""First time step tried across a corner, as a multiple of the rounding error of the time."""
 _MOST_LARGER = 8
-"""Largest number of increases of the scales of control values after steps became too small."""
+"""Largest number of attempts with larger scales of control values when steps become too small."""
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
-"""Largest number of sequence steps at an instant."""
+"""Largest number of sequence steps at the same instant."""
 _CURE_OF_JUMPS = "replace the jump with a ramp, or switch with a hysteresis in a sequence"
 
 
 class EventRun:
-    """Run of a scenario from a start or an intermediate state.
+    """Run of a scenario from event to event, beginning at the start of a record.
 
     Parameters
     ----------
@@ -94,26 +94,26 @@ class EventRun:
         self.commands = StepCommands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = self.horizon = system.scenario.duration
-        """Time up to which breaks of inputs over time are known. [s]"""
+        """Time up to which `breaks`, the bends and jumps of inputs over time, are known. [s]"""
         self.span = system.scenario.span
         self._look_ahead()
         self.scales = large_sizes(system, record.start)
         self.at = record.start
         self.before: States | None = None
-        """Sticking and slipping states up to the present."""
+        """Sticking and slipping states before the present instant."""
         self.left: list[States] = []
-        """States that ended at the present instant, and cannot be selected again."""
+        """States that ended at the present instant, so that they cannot be selected again."""
         self.met: list[int] = []
-        """Indices of contacts with a slip that ended at the present."""
+        """Indices of the contacts whose slip ended at the present instant."""
         self.at_limit: list[int] = []
-        """Indices of contacts that broke away at the present, all at one instant."""
+        """Indices of the contacts that reached their torque limit at the present instant."""
         self.length: float | None = None
         """Length of the last step. [s]"""
         self.parts: int | None = None
-        """Number of parts of the last stretch in closed form."""
+        """Largest number of parts of the next stretch that is solved in closed form."""
         self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
-        """Corners of formulas on both sides of the present motion, with their comparisons."""
+        """Nearest corners of formulas, each with the comparison whose sign changes there."""
         self.latest = self.mark = 0.0
         self.at_once = self.events = 0
 
@@ -142,14 +142,14 @@ class EventRun:
             )
 
     def copy(self) -> EventRun:
-        """Return an independent copy of the run."""
+        """Return an independent copy of the run, at the same time."""
         copied = copy(self)
         copied.record, copied.commands = self.record.copy(), copy(self.commands)
         copied.sequences, copied.meetings = self.sequences.copy(), deepcopy(self.meetings)
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
-        """Apply a step now, whether or not its condition is true.
+        """Apply a sequence step now, without regard to its condition.
 
         Parameters
         ----------
@@ -164,7 +164,7 @@ class EventRun:
         self._look_ahead()
 
     def _look_ahead(self) -> None:
-        """Find the breaks of inputs over time, and the corners of formulas."""
+        """Find the bends and jumps of inputs over time, and the corners of formulas."""
         self.breaks = break_times(self.system, self.horizon)
         self.corners = corners(self.system)
 
@@ -172,7 +172,7 @@ class EventRun:
         self.at, self.before, self.met, self.at_limit = at, equations.states, [], []
 
     def _turn(self, event: MarginEnd) -> None:
-        """Record the states that end at an event."""
+        """Record which states end at an event."""
         before = self.before
         if not event.watches or before is None:
             self.left = []
@@ -187,7 +187,7 @@ class EventRun:
         self.at_limit = [watch.of for watch in event.watches if watch.kind == "hold"]
 
     def _settled(self) -> Selected:
-        """Select the states at the present after all due steps of sequences."""
+        """Apply all due sequence steps, and select the states of contacts after them."""
         self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
             self.at = self._joined(self.at, self.before)
@@ -218,7 +218,7 @@ class EventRun:
         )
 
     def _near_corners(self, judge: Judge) -> Iterator[tuple[CornerPlace, Awaited]]:
-        """Yield the corners next to the motion, except bends that count as passed."""
+        """Yield the corners nearest to the present values, except bends that count as passed."""
         for index, corner in enumerate(self.corners):
             for number, awaited in judge.nearest(corner.compared):
                 place = CornerPlace(index, number)
@@ -226,9 +226,9 @@ class EventRun:
                     yield place, awaited
 
     def _drags_otherwise(self, judge: Judge) -> bool:
-        """Return whether the feedback control of an open, dragging element changes its state now.
+        """Return whether feedback control now closes or opens a shift element that has drag.
 
-        The control is 0 at such an instant, so the next state depends on the motion.
+        The control is 0 at such an instant, so the motion a little later decides.
         """
         carrying, states = self.selection.choices.carrying, judge.equations.states
         for contact, state in zip(self.system.contacts, states.contacts, strict=True):
@@ -260,7 +260,7 @@ class EventRun:
         self.record.done(self.at.time, due.sequence.name, due.go_on(self.at.time))
 
     def _meet(self, event: MarginEnd) -> None:
-        """Record the corners that are met, and reject endless switching at a corner."""
+        """Record the corners reached by an event, and reject endless switching at a corner."""
         for watch in event.watches:
             if watch.kind != "corner":
                 continue
@@ -311,7 +311,7 @@ class EventRun:
 
     def _selected(self) -> Selected:
         at, before, met = self.at, self.before, self.met
-        # Rounding decides between simultaneous events, so margins are relaxed.
+        # Rounding decides the order of simultaneous events, so tolerances grow with their number.
         slack = min(_LOOSEST, 4.0 ** max(0, self.at_once - 1))
         scales = LargeSizes(self.scales.speed * slack, self.scales.torque * slack)
         asked = ModesAsked(at, before, scales, self.left, met)
@@ -354,7 +354,7 @@ class EventRun:
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a jump of a formula that is met now, or was met before by a failing choice."""
+        """Return a jump of a formula that is reached now, or was reached by one of the parts."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
         paths = {self._path_of(*choice) for choice in choices}
@@ -365,7 +365,7 @@ class EventRun:
         return None
 
     def _note_alternative(self, asked: ModesAsked, states: States) -> None:
-        """Record contacts that could break away instead of the selected contacts."""
+        """Record the contacts that could break away instead of those in `states`."""
         try:
             other = self.selection.selected(asked, thorough=False)
         except (NoChoice, CaseError):
@@ -379,7 +379,7 @@ class EventRun:
             self.record.fits_too(asked.at.time, *broken)
 
     def _to_event(self, selected: Selected, end: float) -> MarginEnd:
-        """Integrate up to the next event, or to the end of the piece."""
+        """Integrate up to the next event, or to a time if no event occurs before."""
         equations = selected.equations
         if end <= equations.time:
             return MarginEnd(end, selected.state, ())
@@ -404,10 +404,10 @@ class EventRun:
         return MarginEnd(end, step.last, ())
 
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
-        """Return the instant right behind a corner that no step passes, if any.
+        """Return the state just after a corner if time steps fail right before the corner.
 
-        A quantity that leaves 0 at the corner is wrong by its full size after a step across the
-        corner, even in sign. So the motion is extrapolated linearly to the other side.
+        A quantity that leaves 0 at the corner would be wrong by its full size, even in sign, after
+        an integrated step across it. So the motion is extrapolated linearly to the other side.
         """
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         before, change = self._sides(equations, time, state), equations.derivative(time, state)
@@ -422,7 +422,7 @@ class EventRun:
         return None
 
     def _sides(self, equations: Equations, time: float, state: Floats) -> Floats:
-        """Return the sides of the corners next to the motion: 1, -1, or 0 on a corner."""
+        """Return the side of the motion at each watched corner: 1, -1, or 0 on the corner."""
         seen = equations.changes.seen_at(time, state)
         both = (awaited.compared.at(time, seen) for _, awaited in self.watched)
         return np.sign([first - second for first, second in both])
@@ -430,7 +430,7 @@ class EventRun:
     def _steps(
         self, selected: Selected, end: float, tolerances: StepTolerances
     ) -> Iterator[TimeStep]:
-        """Yield steps up to a time, in closed form if possible, or else explicit."""
+        """Yield time steps up to a time, in closed form if possible, otherwise explicit."""
         equations, state = selected.equations, selected.state
         time = equations.time
         if equations.has_closed_form:
@@ -453,7 +453,7 @@ class EventRun:
         end: float,
         tolerances: StepTolerances,
     ) -> Iterator[TimeStep]:
-        """Yield steps of an explicit method up to a time, or to a corner that no step passes."""
+        """Yield time steps of an explicit method up to a time."""
         time, state = begin
         for _ in range(_MOST_LARGER):
             try:
@@ -470,7 +470,7 @@ class EventRun:
         raise TooSmall
 
     def _too_small(self, equations: Equations) -> Problem:
-        """Return the reason for steps that are too small: an invalid or jumping torque."""
+        """Return the reason for too small time steps, such as an invalid or jumping torque."""
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         change = equations.derivative(time, state)
         for ahead in AHEAD_OF_STOP:
@@ -499,7 +499,7 @@ class EventRun:
         return self._too_steep(equations, time, state)
 
     def _too_steep(self, equations: Equations, time: float, state: Floats) -> Problem:
-        """Return a problem at a near corner, or of the torque that is steepest in speed."""
+        """Return a problem of the latest corner, or of the torque that is steepest in speed."""
         for place in self.meetings.latest(time)[:1]:
             corner = self.corners[place.corner]
             message = (
@@ -518,7 +518,7 @@ class EventRun:
         return Problem("E608", message, ("torques", name))
 
     def _tolerances(self, equations: Equations) -> StepTolerances:
-        part = 0.001 if self.system.varying else 0.01  # laws by points bend within steps
+        part = 0.001 if self.system.varying else 0.01  # losses by points bend within steps
         relative = max(part * self.rtol, LEAST_RTOL)
         absolute = np.empty(equations.size)
         speed, torque = self.scales
@@ -531,7 +531,7 @@ class EventRun:
         return StepTolerances(relative, absolute)
 
     def _joined(self, at: Instant, before: States | None) -> Instant:
-        """Return the instant after the impact of joining contacts."""
+        """Return the instant with the speeds after an impact, if contacts close at a slip."""
         system = self.system
         rigid, joining = [], []
         for index, contact in enumerate(system.contacts):
@@ -584,7 +584,7 @@ class EventRun:
         return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
 
     def _path(self, watch: Watch) -> Path:
-        """Return the path of a watch in the scenario, or an empty path."""
+        """Return the path of a watched part in the scenario, or an empty path."""
         scenario = self.system.scenario
         kind = KIND_OF.get(watch.kind)
         if watch.kind == "corner":
@@ -596,7 +596,7 @@ class EventRun:
         return self._path_of(kind, watch.of) if kind else ()
 
     def _path_of(self, kind: Kind, index: int) -> Path:
-        """Return the path of a choice in the scenario, or an empty path."""
+        """Return the path of a contact or spring in the scenario, or an empty path."""
         scenario, system = self.system.scenario, self.system
         device = getattr(system, kind)[index] if kind in ("contacts", "springs") else None
         if device is None:
@@ -638,14 +638,14 @@ class EventRun:
     def _record_change(
         self, time: float, device: Contact | Elastic, before: str, after: str
     ) -> None:
-        sticks = ("stick", "rigid", "parted")  # parting is not an event of friction
+        sticks = ("stick", "rigid", "parted")  # a spring that parts within its play does not slip
         kind: EventKind | None = None
         if before in sticks and after not in sticks:
             kind = "slips"
         elif (before in SIGNS and after in sticks) or (before == "open" and after == "rigid"):
             kind = "locks"
         elif {before, after} == {*SIGNS}:
-            # a device can rest without capacity
+            # Without capacity, a contact can be at rest: then it begins to slip, not to reverse.
             slips = self.record.largest_slip(device.row) > STANDING * self.scales.speed
             kind = "reverses" if slips else "slips"
             if kind == "slips" and self._is_slipping(device, time):
@@ -656,9 +656,9 @@ class EventRun:
             self.record.events.append(slid_back(event) if after == "-" else event)
 
     def _is_slipping(self, device: Contact | Elastic, time: float) -> bool:
-        """Return whether a device began to slip, in any direction, right before a time [s].
+        """Return True if a contact or spring began to slip right before a time [s].
 
-        The first direction can be wrong if the slip is too small for the look-ahead.
+        Its direction then can be wrong, if the slip was too small for the look-ahead.
         """
         near = SIGHT * self.span
         events = reversed(self.record.events)

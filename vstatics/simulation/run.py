@@ -34,7 +34,7 @@ from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
 
 _END = ("duration",)
-"""Path of a problem that stops a run when no other key is at fault."""
+"""Path, in the scenario, of a problem that stops a run if no other key is at fault."""
 
 Method = Literal["events", "tarasik"]
 
@@ -62,15 +62,15 @@ def simulate(  # noqa: PLR0913 - all but the first by name
     method : {"events", "tarasik"}
         `tarasik` is a published method, for comparison; see `published.tarasik`.
     watch : callable, optional
-        Function that is called with the time reached [s]; a returned text stops the run.
+        Function that is called with the simulated time [s]; a returned text stops the run.
     columns : sequence of (str, str)
-        Additional tables and rows in `asked` of the motion, such as ``("accelerations", "out")``;
+        Table and row of each additional column in `asked`, such as ``("accelerations", "out")``;
         for the method `events` only.
 
     Returns
     -------
     Motion
-        Results, with `stopped` set if the run stopped before the end.
+        Results; `stopped` is the reason if the run ended early.
 
     Raises
     ------
@@ -96,7 +96,7 @@ def simulate(  # noqa: PLR0913 - all but the first by name
         raise ValueError(f"step is {step:g}, expected a number of seconds")
     check_scenario(scenario)
     static = static_torques(scenario)
-    with np.errstate(all="ignore"):  # invalid numbers are reported where they matter
+    with np.errstate(all="ignore"):  # invalid numbers are detected and reported later
         if method == "tarasik":
             from vstatics.simulation.published.tarasik import tarasik
 
@@ -116,7 +116,7 @@ def begun(
     watch: Guard | None = None,
     columns: Sequence[tuple[str, str]] = (),
 ) -> EventRun:
-    """Prepare a run at the start, by the equations of motion; see `simulate`."""
+    """Prepare a run at its start, for the method `events`; see `simulate`."""
     scenario = with_fixed_ratios(with_all_converters(scenario))
     asked = rows_of_tables(columns, scenario)
     gear = start_gear(scenario)
@@ -141,14 +141,14 @@ def begun(
 
 
 def _to_its_end(run: EventRun) -> Motion:
-    """Run to the end, and return the motion; the energy balance must close."""
+    """Run to the end, return the motion, and check that its energy balance closes."""
     record, watch = run.record, run.watch
     stopped, hurried = None, False
     try:
         run.run(run.duration)
     except CaseError as stop:
         [first, *_] = stop.problems
-        hurried = bool(watch and watch(record.time))  # stopped by the limit, not by a fault
+        hurried = bool(watch and watch(record.time))  # the watch stopped the run
         stopped = first if first.path or hurried else first._replace(path=_END)
     if not record.pieces:
         assert stopped is not None  # noqa: S101 - a run without pieces was stopped

@@ -1,4 +1,4 @@
-"""Interactive run that is advanced step by step and can return to earlier states."""
+"""Interactive run that a caller advances step by step, and can return to earlier states."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
     Parameters
     ----------
     scenario : Scenario
-        Scenario; `duration` does not end the run.
+        Scenario; its `duration` does not end the run.
     rtol : float
         Tolerance as in `simulate`. [-]
 
@@ -59,17 +59,17 @@ def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
     0.25
     """
     check_scenario(scenario)
-    with np.errstate(all="ignore"):  # invalid numbers are reported where they matter
+    with np.errstate(all="ignore"):  # invalid numbers are detected and reported later
         return SteppedRun(begun(scenario, step=None, rtol=rtol))
 
 
 class SteppedRun:
-    """Interactive run that is advanced step by step.
+    """Interactive run, from `begin`, that a caller advances step by step.
 
     Attributes
     ----------
     state
-        Immutable present state of the run. Assign an earlier state to return to it.
+        Present state of the run, immutable. Assign an earlier state to return to it.
     """
 
     def __init__(self, state: EventRun) -> None:
@@ -88,7 +88,7 @@ class SteppedRun:
 
     @property
     def time(self) -> float:
-        """Present time [s]."""
+        """Present simulated time [s]."""
         return self.state.at.time
 
     @property
@@ -99,7 +99,7 @@ class SteppedRun:
 
     @property
     def events(self) -> tuple[Event, ...]:
-        """Events up to the present."""
+        """Events until the present time."""
         return tuple(self.state.record.events)
 
     def advance(self, seconds: float, /, **settings: float) -> None:
@@ -108,14 +108,14 @@ class SteppedRun:
         Parameters
         ----------
         seconds : float
-            Length of the advance. [s]
+            Simulated time by which the run advances. [s]
         **settings : float
-            New values of numbers that sequences set, and of states.
+            New values of numbers that sequences set, and of control states, by name.
 
         Raises
         ------
         CaseError
-            If a name is unknown, or the run cannot go on. The run then stays in its state.
+            If a name is unknown, or the run cannot go on. The state of the run is then unchanged.
         """
         scenario = self.state.system.scenario
         if not (_is_number(seconds) and seconds > 0):
@@ -139,7 +139,7 @@ class SteppedRun:
 
 
 class _SteppedSpeeds(dict[str, float]):
-    """Speeds by name, with an error that suggests existing names."""
+    """Speeds by name of the link; the error for an unknown name suggests existing names."""
 
     def __missing__(self, name: str) -> float:
         hint = nearest(name, self) or f", expected {listed(list(self))}"

@@ -1,83 +1,83 @@
-"""Tolerances of a simulation, grouped by purpose; relative to the largest value if not stated."""
+"""Tolerances of a simulation, grouped by purpose; relative to the largest value unless stated."""
 
 from __future__ import annotations
 
 # a run
 RTOL = 1e-8
-"""Default tolerance of the integration; also bounds the error of the energy balance."""
+"""Default relative tolerance of a run."""
 LEAST_RTOL = 3e-14
-"""Smallest tolerance that the integrator accepts; less would be rounding."""
+"""Smallest relative tolerance that the integrator accepts; less would be rounding error."""
 CLOSED_ENERGY = 1e-8
 """Largest error of the energy balance of a valid run, relative to the largest energy."""
 NO_ENERGY = 1e-12
 """Largest energy that counts as 0. [J]"""
 PRINTED = 1e-9
-"""Ratio to the largest number of the same kind below which a table shows 0."""
+"""Number below which a table prints 0, relative to the largest number of the same kind."""
 CLOSED_BALANCE = 5e-4
-"""Magnitude of the energy balance below which 0 is shown, as its digits are uncertain. [J]"""
+"""Energy balance below which 0 is printed, as its digits are uncertain. [J]"""
 
-# numbers that are given
+# input numbers
 LARGEST_NUMBER = 1e15
-"""Largest plausible number in SI units: a ship has 1e9 kg, and turns at most at 1e2 rad/s."""
+"""Largest plausible input in SI units: for example, a ship has a mass of 1e9 kg."""
 LEAST_NUMBER = 1e-15
-"""Smallest plausible number in SI units: the balance wheel of a watch has 1e-9 kg*m^2."""
+"""Smallest plausible input in SI units: the balance wheel of a watch has 1e-9 kg*m^2."""
 UNLIKE_INERTIAS = 1e-12
-"""Ratio to the largest inertia below which an inertia is rounding."""
+"""Inertia below which it is rounding error, relative to the largest inertia."""
 
 # times
 SAME_INSTANT = 1e-11
-"""Largest distance of events that count as simultaneous, relative to the duration."""
+"""Largest time between events that count as simultaneous, relative to the duration."""
 SAME_TIME = 1e-12
 """Largest relative difference of times that count as equal."""
 SAME_END = 1e-13
-"""Largest relative difference between the ends of a stretch and a piece that count as equal."""
+"""Largest relative difference between the end of a stretch and a given time that count as equal."""
 AHEAD = 1e-7
-"""Look-ahead and interval of slopes, relative to a duration or a step."""
+"""Time of a look-ahead, and interval of difference quotients, relative to a duration."""
 SIGHT = 1e-6
-"""Look-ahead for quantities derived from speeds, whose rounding is larger."""
+"""As `AHEAD`, for quantities derived from speeds, whose rounding errors are larger."""
 LONGEST_DURATION = 1e4
-"""Largest duration used as a time scale: motion in a long run is as fast as in a short run. [s]"""
+"""Largest duration used as a time scale, since motion in a long run is not slower. [s]"""
 LEAST_DURATION = 1e-9
-"""Smallest duration used as a time scale of slopes. [s]"""
+"""Smallest duration used as a time scale. [s]"""
 NO_PROGRESS = 1e-5
-"""Progress, relative to the duration, below which a run counts as caught in endless switching."""
+"""Progress of time below which a run counts as endless switching, relative to the duration."""
 AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
-"""Parts of the duration after a stop at which a torque is checked for invalid numbers."""
+"""Times after a stop at which torques are checked for invalid numbers, relative to the duration."""
 BEYOND_ALL = 1e6
-"""Ratio to all other torques above which a torque at a stop is the cause. [-]"""
+"""Torque above which it is the cause of a stop, relative to large torques of the run. [-]"""
 ROOT_PART = 1e-14
-"""Tolerance of a polynomial root, relative to the interval; rounding allows no less."""
+"""Tolerance of the root of a polynomial, relative to the interval."""
 ROOT_TIME = 1e-15
-"""Tolerance of a root of the margin itself, relative to the time."""
+"""Tolerance of the time at which a margin is 0, relative to the time."""
 
 # speeds, torques, margins
 STANDING = 1e-9
-"""Relative speed, torque or impulse up to which a value counts as 0."""
+"""Relative speed, torque or impulse that counts as 0."""
 NO_MARGIN = 1e-10
 """Largest violation of a margin that is ignored, relative to the scale of the margin."""
 LEAST_VALUE = 1e-30
 """Smallest scale of a control state for tolerances."""
 SMALL_VALUE = 1e-3
-"""Ratio to the largest value of a control state down to which the tolerance shrinks."""
+"""Smallest scale of a control state in its tolerance, relative to its largest value."""
 BETWEEN_INSTANTS = 1e-9
-"""Accuracy of states between instants of a step, relative to the largest value in the step."""
+"""Error of states between instants of a time step, relative to the largest value in the step."""
 BETWEEN_EXACT = 1e-10
-"""Accuracy of states between instants of a step in closed form, as `BETWEEN_INSTANTS`."""
+"""As `BETWEEN_INSTANTS`, for a step in closed form."""
 EQUAL_SIDES = 1e-10
 """Largest relative difference of compared numbers that count as equal."""
 SOON = 1e2
-"""Least size of compared numbers, as a multiple of the change of their difference ahead.
+"""Smallest scale of compared numbers, relative to the change of their difference in a look-ahead.
 
-Times are rounded, so a difference that changes fast is uncertain.
+Times have rounding errors, so a difference that changes fast is uncertain.
 """
 MET = 1e-3
-"""Fraction of the look-ahead within which numbers that meet count as equal now."""
+"""Fraction of the look-ahead: numbers that become equal within it count as equal now."""
 SLIDING = 1e-3
-"""Largest distance from a jump, relative to the compared numbers, of a motion that slides on it."""
+"""Largest distance from a jump of a motion that slides on it, relative to the compared numbers."""
 NEAR_LIMIT = 1e-3
-"""Fraction of the look-ahead within which a state counts as at its limit."""
+"""Fraction of the look-ahead: a state that reaches its limit within it counts as at the limit."""
 EXACT_SIDES = 1e-13
-"""Largest relative difference of compared numbers that can be rounding and decides no side."""
+"""Largest relative difference of compared numbers that can be rounding error."""
 ROUNDED_INPUT = 1e-14
 """Rounding error of a quantity in a formula, relative to the largest value of its kind."""
 ROUNDED_SUM = 1e-15
@@ -85,96 +85,96 @@ ROUNDED_SUM = 1e-15
 PASSED_LIMIT = 1e-10
 """Largest violation of a torque limit that is ignored, relative to the largest torque."""
 FALLING_MARGIN = 1e-12
-"""Relative decrease of a margin during the look-ahead above which the margin counts as falling."""
+"""Decrease of a margin during the look-ahead above which it counts as falling, relative."""
 TIGHT_SLACK = 1e-6
-"""Largest distance from the smallest slack, relative to the largest slack, that counts as 0."""
+"""Largest difference from the smallest slack that counts as 0, relative to the largest slack."""
 REGULAR_CORNER = 1e-9
-"""Determinant below which torque limits are nearly parallel and have no common corner."""
+"""Determinant below which torque limits are nearly parallel, so that they do not intersect."""
 NO_SPLIT = 1e-12
-"""Residual of the least-squares problem below which no split lies within all limits."""
+"""Residual of the least-squares problem below which no split is within all limits."""
 WITHIN_LIMITS = 1e-6
 """Largest violation of limits that a split can have, relative to the largest slack.
 
-This is the accuracy of the least-squares solution.
+It is the accuracy of the least-squares solution.
 """
 SHARED_TORQUE = 1e-6
-"""Component of a torque in a redundant direction above which the torque is indeterminate."""
+"""Share of a torque in a redundant direction above which the torque is indeterminate."""
 SAME_VALUES = 1e-9
 """Largest relative difference of the values at a repeated instant that is not a jump."""
 MADE_CAPACITY = 1e-9
-"""Relative distance by which a control can be below 0, or above the capacity in the case."""
+"""Distance by which a control can be outside its range without a message, relative."""
 MISSING_MASS = 1e-3
 """Fraction of the mass of a vehicle that can be missing in the inertia of its link."""
 LEAST_PROBABILITY = 2.0**-53
-"""Smallest probability for a normal distribution, which is infinite at 0."""
+"""Smallest probability for quantiles of a normal distribution, which are infinite at 0."""
 
 SAME_TORQUE = 1e-13
-"""Largest relative difference between a torque and the torque at which its efficiency is read."""
+"""Largest relative difference between a torque and the torque that determined its efficiency."""
 LEAST_EFFICIENCY = 1e-6
-"""Smallest efficiency in the search for a torque that agrees with its efficiency."""
+"""Smallest efficiency in the search for torques that agree with their efficiencies."""
 
 # matrices
 INDEPENDENT_MOTION = 1e-9
-"""Ratio to the largest singular value above which a direction is independent."""
+"""Singular value above which a direction is independent, relative to the largest."""
 BEARING_MOTION = INDEPENDENT_MOTION * 1e-3
 """Threshold of independence for weighted torques, lowered by the range of the weights."""
 ROUNDED_MOTION = 1e-12
-"""Part of a motion below which a component is rounding."""
+"""Component of a motion below which it is rounding error."""
 MOVING_LINK = 1e-9
-"""Speed in a motion below which a link is at rest."""
+"""Speed of a link, in a normalised motion, below which the link is at rest."""
 DEPENDENT = 1e-12
-"""Ratio of singular values that counts as rounding, in least squares."""
+"""Singular value that counts as rounding error in least squares, relative to the largest."""
 LIGHT_MOTION = 1e-13
-"""Ratio to the largest inertia of a motion below which a motion has no inertia."""
+"""Inertia of a motion below which it counts as 0, relative to the largest."""
 RIGID_SQUARE = 1e-10
-"""Ratio to the largest squared frequency below which a motion is rigid."""
+"""Squared frequency below which a motion is rigid, relative to the largest."""
 LEAST_MASS = 1e-30
 """Substitute for a zero mass under a root. [kg*m^2]"""
 NOT_ZERO = 1e-300
 """Substitute for a zero divisor."""
 
-# curves over time
+# columns over time
 CHORD = 8e-4
-"""Largest distance of a curve from chords between stored instants, relative to its range.
+"""Largest distance of a column from straight lines between stored instants, relative to its range.
 
-People see a distance of 1e-3.
+A distance of 1e-3 is visible.
 """
 NO_RANGE = 1e-9
-"""Largest range of a column that counts as constant, relative to the largest of its kind."""
+"""Largest range of a column that counts as constant, relative to the largest value of its kind."""
 EQUAL_EXTREMES = 1e-7
 """Largest relative difference of extremes that count as equal: the accuracy of polynomials."""
 
-# slopes
+# difference quotients
 CHANGE_STEP, LONGEST_CHANGE_STEP = 1e-6, 1e-5
-"""Interval of differences along a motion, relative to the duration, and the largest interval in s.
+"""Interval of differences along a motion, relative to the duration, and its largest value in s.
 
-With these intervals, rounding leaves nine digits of a jerk.
+With these intervals, nine digits of a jerk are correct.
 """
 NO_CHANGE = 1e-14
-"""Ratio to the terms of a sum below which a change is rounding."""
+"""Change of a sum that counts as rounding error, relative to the terms of the sum."""
 DIFFERENCE_STEP = 1e-6
 """Step of difference quotients, relative to the largest speed."""
 NEWTON_STEP = 1e-13
 """Relative step below which Newton's method has converged."""
 LEAST_SENSE = 1e-6
-"""Least sensitivity of a torque to its rate, relative to the largest slope."""
+"""Smallest assumed derivative of a torque with respect to its rate, relative to the largest."""
 NO_SENSE = 1e-30
-"""Sensitivity of a torque to its rate where all slopes are 0. [N*m*s/rad]"""
+"""Assumed derivative of a torque with respect to its rate if all derivatives are 0. [N*m*s/rad]"""
 STRAIGHT_BALANCE = 1e-12
-"""Largest component of a nonlinear torque along a motion that counts as zero."""
+"""Largest component of a nonlinear torque along a motion that counts as 0."""
 
 # stretches in closed form
 SHORTEST_PART = 2.0**-14
-"""Smallest factor by which a part is shortened for nonlinear torques."""
+"""Smallest factor on the length of a part when nonlinear torques do not fit."""
 FITTING_TORQUE = 1e-12
-"""Accuracy of polynomials of torques, relative to the largest torque."""
+"""Error of polynomials of torques, relative to the largest torque."""
 
 # the published method
 PUBLISHED_RTOL = 1e-12
 """Smallest tolerance of the published method."""
 NO_COEFFICIENT = 1e-9
-"""Ratio to the largest coefficient of a motion below which a coefficient is 0."""
+"""Coefficient of a motion below which it is 0, relative to the largest."""
 
 # iterations
 LAST_BIT = 2e-16
-"""Relative step of the last iteration of a speed."""
+"""Relative step at which the iteration of a speed ends."""

@@ -1,13 +1,13 @@
 """Torsional vibration of a case: natural modes, reduction, simplification, response.
 
-`system` builds the `TorsionalSystem` of a gear from bodies, elastic devices and rigid devices, each
-with its row of the structural-distribution matrix. `vibration` calculates natural modes with and
-without damping, modes of many variants, and parameters from measured modes. `reduction` reduces a
-gear to a link, to a scheme of masses and springs, and to simpler schemes. `forced` has the response
-to periodic torques, `random` to random torques, and `clutch` the torques after a clutch dump.
-`answers` has the answers of commands, `pictures` draws modes, Campbell diagrams and responses,
-`report` has the section of a page, and `cli` the commands `vstatics torsion ...`. The annex needs
-the extra package scipy.
+`system` builds the `TorsionalSystem` of a gear from bodies, elastic components and rigid
+components, each with its row of the structural-distribution matrix. `vibration` calculates natural
+modes with and without damping, modes of many variants, and parameters from measured modes.
+`reduction` reduces a gear to a link, to a scheme of masses and springs, and to simpler schemes.
+`forced` calculates the response to periodic torques, `random` the response to random torques, and
+`clutch` the torques after a clutch dump. `answers` declares the JSON of commands, `pictures` draws
+modes, Campbell diagrams and responses, `report` writes the section of a report, and `cli` contains
+the commands `vstatics torsion ...`. The annex needs scipy, an optional dependency.
 
 >>> from vstatics import Spring, Transmission, torsion
 >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0, name="shaft")

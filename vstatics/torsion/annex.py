@@ -1,4 +1,4 @@
-"""Declaration of the annex on torsional vibration."""
+"""Declaration of the annex: its commands, keys, public names, documents and pictures."""
 
 from vstatics.core.annexes import Annex, Command, PictureKind, ReportPart, Schema
 

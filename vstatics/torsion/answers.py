@@ -1,4 +1,4 @@
-"""Answers of the commands of `vstatics torsion` about the gears of a case."""
+"""JSON documents of the commands `vstatics torsion ...` about the gears of a case."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class ModesAnswer(NamedTuple):
 
 @document("vstatics-reduction")
 class ReductionAnswer(NamedTuple):
-    """Inertias and compliances of gears, reduced to a link."""
+    """Inertias and compliances of all gears, reduced to a link."""
 
     case: str
     to: str
@@ -33,7 +33,7 @@ class ReductionAnswer(NamedTuple):
 
 @document("vstatics-response")
 class ResponseAnswer(NamedTuple):
-    """Forced vibration of gears under a torque on a link."""
+    """Forced vibration of all gears under a torque on a link."""
 
     case: str
     at: str
@@ -42,7 +42,7 @@ class ResponseAnswer(NamedTuple):
 
 @document("vstatics-random-vibration")
 class RandomAnswer(NamedTuple):
-    """Random vibration of gears under a torque or motion of a link."""
+    """Random vibration of all gears under a random torque on a link, or its random motion."""
 
     case: str
     at: str
@@ -63,7 +63,7 @@ class SimplificationAnswer(NamedTuple):
 
 @document("vstatics-identification")
 class IdentificationAnswer(NamedTuple):
-    """Compliances that follow from the measured frequency of a mode."""
+    """Compliances that agree with the measured frequency of a mode."""
 
     case: str
     gear: str
@@ -74,14 +74,14 @@ class IdentificationAnswer(NamedTuple):
     decrement: Sometimes[float] = None
     """Measured logarithmic decrement. [-]"""
     mean_line: Sometimes[Sequence[float]] = None
-    """Line about which a record oscillates, at its inner extremes, in the unit of the record."""
+    """Line about which a record oscillates: its values at the inner extremes, in their unit."""
     amplitudes: Sometimes[Sequence[float]] = None
-    """Distances of the inner extremes of a record from the mean line, in the unit of the record."""
+    """Distances of the inner extremes of a record from the mean line, in their unit."""
 
 
 @document("vstatics-damping")
 class DampingAnswer(NamedTuple):
-    """Dampings that follow from decrements, for a mode of a gear."""
+    """Dampings that agree with given decrements, for a mode of a gear."""
 
     case: str
     gear: str

@@ -1,7 +1,8 @@
 """Transmission in a vehicle: driving cycles, traction, duty cycles, life.
 
-`case` contains the vehicle, fatigue strengths and bearings of a case. `damage` calculates the life
+`case` declares the vehicle, fatigue strengths and bearings of a case. `damage` calculates the life
 of components under varying torque, `life` load spectra and the life of members and bearings over a
 duty cycle. `operation` drives the vehicle on the road and over duty cycles, which `duty` and
-`duty_file` read. `pictures` draws steps and traction, `cli` has the commands `cycle` and `damage`.
+`duty_file` read. `pictures` draws gear steps and traction, `cli` contains the commands `cycle` and
+`damage`.
 """

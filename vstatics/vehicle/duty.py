@@ -1,4 +1,4 @@
-"""Mean efficiency over a duty cycle: gears with shares of energy or of time."""
+"""Mean efficiency over a duty cycle that is given by shares of energy or time of the gears."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid, Values, grid_of, word
 
 Kind = Literal["energy", "time"]
-"""Quantity that the shares of a duty cycle refer to."""
+"""Quantity of which the gears of a duty cycle have shares."""
 
 
 class Duty(NamedTuple):
-    """Duty cycle: gears with shares of energy or of time."""
+    """Duty cycle given by shares of energy or time of the gears."""
 
     kind: Kind
     shares: Mapping[str, float]
-    """Shares by gear name; they can have any sum."""
+    """Gear name -> share; the sum of shares is arbitrary."""
 
 
 class Stage(NamedTuple):
@@ -30,13 +30,13 @@ class Stage(NamedTuple):
 
     gear: str
     energy: float
-    """Share of the input energy; the shares add up to 1. [-]"""
+    """Share of the input energy; the shares of all gears add up to 1. [-]"""
     efficiency: float
     """Efficiency; 0 if the gear is back-driven and delivers no power. [-]"""
 
 
 class Cycle(NamedTuple):
-    """Results of a duty cycle by gear."""
+    """Results of a duty cycle given by shares of the gears."""
 
     stages: Sequence[Stage]
     efficiency: float
@@ -53,7 +53,7 @@ class Cycle(NamedTuple):
         return ()
 
     def grids(self) -> Iterator[Grid]:
-        """Yield the table of a summary."""
+        """Yield the table of gears for a summary."""
         title = "Duty cycle: share of the input energy, efficiency"
         rows: list[Values] = [*self.stages, (word("in all"), 1.0, self.efficiency)]
         yield grid_of(title, ["gear", "energy", "efficiency"], rows, key="duty")
@@ -62,8 +62,8 @@ class Cycle(NamedTuple):
 def cycle(results: Results, duty: Duty) -> Cycle:
     """Calculate the mean efficiency ``sum(E ETA)/sum(E)`` over all gears.
 
-    E is the input energy and ETA the efficiency of a gear. Shares of energy are values of E.
-    Shares of time are multiplied by the input power of the gear, which requires an operating point.
+    E is the input energy and ETA the efficiency of a gear. Shares of energy are used as E. Shares
+    of time are multiplied by the input power of the gear, which requires an operating point.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
 
 
 def _efficiency(results: Results, gear: str) -> float:
-    """Return output power divided by input power, also if the output drives the losses."""
+    """Return the output power of a gear divided by its input power; 0 if no power leaves it."""
     number = results.case.gear_number(gear)
     if not results.dragged[number - 1]:
         return float(results.efficiency[number - 1])
@@ -110,7 +110,7 @@ def _efficiency(results: Results, gear: str) -> float:
 def _problems(
     shares: Mapping[str, float], efficiencies: Mapping[str, float], powers: Mapping[str, float]
 ) -> Iterator[Problem]:
-    """Yield the reasons why a mean efficiency does not exist, with paths in the duty cycle."""
+    """Yield errors if a mean efficiency does not exist, with paths in the duty cycle."""
     for gear in shares:
         if gear not in efficiencies:
             yield Problem("E416", "there is no such gear in the case", (gear,))

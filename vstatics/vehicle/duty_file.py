@@ -1,4 +1,4 @@
-"""Duty cycle files: shares by gear in YAML, or points in CSV."""
+"""Duty cycle files: shares of gears in YAML, or operating points in CSV."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ EXPECTED = "`energy` or `time` with a share for each gear"
 
 
 class DutyFile(NamedTuple):
-    """Duty cycle as shares of the gears, with positions in the file."""
+    """Duty cycle given by shares of gears, with positions in its file."""
 
     duty: Duty
     spots: Spots
 
     @property
     def load(self) -> None:
-        """None, as shares have no operating points."""
+        """Load for a case without `load`; None, because shares contain no operating point."""
 
     def of(self, results: Results) -> Cycle:
         """Calculate the duty cycle for a case.
@@ -73,15 +73,15 @@ _COLUMNS = (
 
 
 class DutyTable(NamedTuple):
-    """Duty cycle as operating points, with positions in the file."""
+    """Duty cycle given by operating points, with positions in its file."""
 
     table: UnitTable
     exponent: float
     classes: Classes | None = None
-    """Classes of torque of the load spectra."""
+    """Torque classes of the load spectra; None without load spectra."""
 
     load: Load | None = None
-    """First operating point with a power, for a case without `load`."""
+    """First operating point with power other than 0, as `load` of a case without it."""
 
     def of(self, results: Results) -> Spectrum:
         """Calculate the duty cycle for a case.
@@ -89,7 +89,7 @@ class DutyTable(NamedTuple):
         Raises
         ------
         ReadError
-            If a point cannot be calculated; problems have lines of the file.
+            If a point cannot be calculated; problems have lines in the file.
         """
         table = self.table
         is_cycle = "duration" in table.numbers
@@ -111,13 +111,13 @@ class DutyTable(NamedTuple):
 
 
 def _driven(case: Transmission) -> Transmission:
-    """Return the case without coasting, as the steps of a cycle have their signs."""
+    """Return a case without `coast`: steps of a driving cycle have torques with sign."""
     gears = [gear._replace(coast=None) for gear in case.gears]
     return replace(case, gears=gears, coast=None)
 
 
 def without_inertias(case: Transmission) -> Iterator[Message]:
-    """Yield a note about inertias behind the input, whose torques load no member."""
+    """Yield a note about inertias behind the input, whose inertia torques are ignored."""
     inputs = {case.gear_input(gear) for gear in case.gears}
     behind = [link for link, inertia in case.heavy.items() if inertia and link not in inputs]
     if behind and "N418" not in case.untold:
@@ -127,13 +127,13 @@ def without_inertias(case: Transmission) -> Iterator[Message]:
 
 
 def _row(problem: Problem) -> int:
-    """Return the row of a problem, or the first row for a problem of the whole table."""
+    """Return the row index of a problem; 0 for a problem of the whole table."""
     first = next(iter(problem.path), 0)
     return first if isinstance(first, int) else 0
 
 
 _STEP_COLUMNS = (TableColumn("duration", "time", may_be_bare=True), *_COLUMNS[2:])
-"""Columns of the steps of a driving cycle; others are skipped."""
+"""Columns that are read from the steps of a driving cycle."""
 _DURATION = re.compile(r"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
 _SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
 
@@ -141,22 +141,22 @@ _SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE
 def read_duty_table(
     data: bytes, file: str, exponent: float | None = None, classes: Classes | None = None
 ) -> DutyTable:
-    """Read a duty cycle as operating points: time or share, gear, speed and torque in columns.
+    """Read a duty cycle of operating points from columns time or share, gear, speed and torque.
 
-    In a table with `duration`, as `vstatics cycle` writes it, `time` is an instant; it is skipped,
-    as all other columns are.
+    In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant; then
+    `time` and all further columns are skipped.
 
     Parameters
     ----------
     exponent : float, optional
-        Exponent of the equivalent torque; 3 if omitted. [-]
+        Exponent of equivalent torques; 3 if omitted. [-]
     classes : int or sequence of float, optional
-        Number of classes of torque of the load spectra, or their upper bounds [N*m].
+        Number of torque classes of the load spectra, or upper bounds of the classes [N*m].
 
     Raises
     ------
     ReadError
-        If the file is in error, with every problem and its position.
+        If the file has errors, with every problem and its position.
     """
     lines = data.removeprefix(codecs.BOM_UTF8).split(b"\n")
     for number, line in enumerate(lines[:MOST_TITLE_LINES]):
@@ -180,7 +180,7 @@ def _first_load(table: UnitTable) -> Load | None:
 
 
 def _of_road(speed: re.Match[str]) -> str:
-    """Rename the speed of the vehicle, which is not the speed of the input."""
+    """Rename the column of road speed, so that it is not read as the input speed."""
     before, heading, unit = speed.groups()
     try:
         measured(f"1 {unit}", "si_speed")
@@ -190,7 +190,7 @@ def _of_road(speed: re.Match[str]) -> str:
 
 
 def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | None) -> DutyTable:
-    """Read the steps of a driving cycle."""
+    """Read the steps of a driving cycle as operating points."""
     what = "steps of a driving cycle: duration, gear, speed, torque"
     table = read_unit_table(data, file, what, _STEP_COLUMNS, "E121", skips=True)
     numbers = {**table.numbers, "time": table.numbers["duration"]}
@@ -200,12 +200,12 @@ def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | No
 
 
 def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
-    r"""Read the operating points of a duty cycle that turn: gear, speed [rad/s], torque [N*m].
+    r"""Read operating points with a speed other than 0: gear, speed [rad/s], torque [N*m].
 
     Raises
     ------
     ReadError
-        If the file is in error, with every problem and its position.
+        If the file has errors, with every problem and its position.
 
     Examples
     --------
@@ -218,7 +218,7 @@ def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:
-    """Read a duty cycle as shares of energy or of time for each gear.
+    """Read a duty cycle given by shares of energy or time of the gears.
 
     Parameters
     ----------
@@ -229,7 +229,7 @@ def read_duty(data: bytes, file: str) -> DutyFile:
     Raises
     ------
     ReadError
-        If the file is in error, with every problem and its position.
+        If the file has errors, with every problem and its position.
 
     Examples
     --------

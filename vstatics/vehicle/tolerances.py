@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 SAME_SPEED = 1e-12
-"""Relative excess over the last speed of the engine that counts as rounding noise. [-]"""
+"""Excess over the last engine speed that counts as rounding noise, relative to this speed. [-]"""
 SAME_ENGINE_TORQUE = 1e-9
-"""Largest difference of engine torques that count as equal. [N*m]"""
+"""Largest difference between engine torques that count as equal. [N*m]"""
 NO_DRAG = 1e-9
-"""Sum of torques on a link that counts as rounding noise, relative to the largest. [-]"""
+"""Sum of torques on a link that counts as rounding noise, relative to the largest torque. [-]"""
 SAME_TORQUE_CLASS = 1e-9
-"""Relative difference up to which a torque is at the bound of a class, or at a threshold. [-]"""
+"""Relative difference up to which a torque counts as equal to a class bound or a threshold. [-]"""
 SAME_POWER = 1e-9
 """Relative difference up to which the powers of two gears count as equal. [-]"""
 NO_CYCLE_ENERGY = 1e-13
-"""Energy of a cycle that counts as rounding noise, relative to the sum of magnitudes. [-]"""
+"""Energy of a cycle that counts as rounding noise, relative to the sum of all magnitudes. [-]"""
 NO_SPEED = 1e-12
-"""Relative speed of a link that counts as rounding noise. [-]"""
+"""Speed of a link that counts as rounding noise, relative to the largest speed. [-]"""
 LEAST_EXCESS = 1e-9
-"""Relative increase of an engine torque that rounding leaves just below the least one. [-]"""
+"""Relative increase of an engine torque that is below its least value by rounding. [-]"""
 AT_REST = 1e-10
-"""Speed relative to the largest, at which the losses at rest are calculated. [-]"""
+"""Engine speed for losses at rest, where they have no direction, relative to the last speed. [-]"""

@@ -2,6 +2,7 @@
 
 `documents` recognises scenarios among the files of all commands, reads them with their cases and
 checks them. `options` declares the options of the command, and `command` runs the scenario once and
-shows the motion. `samples` is for ``--samples``: many runs with drawn numbers, carried out like a
-sweep, and their statistics.
+shows the motion, while `watched` limits the time and prints progress. `samples` is for
+``--samples``: many runs with random numbers, carried out like a sweep, and their statistics.
+`scenario_run` runs a scenario for the pictures and reports of other commands.
 """

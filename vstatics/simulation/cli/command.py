@@ -28,9 +28,9 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
 
 MOST_INSTANTS = 1_000_000
-"""Most additional instants, the multiples of `--time-step`."""
+"""Largest number of instants that `--time-step` adds."""
 WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
-"""Output formats with the columns over time."""
+"""Output formats that contain columns over time."""
 
 
 @command
@@ -86,7 +86,9 @@ def simulate_command(asked: SimulateOptions) -> int:
     _check_format(asked, to.form)
     if to.form == "parquet":
         needs("parquet", "Parquet")
-    from vstatics.simulation.cli.documents import read_with_case  # needless for help
+    from vstatics.simulation.cli.documents import (
+        read_with_case,
+    )  # slow import, not needed for --help
 
     read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
     read = read.allowing(telling.allow)
@@ -121,7 +123,7 @@ def simulate_command(asked: SimulateOptions) -> int:
 
 
 def _check_method(asked: SimulateOptions) -> None:
-    """Refuse options that only the method `events` has, with another method."""
+    """Refuse options of the method `events` if another method is used."""
     events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
     used = [option for option, given in events.items() if given is not None]
     refuse(
@@ -153,7 +155,7 @@ def _check_step(step: float | None, duration: float) -> None:
 def show(
     scenario: str, to: Destination, read: ScenarioFile, motion: Motion, *, damage: bool
 ) -> None:
-    """Write a motion in the wanted format."""
+    """Write a motion in the format of the output."""
     from vstatics.core.tables.straight import in_both_units
     from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet

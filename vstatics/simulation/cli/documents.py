@@ -1,4 +1,4 @@
-"""Scenarios among the files of commands: read with their cases, checked, and swept."""
+"""Scenarios as files of commands: reading with their cases, checks, and sweeps."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def read_with_case(
 ) -> ScenarioFile:
     """Read a scenario with the case named in the scenario, or with a given case.
 
-    Texts replace the files of the same names.
+    `texts` replaces the contents of files, by name.
 
     Raises
     ------
@@ -94,7 +94,7 @@ def read_swept_document(
     case: str | None = None,
     case_format: readers.Format | None = None,
 ) -> tuple[VariedScenario, list[Problem]]:
-    """Read a scenario and a case, named or given, as the subject of a sweep."""
+    """Read a scenario, and the case that it names or `case`, as the subject of a sweep."""
     from vstatics.simulation.variants.subject import VariedScenario
     from vstatics.sweep.variants.subject import Document
 
@@ -109,11 +109,11 @@ def read_swept_document(
 
 
 TRIED, LONG = 1.0, 60.0
-"""Processor time of a trial run, and estimated time from which a run gets a note. [s]"""
+"""Processor time of a trial run, and estimated time above which a run gets a note. [s]"""
 
 
 def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
-    """Return the name, problems, failure and summary of a scenario."""
+    """Return the name of a scenario, its problems, whether they fail the check, and a summary."""
     try:
         read = read_with_case(*files.read_input(file), options.input_format)
         read = read.allowing(options.telling.allow)
@@ -141,7 +141,7 @@ def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem],
 
 
 def _tried(scenario: Scenario) -> list[Problem]:
-    """Return the reason why a run cannot start or takes long; nothing without scipy."""
+    """Return the problems of a trial run: it fails, or takes long. Without scipy, return none."""
     if extras.missing("simulation", "a simulation"):
         return []
     from vstatics.core.cli.shared.estimates import duration_text

@@ -24,7 +24,7 @@ class SampleOptions(NamedTuple):
     """Options of samples: number of runs, additional columns and worker processes."""
 
     samples: int | None = None
-    """Number of runs; a single run of the scenario as written if not given."""
+    """Number of runs; None for a single run of the scenario as written."""
     seed: int | None = None
     out: str | None = None
     sharing: Sharing = Sharing()
@@ -35,7 +35,7 @@ class SampleOptions(NamedTuple):
         Parameters
         ----------
         **of_one_run : bool
-            Options of a single run, and whether they are given.
+            Name of each option of a single run, and whether it is given.
 
         Raises
         ------
@@ -51,7 +51,7 @@ class SampleOptions(NamedTuple):
 
 
 class SimulateOptions(NamedTuple):
-    """Options of the command."""
+    """Options of `vstatics simulate`."""
 
     scenario: str
     case: str | None

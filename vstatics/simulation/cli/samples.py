@@ -1,4 +1,4 @@
-"""Command `vstatics simulate --samples`: many runs with drawn numbers, and their statistics."""
+"""Command `vstatics simulate --samples`: many runs with random numbers, and their statistics."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.tasks import calculate
 
 ROWS = ("csv", "jsonl", "npz", "parquet")
-"""Formats of a table of runs that can be read again for the statistics."""
+"""Output formats that can be read again to calculate the statistics."""
 
 
 def run_samples(asked: SimulateOptions) -> int:
-    """Run the variants, write them if an output is given, and show the statistics.
+    """Run the samples, write them if an output is given, and show their statistics.
 
     Raises
     ------
@@ -91,17 +91,17 @@ def run_samples(asked: SimulateOptions) -> int:
 
 
 Collected: TypeAlias = tuple[Mapping[str, Floats] | int, Sequence[Problem]]
-"""Columns of variants, or an exit status; and messages of the runs."""
+"""Results of all runs by column, or the exit status of a failure; then messages of the runs."""
 
 
 def _written(run: SweepRun) -> Collected:
-    """Run the variants into a file, and return the columns of the file."""
+    """Write the results of all runs to a file, and return its columns."""
     from vstatics.core.readers import sweep_tables
 
     status, messages = carry_out(run)
     if status:
         return status, messages
-    output = Path(str(run.output))  # without a bound: the command has just written it
+    output = Path(str(run.output))  # no limit of size: the command has just written it
     read = sweep_tables.read(output.read_bytes(), str(output))
     return {name: np.array(numbers) for name, numbers in read.columns.items()}, messages
 

@@ -1,4 +1,4 @@
-"""Run of a scenario that a command gets beside its cases, for pictures and pages."""
+"""Run of a scenario for commands that draw or report a case."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.parts import Scenario
 
 INSTANTS = 400
-"""Least number of instants of a run that is drawn."""
+"""Smallest number of instants of a drawn run."""
 
 
 def expect_damage(reading: Reading) -> None:
@@ -31,7 +31,7 @@ def expect_damage(reading: Reading) -> None:
     Raises
     ------
     UsageError
-        If the annex that calculates it is not installed.
+        If the annex that calculates damage is not installed.
     ReadError
         If the case has no fatigue strength.
     """
@@ -41,9 +41,9 @@ def expect_damage(reading: Reading) -> None:
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
-    """Return the run of a case that came with a scenario, with enough instants for pictures.
+    """Run the scenario of a case, with enough instants for pictures, and print its messages.
 
-    Messages of the run are printed.
+    Without a scenario, the result is None.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     ReadError
         If the run cannot start, with the places of the faults, or if a column is unknown.
     """
-    from vstatics.simulation.scenario.file import ScenarioFile  # needless for help
+    from vstatics.simulation.scenario.file import ScenarioFile  # slow import, not needed for --help
 
     read = outcome.scenario
     if not isinstance(read, ScenarioFile):
@@ -75,7 +75,7 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
 
 
 def run_columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]]:
-    """Return the additional columns that an option names."""
+    """Return the additional columns named by the text of an option."""
     if out is None:
         return ()
     from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
@@ -84,7 +84,7 @@ def run_columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]
 
 
 def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Results, Motion | None]:
-    """Return results under the name of the scenario, and the run as of `run_of`."""
+    """Return the results, renamed after the scenario, and its run as from `run_of`."""
     motion = run_of(outcome, out)
     if outcome.scenario is None or not outcome.scenario.name:
         return results, motion
@@ -92,7 +92,7 @@ def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Resu
 
 
 def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
-    """Yield the messages of a run and the reason of a stop, with places."""
+    """Yield the messages of a run and the reason of an early stop, with places in the file."""
     file = read.spots.place(())._replace(line=0, column=0, text="")
     for message in motion.messages:
         text = f"gear {message.gear}: {message.text}" if message.gear else message.text

@@ -14,7 +14,7 @@ from vstatics.simulation.bounds import wall_limit
 
 
 class RunWatch:
-    """Progress of a run, and the reason of a stop.
+    """Progress of a run, and the reason to stop it.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ class RunWatch:
         self._limit = wall_limit(math.inf if limit is None else limit)
 
     def __call__(self, at: float) -> str:
-        """Record the time reached, and return the reason to stop there."""
+        """Record the simulated time [s], and return the reason to stop, if any."""
         self.time = at
         if self.interrupted:
             self.why = "the run was stopped by Ctrl-C"
@@ -45,7 +45,7 @@ class RunWatch:
         return self.why
 
     def said(self) -> str:
-        """Return the progress with the estimated remaining time; empty once the run stops."""
+        """Return the progress line with the estimated remaining time; empty once the run stops."""
         if self.why:
             return ""
         progress = done_text(self.time / self.duration, time.monotonic() - self.began)

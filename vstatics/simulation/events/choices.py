@@ -1,4 +1,4 @@
-"""Candidate states of contacts, mechanisms and springs at an instant: fixed, or a choice."""
+"""States of contacts, mechanisms and springs at an instant: fixed, or open with options."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ from vstatics.simulation.tolerances import AHEAD, STANDING
 
 
 class ModeChoices:
-    """Builder of the fixed states and the open choices of a system at an instant.
+    """Builder of the states that are fixed at an instant, and of the choices where several fit.
 
     Parameters
     ----------
     system : MotionSystem
     loose : MotionStructure
-        Structure while nothing sticks.
+        Matrices of the motion while nothing sticks.
     """
 
     def __init__(self, system: MotionSystem, loose: MotionStructure) -> None:
@@ -43,22 +43,22 @@ class ModeChoices:
         rows = system.rows(contact.row for contact in system.contacts)
         touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
         self.touched = touched.max(axis=1, initial=0.0) > STANDING
-        """Contacts whose slip can jump, because it depends on a motion without inertia."""
+        """Flags of contacts whose slip can jump, because it depends on a motion without inertia."""
         motions = np.hstack([loose.free, loose.light])
         self.idle = [not (np.abs(mesh.slip @ motions) > STANDING).any() for mesh in system.meshes]
-        """Mechanisms whose links always rotate as a block: lossless, as in statics."""
+        """Flags of mechanisms whose links always rotate as a block, so that they have no losses."""
         self.carried = [
             bool((np.abs(mesh.slip @ loose.light) > STANDING).any()) for mesh in system.meshes
         ]
-        """Mechanisms whose speeds can jump, because they depend on a motion without inertia."""
+        """Flags of mechanisms whose slip can jump, as it depends on a motion without inertia."""
         self.leaping = [
             bool((np.abs(loose.light[load.link]) > STANDING).any()) for load in system.outside
         ]
-        """Outside torques on links whose speeds can jump."""
+        """Flags of outside torques on links whose speeds can jump."""
         self.within = AHEAD * system.scenario.span
-        """Length of the look-ahead. [s]"""
+        """Length of the look-ahead, the time after which margins are compared with now. [s]"""
         self.carrying: dict[int, bool] = {}
-        """Whether a shift element carries torque from now on, by index, as far as known."""
+        """Index of a shift element -> whether its feedback control lets it carry torque now."""
 
     def at(
         self,
@@ -95,7 +95,7 @@ class ModeChoices:
         return States(tuple(contacts), tuple(meshes), tuple(springs), tuple(pieces)), choices
 
     def _leaps(self, pieces: Sequence[int]) -> Iterator[Choice]:
-        """Yield choices among the pieces of a speed-dependent law if the speed can jump."""
+        """Yield choices among the linear pieces of a speed-dependent law if the speed can jump."""
         for index, (load, leaping) in enumerate(
             zip(self.system.outside, self.leaping, strict=True)
         ):
@@ -113,7 +113,7 @@ class ModeChoices:
         now = math.nextafter(at.time, math.inf)
         times = now, at.time + self.within
         capacity = programme_at(contact.programme, now, self.seen)
-        if capacity == 0:  # an oncoming shift element can begin at 0 here
+        if capacity == 0:  # a capacity can begin to rise from 0 now
             capacity = programme_at(contact.programme, times[1], self.seen)
         if contact.while_open is not None:
             programme = self.system.by_element[contact.while_open].programme
@@ -138,7 +138,7 @@ class ModeChoices:
     def _switch(
         self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool
     ) -> str:
-        """Return the side of a jump on which a motion is; at the jump, add a choice to stick."""
+        """Return the side of a torque jump on which the motion is; at the jump, add a choice."""
         switch = self.system.contacts[index].switch
         assert switch is not None  # noqa: S101 - it is asked of these alone
         over, curve, side, _ = switch.jump
@@ -149,7 +149,7 @@ class ModeChoices:
             apart = float(at.angles[self.layout.angles.index(switch.link)]) - place
             moves, near = abs(slides) > near, STANDING * max(1.0, abs(place))
             if moves and (met or abs(apart) <= near):
-                return sign(slides)  # the motion passes the jump
+                return sign(slides)  # the motion crosses the jump and does not stick
         if abs(apart) > near and not (met or (over == "speed" and self.touched[index])):
             return sign(apart)
         choices.append(("contacts", index, ("stick", side, "-" if side == "+" else "+")))
@@ -177,7 +177,7 @@ class ModeChoices:
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
         spring = self.system.springs[index]
-        if spring.can_part:  # such a spring has no torque limit
+        if spring.can_part:  # a spring with play has no torque limit
             choices.append(("springs", index, ("stick", "parted")))
             return "stick"
         limit = programme_at(spring.programme, math.nextafter(at.time, math.inf), self.seen)
@@ -189,7 +189,7 @@ class ModeChoices:
         torque = spring.curve.at(float(at.twists[index]))
         if spring.viscous:
             choices.append(("springs", index, ("stick", "+", "-")))
-        else:  # with a limit of nearly 0, both ends are reached
+        else:  # if the limit is nearly 0, both limits are reached
             reached = limit - STANDING * scales.torque
             slipping = [side for side in ("+", "-") if SIGNS[side] * torque >= reached]
             if slipping:
@@ -197,7 +197,7 @@ class ModeChoices:
         return "stick"
 
     def _piece(self, at: Instant, load: OutsideTorque, last: int | None) -> int:
-        """Return the index of the active piece of a law over speed or angle."""
+        """Return the index of the active linear piece of a law over speed or angle."""
         law = load.law
         if not isinstance(law, Points) or law.over == "time":
             return 0
@@ -211,7 +211,7 @@ class ModeChoices:
 def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int:
     pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
     if pump == 0 or max(abs(pump), abs(turbine)) <= STANDING:
-        # Without input speed there is no speed ratio; the search tries piece by piece.
+        # Without input speed there is no speed ratio, so the search tries all pieces.
         return len(converter.points) if last is None else last
     return _piece_at(turbine / pump, [ratio for ratio, _, _ in converter.points], last, STANDING)
 
@@ -226,7 +226,7 @@ def _spring_piece(twist: float, spring: Elastic, last: int | None) -> int:
 
 
 def _piece_at(value: float, corners: Sequence[float], last: int | None, near: float) -> int:
-    """Return the index of the piece that is active at a value; at a corner `last` is preferred."""
+    """Return the index of the linear piece at a value; at a corner, prefer the piece `last`."""
     if last is not None:
         ends = (-math.inf, *corners, math.inf)
         if ends[last] - near <= value <= ends[last + 1] + near:

@@ -1,4 +1,4 @@
-"""Matrix exponential at many times, of a matrix whose lower rows are chains of derivatives."""
+"""Matrix exponential at many times; the lower rows of the matrix are chains of derivatives."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _NONE = np.zeros(0)
 _TERMS = 22
 """Number of terms of the exponential series, which also limits the length of chains."""
 _COLUMNS = 256
-"""Number of states moved at once, which limits the memory."""
+"""Number of state vectors multiplied at once, which limits the memory."""
 
 
 class Exponential:
@@ -22,12 +22,12 @@ class Exponential:
     Parameters
     ----------
     matrix : ndarray
-        A.
+        Matrix A.
     nodes : ndarray, optional
-        Values of s at which the exponential is needed repeatedly.
+        Values of s at which `nodes` keeps the exponential for repeated use.
     rows : int, optional
-        Number of the first rows, which alone are needed at the nodes. Below them, A is 0 except for
-        some numbers next to its diagonal, as in chains of derivatives. This saves most of the work.
+        Number of leading rows that are calculated. The rows below must be 0 except for numbers
+        right above the diagonal, as in chains of derivatives. This saves most of the work.
 
     Examples
     --------
@@ -43,7 +43,7 @@ class Exponential:
         self.dense = len(matrix) if rows is None else rows
         orders = np.arange(len(matrix)) - np.arange(self.dense, len(matrix))[:, None]
         self.doubling = 2.0 ** np.clip(orders, 0, _TERMS)
-        """Factors by which the entries of the lower rows grow when the time doubles."""
+        """Factors by which the entries of the lower rows grow when s doubles."""
         unit = np.eye(len(matrix))
         self.series = np.array([*_terms(unit[: self.dense], self.step, self.dense, _TERMS)])
         chains = self.step[self.dense :, self.dense :]
@@ -53,11 +53,11 @@ class Exponential:
         lower = np.hstack([unit[self.dense :, : self.dense], chained])
         # Small terms come first, because rounding would lose them after large terms.
         self.halved = [np.vstack([self.series[::-1].sum(axis=0), lower])]
-        """Exponentials for times 1, 1/2, 1/4, ... down to the time of the series."""
+        """Exponentials for s = 1, 1/2, 1/4, ..., down to the step of the series."""
         for _ in range(self.halvings):
             self.halved.insert(0, self._squared(self.halved[0]))
         self.doubled = [self.halved[0]]
-        """Exponentials for times 1, 2, 4, ..."""
+        """Exponentials for s = 1, 2, 4, ..."""
         self.nodes = self.at(nodes)
         """First rows of the exponential at the nodes, shape (nodes, rows, size)."""
 
@@ -66,7 +66,7 @@ class Exponential:
         return np.vstack([first, exponential[self.dense :] * self.doubling])
 
     def at(self, parts: Floats) -> Floats:
-        """Return the first rows of ``exp(A s)`` for each s of `parts`: (parts, rows, size)."""
+        """Return the first rows of ``exp(A s)`` for all s in `parts`, shape (parts, rows, size)."""
         steps, powers = self._split(parts)
         exponentials = np.tensordot(powers.T, self.series, 1)
         for halved, far in steps:
@@ -76,7 +76,7 @@ class Exponential:
     def at_nodes(self, starts: Floats) -> Floats:
         """Return the first rows of ``exp(A s) x`` at the nodes, for each column x of `starts`.
 
-        The shape is (rows, columns * nodes).
+        The result has the shape (rows, columns * nodes).
         """
         nodes, rows, size = self.nodes.shape
         columns = starts.shape[1]
@@ -85,7 +85,7 @@ class Exponential:
         return np.ascontiguousarray(inner).reshape(rows, columns * nodes)
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
-        """Return the first rows of ``exp(A s) x`` for each column x of `states` and its s."""
+        """Return the first rows of ``exp(A s) x`` for each x in `states` with its s in `parts`."""
         steps, powers = self._split(parts)
         result = states.copy()
         for halved, far in steps:
@@ -100,10 +100,10 @@ class Exponential:
         )
 
     def _split(self, parts: Floats) -> tuple[list[tuple[Floats, Integers]], Floats]:
-        """Split each s of `parts` into some of the terms 1, 1/2, 1/4, ... and a remainder.
+        """Split each s in `parts` into terms 1, 1/2, 1/4, ... (binary digits) and a remainder.
 
-        Returns the exponential of each term with the indices of the s that contain the term, then
-        the powers of the remainders in units of the last term, shape (terms, parts).
+        Returns the exponential of each term with the indices in `parts` that contain the term, then
+        the powers of the remainders in units of the last term, shape (powers, parts).
         """
         numbers = parts * 2.0**self.halvings
         whole = numbers.astype(int)
@@ -117,7 +117,7 @@ class Exponential:
         return steps, powers
 
     def repeated(self, first: Floats, count: int) -> Floats:
-        """Return the states at the start of each of `count` equal parts, shape (size, parts)."""
+        """Return the states at s = 0, 1, 2, ..., `count` - 1, shape (size, count)."""
         states, level = first[:, None], 0
         while states.shape[1] < count:
             if level == len(self.doubled):
@@ -130,7 +130,7 @@ class Exponential:
 def _terms(first: Floats, matrix: Floats, dense: int, last: int) -> Iterator[Floats]:
     """Yield the terms of the exponential series up to a number, beginning with `first`.
 
-    Below its first `dense` rows, the matrix is 0 except for numbers next to its diagonal.
+    Below its first `dense` rows, the matrix is 0 except for numbers right above its diagonal.
     """
     chains = np.diag(matrix, 1)[dense:]
     yield first

@@ -1,8 +1,9 @@
-"""Speeds after an impact, when contacts close and links join at once.
+"""Speeds after an impact, when contacts close at a slip and join links at once.
 
 Mechanisms, closed dog clutches and locked freewheels take impulses, friction does not. With mass
-matrix M, constraint rows C' and impulses p: ``M (w+ - w) = -C p`` and ``C' w+ = 0``, so half of ``p
-C' w`` is lost. A freewheel takes an impulse in one direction only.
+matrix M, constraint rows C', impulses p, and speeds w before and w+ after: ``M (w+ - w) = -C p``
+and ``C' w+ = 0``, so half of ``p' C' w`` is lost. A freewheel takes an impulse in one direction
+only.
 """
 
 from __future__ import annotations
@@ -22,20 +23,20 @@ from vstatics.simulation.tolerances import LIGHT_MOTION, STANDING
 
 
 class Impact(NamedTuple):
-    """Speeds and energies of an impact."""
+    """Speeds after an impact, and its energies."""
 
     speeds: Floats
-    """Speeds of all links. [rad/s]"""
+    """Speeds of all links after the impact. [rad/s]"""
     energies: tuple[float, ...]
     """Energy lost in each joining contact. [J]"""
     work: float
-    """Work of the impulses on links with given speeds. [J]"""
+    """Work that keeps the links with given speeds at their speeds. [J]"""
 
 
 def impact(
     system: MotionSystem, at: Instant, rigid: Sequence[int], joining: Sequence[int]
 ) -> Impact:
-    """Calculate the impact of joining contacts; given speeds do not change.
+    """Calculate the impact of closing contacts; given speeds do not change.
 
     Parameters
     ----------
@@ -43,9 +44,9 @@ def impact(
     at : Instant
         Instant before the impact.
     rigid : sequence of int
-        Indices of all contacts that hold, including those that join.
+        Indices of all contacts that stick rigidly, including the closing contacts.
     joining : sequence of int
-        Indices of the contacts that join.
+        Indices of the closing contacts.
     """
     speeds = at.speeds
     wheels = [index for index, contact in enumerate(system.contacts) if contact.one_way]
@@ -71,7 +72,7 @@ def impact(
             break
     assert best is not None  # noqa: S101 - there is one choice at least
     after, impulses, work = best
-    # The share of a joining contact in the lost energy is half its impulse times its slip before.
+    # A closing contact loses half of its impulse times its slip before the impact.
     energy = kinetic_energy(system, speeds) - kinetic_energy(system, after) + work
     shares = [
         0.5 * float(impulses[len(system.meshes) + place] * (system.contacts[index].row @ speeds))

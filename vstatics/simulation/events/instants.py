@@ -1,4 +1,4 @@
-"""State of the motion at an instant, and times at which an input bends or jumps."""
+"""State of the motion at an instant, and the times at which an input bends or jumps."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
 _MOST_JUMPS = 8
-"""Largest number of steps to balanced twists if an efficiency depends on the torque."""
+"""Largest number of iterations to balanced twists if an efficiency depends on the torque."""
 
 
 class Instant(NamedTuple):
-    """State of the whole motion at an instant, in physical quantities."""
+    """State of the motion at an instant, in physical quantities."""
 
     time: float
     """The instant. [s]"""
@@ -35,23 +35,23 @@ class Instant(NamedTuple):
     values: Floats
     """Values of control states, then temperatures of shift elements."""
     accounts: Floats
-    """Works and losses since the start. [J]"""
+    """Works and losses of all ports, springs and mechanisms since the start. [J]"""
     carried: Sequence[float] = ()
-    """Torques on first links whose efficiency depends on them; empty at the start. [N*m]"""
+    """Torques on first links of mechanisms with varying efficiency; empty at the start. [N*m]"""
 
 
 class Jump(NamedTuple):
-    """Sudden change of twists along motions without inertia."""
+    """Sudden change of spring twists, possible at links without inertia."""
 
     link: str
     energy: float
-    """Energy lost. [J]"""
+    """Energy lost in the change. [J]"""
 
 
 def consistent(
     equations: Equations, state: Floats, scales: LargeSizes
 ) -> tuple[Floats, Jump | None]:
-    """Return the state with twists that balance the torques on links without inertia."""
+    """Return the state vector with twists that balance the torques on links without inertia."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
     balanced, given = state.copy(), np.zeros(equations.layout.ports)
@@ -81,13 +81,13 @@ def consistent(
 
 
 def motions_of(system: MotionSystem, structure: MotionStructure, at: Instant) -> Floats:
-    """Return the motions with inertia at an instant, with exact speeds of drivers."""
+    """Return the coordinates of the motions with inertia, with exact speeds of sliding contacts."""
     driven = [sliding_speed(system, index, at) for index in structure.drivers]
     return structure.motions(at.speeds, np.array(driven))
 
 
 def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
-    """Return the speed at which a contact of a variator or a jump sticks, other than 0 [rad/s]."""
+    """Return the speed other than 0 at which a contact of a variator or jump sticks [rad/s]."""
     now = math.nextafter(at.time, math.inf)
     for variator in system.variators:
         if variator.contact == contact:
@@ -111,7 +111,7 @@ def state_of(equations: Equations, at: Instant) -> Floats:
 
 
 def _yield(equations: Equations, time: float, state: Floats) -> None:
-    """Limit the twists of slipping springs without dampers; the released energy is heat."""
+    """Limit the twists of slipping springs without dampers, and add the released energy to heat."""
     if not equations.limited.any():
         return
     twists, heat = state[equations.twists], state[equations.slipped]
@@ -141,7 +141,7 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
 def start_instant(
     system: MotionSystem, speeds: Floats, twists: Floats, angles: Floats | None = None
 ) -> Instant:
-    """Return the instant t = 0 with empty energy accounts; missing angles are 0."""
+    """Return the instant t = 0 with works and losses of 0; missing angles are 0."""
     layout, elements = system.layout, system.case.shift_elements
     accounts = np.zeros(layout.ports + 2 * len(system.springs) + len(system.meshes))
     stores = [elements[index].heat_store for index in layout.hot]
@@ -154,7 +154,7 @@ def start_instant(
 
 
 def seen_at(system: MotionSystem, at: Instant) -> list[float]:
-    """Return all quantities visible to formulas at an instant, except functions of torques."""
+    """Return all quantities that formulas can read at an instant, except functions of torques."""
     rates = system.port_rows @ at.speeds
     return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
 
@@ -177,7 +177,7 @@ def break_times(system: MotionSystem, until: float) -> list[float]:
 
 
 def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
-    """Return large speeds and torques at the start, as scales for rounding."""
+    """Return the largest speed and torque at an instant, at least 1, as scales of rounding."""
     times = [at.time, *break_times(system, system.scenario.duration)]
     seen = seen_at(system, at)
     torques = [

@@ -1,4 +1,4 @@
-"""Time at which a margin ends within a time step."""
+"""Search for the time at which a margin becomes negative within a time step."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 """Matrix from values at nine Chebyshev nodes of an interval to coefficients, highest power first.
 """
 _LOW = 0.1
-"""Fraction of the fall of a margin beside a minimum between two instants.
+"""Height of a minimum between two instants, relative to the fall of the margin towards it.
 
-A minimum below this fraction of the fall is examined closely, since it could be negative.
+Lower minima are examined closely, since they could be negative.
 """
 _PLACES = 65
-"""Number of points at which a polynomial is evaluated in a gap between two instants."""
+"""Number of points at which a polynomial is evaluated between two instants."""
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
-"""Parts of an interval at which a margin that begins at 0 is examined."""
+"""Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
 
 @lru_cache(maxsize=8)
@@ -45,7 +45,7 @@ def _in_gaps(nodes: tuple[float, ...]) -> Floats:
 
 
 def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
-    """Return the place of the minimum of an interpolating polynomial in a gap.
+    """Return the place of the minimum of an interpolating polynomial between two nodes.
 
     >>> round(_lowest((0.0, 0.3, 0.6, 1.0), (np.array([0.0, 0.3, 0.6, 1.0]) - 0.41)**2, 1), 9)
     0.41
@@ -60,7 +60,7 @@ def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
 
 
 class MarginEnd(NamedTuple):
-    """Time, state and watches of the first margins that end."""
+    """Time and state at which the first margins become negative, with their identities."""
 
     time: float
     state: Floats
@@ -68,12 +68,12 @@ class MarginEnd(NamedTuple):
 
 
 class Finder:
-    """Finder of the events of a smooth piece of motion.
+    """Finder of events while the same equations of motion hold.
 
     Parameters
     ----------
     margins : Margins
-        Margins of this piece.
+        Margins of the equations.
     scales : LargeSizes
     """
 
@@ -83,7 +83,7 @@ class Finder:
         self.following = np.array(
             [watch.kind in FOLLOWING for watch in margins.watches], dtype=bool
         )
-        """Margins that can end and rise again before an earlier margin ends."""
+        """Flags of margins that can become negative and rise again between two instants."""
         system = self.equations.system
         self.by_formula = [
             (contact.name, contact.programme.given)
@@ -124,11 +124,11 @@ class Finder:
     def _dip(
         self, step: TimeStep, margins: Floats, last: int
     ) -> tuple[int, tuple[float, Floats]] | None:
-        """Find the first negative margin between two instants, up to instant number `last`.
+        """Find the first negative minimum of a margin between two instants, up to number `last`.
 
         Interpolating polynomials through the instants of each part show the candidates. Returns the
-        number of the next instant, with time and margins of the minimum. The first column of
-        `margins` belongs to the start of the step.
+        index of the next instant in `step.times`, with time and margins of the minimum. The first
+        column of `margins` belongs to the start of the step.
         """
         count = len(step.nodes)
         nodes = (0.0, *step.nodes.tolist())
@@ -203,9 +203,9 @@ class Finder:
     def _after_rise(self, step: TimeStep, index: int, first: float, last: float) -> float:
         """Return the next zero of a margin that is also 0 at the start of an interval.
 
-        A margin that never rises ends at the start if a choice depends on it. Otherwise it ends
-        where it is below 0 by more than rounding. The latter holds for margins of splits, too: they
-        are 0 while a clutch without capacity sticks in a loop of others.
+        A margin that never rises ends at the start if a state depends on it. Otherwise it ends
+        where it is below 0 by more than rounding. So do margins of kind `split`: they are 0 while a
+        clutch without capacity sticks in a loop of other clutches.
         """
         times = first + (last - first) * _NEAR
         margins = self.margins.along(times, step.between(times))[index]
@@ -236,13 +236,13 @@ class Finder:
 
         times = first + (last - first) * _NODES
         values = self.margins.along(times, step.between(times))[index]
-        if values[0] <= 0:  # the dense output rounds differently from the instants
+        if values[0] <= 0:  # dense output and states at the instants have different rounding errors
             return self._after_rise(step, index, first, last)
         if values[-1] >= 0:
             return last
         kind = self.margins.watches[index].kind
-        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # a formula can jump
-        if not jumps and kind not in ("split", *FOLLOWING):  # smooth: a polynomial
+        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # formulas can jump
+        if not jumps and kind not in ("split", *FOLLOWING):  # smooth, so a polynomial fits
             powers: list[float] = (_TO_POWERS @ values).tolist()
 
             def near(part: float) -> float:
@@ -263,7 +263,7 @@ class Finder:
     def _refined(
         self, step: TimeStep, time: float, state: Floats, index: int
     ) -> tuple[float, Floats]:
-        """Refine the time of a zero with states as accurate as at the end of a step."""
+        """Refine the time of a zero, with states as accurate as at the end of a step."""
         length = step.end - step.start
         near = AHEAD * length
         for _ in range(2):

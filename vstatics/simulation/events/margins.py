@@ -1,4 +1,4 @@
-"""Margins of all states: the distance from each change of state, negative after it is due."""
+"""Margins: distances from changes of state; a margin is negative once its change is due."""
 
 from __future__ import annotations
 
@@ -45,64 +45,68 @@ Watched = Literal[
 """Kinds of margins.
 
 A slip can end. A sticking contact can slip, alone (`hold`) or together with others (`split`). A
-moving mesh can come to rest (`mesh`), its power flow can reverse (`flow`), and a mesh at rest can
-begin to move (`cone`). A spring can reach its torque limit or grip again. A law over a speed or
-angle has corners (`piece`). A state of the control can reach or leave its limit. The condition of a
-step can become true (`awaited`), and a formula can bend (`corner`).
+moving mechanism can come to rest (`mesh`), its power flow can reverse (`flow`), and a mechanism at
+rest can begin to move (`cone`). A spring can reach its torque limit or grip again. A law over a
+speed or angle has corners (`piece`). A control state can reach or leave its limit (`state`). The
+condition of a sequence step can become true (`awaited`), and a formula can bend or jump (`corner`).
 """
 
 
 FOLLOWING = ("state", "awaited", "corner")
-"""Kinds that follow from sticking and slipping without influence on the choice of states."""
+"""Kinds of margins without influence on the choice between sticking and slipping."""
 
 
 class Watch(NamedTuple):
-    """Identity of a margin: its kind, the part that it belongs to, and a side."""
+    """Identity of a margin: its kind, the index of a part, and a side."""
 
     kind: Watched
     of: int
-    """Index of the contact, mesh, spring, law or other part that the margin belongs to."""
+    """Index of the contact, mechanism, spring, law or other part to which the margin belongs."""
     side: int = 1
-    """Side of the change: sign of the torque, or of the step between pieces."""
+    """Sign of the torque at the limit, or of the step to the next piece of a law."""
 
 
 class LargeSizes(NamedTuple):
-    """Scales of large speeds and torques in a run."""
+    """Speed and torque that count as large in a run, as scales of rounding errors."""
 
     speed: float
-    """Speed that counts as large. [rad/s]"""
+    """Large speed. [rad/s]"""
     torque: float
-    """Torque that counts as large. [N*m]"""
+    """Large torque. [N*m]"""
 
 
 class SplitRoom(NamedTuple):
-    """Room that torque limits leave to redundant torques; a slack is the distance to a limit."""
+    """Distances of redundant torques to torque limits.
+
+    Redundant torques can be split between sticking contacts and mechanisms in many ways. A slack is
+    the distance of a torque to its limit.
+    """
 
     slack: Floats
     directions: Floats
-    """Changes of the slacks along the redundant directions."""
+    """Changes of the slacks along redundant torques, shape (slacks, directions)."""
     ways: Floats
-    """Sign of each slack; -1 where a mesh has the opposite torque sign of the least-norm split."""
+    """Sign of each slack: -1 if the torque of a mechanism is opposite to the least-norm split."""
     widest: Floats
-    """Slacks of the split that leaves most room."""
+    """Slacks of the split whose smallest slack is largest."""
 
     def is_of(self, slack: Floats, directions: Floats) -> bool:
-        """Return whether the room was calculated from the given slacks and directions."""
+        """Return whether this result was calculated from given slacks and directions."""
         given = self.slack * self.ways, self.directions * self.ways[:, None]
         return np.array_equal(given[0], slack) and np.array_equal(given[1], directions)
 
     @property
     def room(self) -> float:
-        """Smallest slack of the split that leaves most room [N*m]."""
+        """Smallest slack of `widest`, negative if no split is within all limits [N*m]."""
         return float(self.widest.min())
 
     @property
     def tight(self) -> Booleans:
-        """True for the smallest slacks in the split that leaves most room."""
+        """Flags of the smallest slacks in `widest`."""
         return self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
 
     def on_other_side(self, rows: slice) -> SplitRoom:
-        """Return the room if a mesh, with slacks in `rows`, has the opposite torque sign."""
+        """Return the room for the opposite torque of a mechanism, whose slacks are in `rows`."""
         slack, directions, ways = (array.copy() for array in self[:3])
         for array in (slack, directions, ways):
             array[rows] *= -1
@@ -110,17 +114,17 @@ class SplitRoom(NamedTuple):
 
 
 class Awaited(NamedTuple):
-    """Side of a comparison in the condition of a sequence step, or at a corner of a formula."""
+    """Sign of the difference of two numbers, in a step condition or at a formula corner."""
 
     compared: Compared
     side: str
-    """Sign of the difference from now on: `+`, `-`, `0` if it stays 0, `?` if it is not finite."""
+    """Sign of the difference from now on: `+`, `-`, `0` if it stays 0, `?` if not a number."""
     size: float
-    """Size of the compared numbers when the watch begins."""
+    """Scale of the compared numbers, relative to which a difference can be rounding."""
     is_equal: bool
-    """Whether both numbers are equal when the watch begins, even if their difference changes."""
+    """True if both numbers are equal now, even if their difference changes from now on."""
     change: float
-    """Change of the difference during the look-ahead."""
+    """Magnitude of the change of the difference during the look-ahead."""
 
 
 class Margins:
@@ -147,35 +151,35 @@ class Margins:
             for place, (mesh, *_) in enumerate(self.cones)
             if largest(structure.redundant[mesh]) > SHARED_TORQUE
         ]
-        """Slacks of each mesh whose torque is indeterminate, so that its sign is open."""
+        """Slacks of each mechanism whose torque is indeterminate, so that its sign is open."""
         self.last_room: SplitRoom | None = None
-        """Latest room; the search for slacks at their limit uses it again."""
+        """Latest result of `_roomiest`, which is often needed again."""
         self.straight_limits = self._straight_limits()
         self.sees = any(device.programme.look is not None for device in system.may_slip)
-        """Whether a torque limit is controlled by a formula of the motion."""
+        """True if a torque limit is a formula that reads the motion."""
         self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
         self.slip_signs = np.array([sign for _, sign in self.slipping])
         contacts = [system.contacts[port - layout.contacts] for port, _ in self.slipping]
         self.switches = [
             (row, contact.switch) for row, contact in enumerate(contacts) if contact.switch
         ]
-        """Rows of slips measured from a jump, with their jumps."""
+        """Rows, among the slips, of contacts at a jump, with the data of the jump."""
         self.jumping = [row for row, holding in enumerate(self.holding) if holding[0].switch][::2]
-        """First of the two limits of each contact at a jump."""
+        """Row of the first of the two limits of each contact at a jump."""
         self.by_torques = self._limits_by_torques() if self.jumping else None
         self.deciding = len(self.watches)
-        """Number of the margins that decide whether a choice holds; these come first."""
+        """Number of leading margins that decide between sticking and slipping."""
         self._states()
         self.sequences: list[Awaited] = []
 
     def follow(self, kind: Watched, compared: Iterable[tuple[int, Awaited]]) -> None:
-        """Watch comparisons, each with the number of its sequence or of its corner."""
+        """Add margins of comparisons, each with the index of its sequence or corner."""
         for number, comparison in compared:
             self._watch(kind, number, torque=False)
             self.sequences.append(comparison)
 
     def _states(self) -> None:
-        """Watch both limits of free states, and the departure of states from a limit."""
+        """Add margins of control states: both limits if free, the departure if held at a limit."""
         self.limits_of_states: list[tuple[int, int, float]] = []
         held = self.equations.changes.held.tolist()
         for index, state in enumerate(self.equations.system.scenario.states):
@@ -192,7 +196,7 @@ class Margins:
         equations = self.equations
         self.slipping: list[tuple[int, float]] = []
         self.holding: list[tuple[Contact, int, int]] = []
-        """Limits of sticking contacts: contact, row of its multiplier, 1 upper or -1 lower."""
+        """Limits of sticking contacts: contact, row of its torque, 1 for upper or -1 for lower."""
         contacts = [
             *enumerate(zip(equations.system.contacts, equations.states.contacts, strict=True))
         ]
@@ -241,10 +245,10 @@ class Margins:
                 self.gripping.append((index, SIGNS[state]))
                 self._watch("grip", index, torque=spring.viscous > 0)
         self.touching: list[tuple[int, float]] = []
-        """Springs with play outside their play: index, and sign of the torque of the margin.
+        """Springs that are twisted beyond their play: index, and sign of the torque in the margin.
 
-        The sign is the sign of the elastic torque while spring and damper are in contact, and the
-        opposite sign while they are parted.
+        The sign is that of the elastic torque while the spring is in contact, and the opposite sign
+        while it is parted.
         """
         for index, (spring, state) in springs:
             side = spring.side(self._piece(index)) if spring.can_part else 0.0
@@ -256,10 +260,10 @@ class Margins:
         return self.equations.states.pieces[self.equations.layout.curves + spring]
 
     def _pieces(self) -> None:
-        """Watch the corners of laws over speed, angle or twist, and of converters."""
+        """Add margins of the corners of laws over speed, angle or twist, and of converters."""
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Row, true if it is a row of the state and not of the rates, corner, and side."""
+        """Corners: row, true if of the state and not of the port speeds, value, and side."""
         for index, load in enumerate(equations.system.outside):
             law = load.law
             if not isinstance(law, Points) or law.over == "time":
@@ -278,14 +282,14 @@ class Margins:
             for corner, side in self._ends(at, spring.curve.corners, torque=True):
                 self.corners.append((row, True, corner, side * spring.stiffness))
         self.ratios: list[tuple[int, float, float]] = []
-        """Corners of converters: index of the converter, speed ratio at the corner, side."""
+        """Corners of converters: index of the converter, speed ratio at the corner, and side."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):
                 self.ratios.append((place, corner, side))
 
     def _frictions(self) -> None:
-        """Watch the corners of the friction of slipping contacts."""
+        """Add margins of the corners of the friction coefficient of slipping contacts."""
         equations = self.equations
         contacts = zip(equations.system.contacts, equations.states.contacts, strict=True)
         for index, (contact, state) in enumerate(contacts):
@@ -298,7 +302,7 @@ class Margins:
     def _ends(
         self, index: int, corners: Sequence[float], *, torque: bool = False
     ) -> Iterator[tuple[float, float]]:
-        """Watch the ends of the active piece of a law, and yield each corner with a side."""
+        """Add margins of the ends of the active piece of a law, and yield each corner and side."""
         piece = self.equations.states.pieces[index]
         for place, step in ((piece - 1, -1), (piece, 1)):
             if 0 <= place < len(corners):
@@ -306,7 +310,7 @@ class Margins:
                 yield corners[place], float(-step)
 
     def _positive_directions(self) -> Floats:
-        """Return the changes of the slacks along redundant directions at positive mesh torques."""
+        """Return the changes of the slacks along redundant directions, for positive torques."""
         redundant = self.equations.structure.redundant
         rows = [-side * redundant[row] for _, row, side in self.holding]
         for mesh, friction, mechanism in self.cones:
@@ -316,7 +320,7 @@ class Margins:
         return np.array(rows).reshape(len(rows), redundant.shape[1])
 
     def _straight_limits(self) -> Floats | None:
-        """Return limits of sticking contacts as ``c0 + c1 t``, or None if not linear."""
+        """Return the torque limits of sticking contacts as (c0, c1) of ``c0 + c1 t``, or None."""
         time = self.equations.time
         lines = []
         for contact, _, side in self.holding:
@@ -332,7 +336,7 @@ class Margins:
         return np.array(lines).reshape(len(lines), 2)
 
     def _limits_by_torques(self) -> Floats:
-        """Return the weights of the torques of ports in the limits of contacts at jumps.
+        """Return the weights of port torques in the limits of contacts that represent jumps.
 
         While such a contact sticks, the torques of both sides of the jump act, and the contact
         carries the excess of their sum.
@@ -355,7 +359,7 @@ class Margins:
         return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
-        """Return the scale of each margin, relative to which a violation can be rounding."""
+        """Return the scale of each margin: a violation that is tiny relative to it is rounding."""
         units = np.where(self.is_torque, scales.torque, scales.speed)
         at = self.deciding
         for _, _, limit in self.limits_of_states:
@@ -367,7 +371,7 @@ class Margins:
         return units
 
     def at(self, time: float, state: Floats) -> Floats:
-        """Return all margins at a time."""
+        """Return all margins in a state at a time, shape (margins,)."""
         return self.along(np.array([time]), state[:, None])[:, 0]
 
     def along(self, times: Floats, states: Floats) -> Floats:
@@ -412,7 +416,7 @@ class Margins:
         return np.concatenate(parts)
 
     def _of_values(self, times: Floats, states: Floats, seen: Floats) -> Floats:
-        """Return the margins of state limits and of conditions of steps."""
+        """Return the margins of control states at limits and of comparisons."""
         changes = self.equations.changes
         values = states[self.equations.values]
         margins = []
@@ -431,14 +435,14 @@ class Margins:
         return np.array(margins)
 
     def _slack(self, times: Floats, held: Floats, torques: Floats, seen: Floats | None) -> Floats:
-        """Return the slacks of sticking contacts, then of meshes, shape (slacks, times)."""
+        """Return slacks of sticking contacts, then of resting mechanisms, shape (slacks, times)."""
         cones = [self.limits(times, seen) - self.sides[:, None] * held[self.held_rows]]
         if self.by_torques is not None:
             cones[0] += self.by_torques @ torques
             for row in self.jumping:
                 both = cones[0][row : row + 2]
                 width = both.sum(axis=0)
-                both[:, width < 0] = width[width < 0]  # torques push away from the jump
+                both[:, width < 0] = width[width < 0]  # both torques push off the jump
         for mesh, friction, mechanism in self.cones:
             torque, taken = held[mesh], held[friction]
             less, more = mechanism.friction_at_rest(torque)
@@ -453,7 +457,7 @@ class Margins:
         return ways[:, None] * self.directions
 
     def _together(self, slack: Floats, held: Floats) -> Floats:
-        """Return the room of the redundant torques at several times [N*m]."""
+        """Return the smallest slack of the best split at each time [N*m]."""
         smallest = slack.min(axis=0)
         is_within = smallest >= -PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         room: Floats = np.maximum(smallest, 0.0)
@@ -462,11 +466,12 @@ class Margins:
         return room
 
     def _roomiest(self, slack: Floats, held: Floats) -> SplitRoom:
-        """Return the torque room with each mesh on the side that leaves most room.
+        """Return the slacks with the torque sign of each mechanism that leaves most slack.
 
-        The friction torque of a mesh is within a cone on either side of 0. The least-norm split
-        does not determine the side of a redundant torque, so other sides are tried until some split
-        is within all limits. Only a mesh at its limit can gain room on its other side.
+        The friction torque of a mechanism at rest is within limits proportional to its torque, for
+        both signs of this torque (a double cone). The least-norm split does not determine the sign
+        of a redundant torque, so other signs are tried until some split is within all limits. Only
+        a mechanism at its limit can gain slack by the other sign.
         """
         directions = self._directions(held)
         if self.last_room and self.last_room.is_of(slack, directions):
@@ -483,7 +488,7 @@ class Margins:
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
-        """Return the watches of the torques nearest their limits, in the split with most room."""
+        """Return the identities of the torques nearest to their limits in the best split."""
         at, states = np.array([time]), state[:, None]
         rates, torques = self.equations.acting_at(at, states)
         seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None
@@ -499,7 +504,7 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return the watch with the side on which motion begins; only for a mesh it can differ."""
+        """Return the identity with the direction of the beginning motion, new for mechanisms."""
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)
@@ -509,7 +514,7 @@ class Margins:
     def split(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
         """Return constraint torques, of least norm within the limits, shape (multipliers, times).
 
-        All shapes end with the times; `rates` and `torques` are those of the ports.
+        Times are the last axis of all arguments; `rates` and `torques` have a row for each port.
         """
         held = self.equations.structure.torques @ torques
         if not self.shared:
@@ -520,7 +525,7 @@ class Margins:
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
             given = slack[:, column], self._directions(held[:, column])
-            if self.cones:  # the torque signs of the meshes are open
+            if self.cones:  # the torque signs of mechanisms at rest are open
                 given = self._roomiest(slack[:, column], held[:, column])[:2]
             change = least(*given)
             if change is not None:

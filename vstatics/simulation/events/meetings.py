@@ -1,4 +1,4 @@
-"""Detection of formula corners that are met repeatedly within a moment."""
+"""Detection of formula corners that a motion reaches again and again."""
 
 from __future__ import annotations
 
@@ -12,35 +12,35 @@ from vstatics.simulation.events.margins import Awaited
 from vstatics.simulation.tolerances import AHEAD, NO_PROGRESS, NOT_ZERO, SLIDING
 
 _PASSED = 4
-"""Number of meetings within a moment after which a bend counts as passed."""
+"""Number of arrivals at a bend in quick succession after which it is ignored for a while."""
 _SWITCHES = 8
-"""Number of meetings within a moment after which a jump counts as switching without end."""
+"""Number of arrivals at a jump in quick succession that count as switching without end."""
 _DOUBLINGS = 3
-"""Number of successive doublings of the number of meetings whose durations are compared."""
+"""Number of successive doublings of the number of arrivals whose durations are compared."""
 _FIRST_DOUBLING = 3
-"""Number of first doublings that are not compared, because the first meetings are irregular."""
+"""Number of first doublings that are not compared, because the first arrivals are irregular."""
 _LONGER = 1.2
 """Ratio of durations up to which a doubling counts as no longer than the doubling before."""
 _MOST_MEETINGS = 1e5
-"""Number of meetings of a jump above which a run would take too long to reach its end."""
+"""Number of arrivals at a jump above which a run would take too long to reach its end."""
 
 
 class CornerPlace(NamedTuple):
-    """Place of a corner in a system."""
+    """Place of a corner of a formula: a comparison of two numbers."""
 
     corner: int
-    """Index of the corner of a formula among the corners of the run."""
+    """Index in `EventRun.corners`."""
     number: int
-    """Index among the numbers that the corner compares."""
+    """Index in `Corner.compared`."""
 
 
 class CornerMeetings:
-    """Record of recent meetings of corners.
+    """Record of recent arrivals at corners.
 
     Parameters
     ----------
     span : float
-        Time scale; instants within a small part of it are near. [s]
+        Time scale of the scenario; times that differ by a small part of it count as near. [s]
     """
 
     def __init__(self, span: float) -> None:
@@ -48,26 +48,27 @@ class CornerMeetings:
         self.times: dict[CornerPlace, deque[float]] = {}
         self.counts: Counter[CornerPlace] = Counter()
         self.doublings: dict[CornerPlace, list[float]] = {}
-        """Times of the meetings with the numbers 1, 2, 4, 8, ... [s]"""
+        """Times of the arrivals with the numbers 1, 2, 4, 8, ... [s]"""
 
     def note(self, place: CornerPlace, time: float) -> None:
-        """Note that a corner is met at a time [s]."""
+        """Record an arrival at a corner at a time [s]."""
         self.times.setdefault(place, deque(maxlen=_SWITCHES)).append(time)
         self.counts[place] += 1
         if self.counts[place].bit_count() == 1:
             self.doublings.setdefault(place, []).append(time)
 
     def latest(self, time: float) -> list[CornerPlace]:
-        """Return the corners met right before a time [s], latest first."""
+        """Return the corners reached right before a time [s], latest first."""
         met = {place: times[-1] for place, times in self.times.items()}
         near = (place for place in met if time - met[place] <= AHEAD * self.span)
         return sorted(near, key=met.__getitem__, reverse=True)
 
     def hastens(self, place: CornerPlace, time: float, end: float) -> bool:
-        """Return whether a jump is met ever faster, so that the run cannot reach the end.
+        """Return whether a jump is reached ever faster, so that the run cannot reach the end.
 
-        A cycle of constant period needs twice the time for each doubling of its meetings. Where no
-        doubling takes longer than the one before, their number grows exponentially, at least.
+        A cycle of constant period needs twice the time for each doubling of the number of arrivals.
+        If no doubling takes longer than the doubling before, this number grows at least
+        exponentially.
         """
         doublings = self.doublings[place]
         if doublings[-1] < time or len(doublings) <= _FIRST_DOUBLING + _DOUBLINGS:
@@ -79,21 +80,21 @@ class CornerMeetings:
         return bool(len(doublings) - 1 + more > math.log2(_MOST_MEETINGS))
 
     def is_passed(self, place: CornerPlace, time: float) -> bool:
-        """Return whether a bend was met too often and needs no watch for a while.
+        """Return whether a bend was reached too often and needs no event for a while.
 
-        Its formula has one value on both sides, so the run can go on without a stop there.
+        A formula is continuous at a bend, so the run can go on without stopping there.
         """
         times = [*self.times.get(place, ())][-_PASSED:]
         return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.span
 
     def switches(self, place: CornerPlace, judged: Awaited, within: float) -> bool:
-        """Return whether a jump is met without end, driven across from both sides.
+        """Return whether a jump is reached without end, because both sides drive the motion to it.
 
         Parameters
         ----------
         place : CornerPlace
         judged : Awaited
-            Latest judgement of the comparison.
+            Latest state of the comparison.
         within : float
             Time of the look-ahead. [s]
         """

@@ -1,4 +1,4 @@
-"""Order in which choices of sticking and slipping states are tried."""
+"""Order in which combinations of sticking and slipping states are tried."""
 
 from __future__ import annotations
 
@@ -11,31 +11,32 @@ from vstatics.simulation.events.margins import Watch
 from vstatics.simulation.system.ports import States
 
 _FIRST_TRIED = 12
-"""Number of choices tried in order of rank, before a guess."""
+"""Number of combinations tried in order of rank, before a guess."""
 _MOST_PIVOTS = 300
 """Largest number of steps of block pivoting."""
 _IN_VAIN = 3
-"""Number of block pivots allowed without a decrease of the number of failures."""
+"""Number of block pivots allowed without a decrease of the number of failing states."""
 _WORTH_WHILE = 24_000
-"""Number of further choices tried, times the squared number of open choices.
+"""Number of further combinations tried, times the squared number of choices.
 
-Fewer choices are tried in a large system, where a trial takes longer.
+Fewer combinations are tried in a large system, where a trial takes longer.
 """
 
 
 Kind = Literal["contacts", "meshes", "springs", "pieces"]
-"""Kinds of choices, named as the fields of `States`."""
+"""Kinds of choices: fields of `States`."""
 Choice = tuple[Kind, int, tuple[Any, ...]]
-"""Kind, index, and possible states of a choice, sticking first, or numbers of pieces of a law."""
+"""Choice between states: kind, index of the part, and options, sticking first."""
 Changed = tuple[tuple[int, Any], ...]
-"""Number and state of each choice that is not in its first state."""
+"""Combination of states: index of each choice that is not in its first state, and its state."""
 
 
 class ModeSearch:
-    """Search through choices: most sticking states first, then nearest to the states before.
+    """Search through combinations of states: most sticking states first.
 
-    The failures of a choice show which choice to try next. If this fails, a guess is tried, and
-    finally all remaining choices.
+    Of equally many, the combination nearest to the states before comes first. The failing margins
+    of a combination show which combinations to try next. If this is not successful, a guess is
+    tried, and finally all remaining combinations.
     """
 
     def __init__(
@@ -55,19 +56,19 @@ class ModeSearch:
         self.turned: list[tuple[int, Any]] = []
 
     def __iter__(self) -> Iterator[States]:
-        """Yield the choices of the first trial."""
+        """Yield the combinations that are tried first, then a guess."""
         yield from self._best(_FIRST_TRIED)
-        if (guess := self.guess()) is not None:  # restricted to the open choices
+        if (guess := self.guess()) is not None:  # only its states of the open choices are used
             guessed = {n: getattr(guess, kind)[at] for n, (kind, at, _) in enumerate(self.choices)}
             self.changed = tuple(sorted(self._changes(guessed).items()))
             yield self._with(self.changed)
 
     def others(self) -> Iterator[States]:
-        """Yield further choices, limited by the time that a trial takes."""
+        """Yield further combinations, fewer in a large system."""
         yield from self._best(_WORTH_WHILE // max(1, len(self.choices)) ** 2)
 
     def _best(self, count: int) -> Iterator[States]:
-        """Yield up to `count` choices that were not tried: first the waiting choices, by rank."""
+        """Yield up to `count` new combinations: first those waiting, by rank, then all others."""
         others = (changed for changed in self._all() if changed not in self.seen)
         for _ in range(count):
             changed = heappop(self.waiting)[-1] if self.waiting else next(others, None)
@@ -78,7 +79,7 @@ class ModeSearch:
             yield self._with(changed)
 
     def pivoting(self) -> Iterator[States]:
-        """Yield choices by block pivoting, beginning with all sticking.
+        """Yield combinations by block pivoting, beginning with all parts sticking.
 
         Without progress, single states change by Murty's rule, which solves a linear
         complementarity problem in finitely many steps (J. Judice, F. Pires, Computers and
@@ -93,7 +94,7 @@ class ModeSearch:
                 return
             yield self._with(self.changed)
             turned = dict(reversed(self.turned))
-            if not turned:  # no failure can be changed
+            if not turned:  # no failing state has another option
                 return
             if len(turned) < least:
                 least, spare = len(turned), _IN_VAIN
@@ -109,7 +110,7 @@ class ModeSearch:
         return {number: state for number, state in states.items() if state != first[number]}
 
     def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
-        """Record the failures of the last choice, and queue neighbouring choices."""
+        """Record the failing margins of the last combination, and queue similar combinations."""
         if released is not None:
             changes = dict(self.changed)
             for number, (kind, index, _) in enumerate(self.choices):
@@ -127,7 +128,7 @@ class ModeSearch:
                 self._push(changes, single=True)
 
     def _push(self, changes: dict[int, str], *, single: bool) -> None:
-        """Queue a choice; all moving meshes count together as a single slipping state."""
+        """Queue a combination; all moving mechanisms together count as a single slipping state."""
         changed = tuple(sorted(changes.items()))
         if changed in self.seen:
             return
@@ -152,7 +153,7 @@ class ModeSearch:
         return States(**fields)
 
     def _others(self, watch: Watch) -> Iterator[tuple[int, str]]:
-        """Yield the number of the choice that a failed margin watches, and each other state."""
+        """Yield the index of the choice to which a margin belongs, with each other option."""
         number = self.place.get((KIND_OF.get(watch.kind), watch.of))
         if number is None:
             return
@@ -178,4 +179,4 @@ KIND_OF: Mapping[str, Kind | None] = {
     "limit": "springs",
     "grip": "springs",
 }
-"""Kind of the choice that a margin watches."""
+"""Kind of the choice to which a kind of margin belongs."""

@@ -1,8 +1,9 @@
-"""Selection of the sticking and slipping states from an instant on.
+"""Selection of the sticking and slipping states of all parts from an instant on.
 
-Of all admissible choices, the one with most sticking states is selected, then the one nearest to
-the states before. The search first lets all candidates stick, then lets one of them slip, and so
-on. A choice is admissible if no margin is negative, and no margin at 0 falls.
+Of all admissible combinations of states, the combination with most sticking states is selected; of
+equally many, the combination nearest to the states before. The search begins with all candidates
+sticking, then lets a single candidate slip, and so on. A combination is admissible if no margin is
+negative, and no margin of 0 falls.
 """
 
 from __future__ import annotations
@@ -31,17 +32,17 @@ from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INER
 _AMPLE = 1e300
 """Finite substitute for an infinite margin, so that margins can be subtracted."""
 _NEARER = (1e-2, 1e-4)
-"""Factors of the look-ahead, tried in turn while no choice is found with the whole."""
+"""Factors on the length of the look-ahead, tried in turn if its full length gives no result."""
 _MOST_TURNED = 8
-"""Largest number of corrections for slips that feedback torques turn back."""
+"""Largest number of corrections for slips that torques depending on the motion reverse."""
 
 
 class NoChoice(Exception):  # noqa: N818 - it never leaves the room
-    """Signal that no choice is admissible."""
+    """Signal that no combination of states is admissible."""
 
 
 class Selected(NamedTuple):
-    """Selected choice: margins of the equations, and the consistent state."""
+    """Selected combination of states: margins, consistent state vector, and jump of twists."""
 
     margins: Margins
     state: Floats
@@ -49,25 +50,25 @@ class Selected(NamedTuple):
 
     @property
     def equations(self) -> Equations:
-        """Equations of motion of the choice."""
+        """Equations of motion of the combination."""
         return self.margins.equations
 
     @property
     def states(self) -> States:
-        """Sticking and slipping states of the choice."""
+        """Sticking and slipping states of all parts."""
         return self.margins.equations.states
 
 
 class ModesAsked(NamedTuple):
-    """Request for a choice from an instant on."""
+    """Request for the states from an instant on."""
 
     at: Instant
     before: States | None
     scales: LargeSizes
     left: Sequence[States] = ()
-    """Choices that already ended at this instant, which cannot be selected again."""
+    """Combinations that already ended at this instant, which cannot be selected again."""
     met: Sequence[int] = ()
-    """Indices of contacts whose slip ends here."""
+    """Indices of contacts whose slip ends at this instant."""
 
 
 class ModeSelection:
@@ -81,7 +82,7 @@ class ModeSelection:
         self.within = self.choices.within
 
     def of(self, system: MotionSystem) -> ModeSelection:
-        """Return a copy for a system with changed programmes or settings."""
+        """Return the selection for a system with other programmes or settings."""
         if system is self.system and not self.choices.carrying:
             return self
         selection = copy(self)
@@ -90,7 +91,7 @@ class ModeSelection:
         return selection
 
     def select(self, asked: ModesAsked) -> Selected:
-        """Return the selected choice from an instant on.
+        """Return the selected combination of states from an instant on.
 
         Raises
         ------
@@ -111,7 +112,7 @@ class ModeSelection:
         return ahead.selected(asked, thorough=True)
 
     def selected(self, asked: ModesAsked, *, thorough: bool) -> Selected:
-        """Return the first admissible choice; if `thorough`, search much longer."""
+        """Return the first admissible combination of states; if `thorough`, search much longer."""
         at, before, scales, left, met = asked
         base, choices = self.choices.at(at, before, scales, met)
         search = ModeSearch(base, choices, before, partial(self._guess, asked))
@@ -133,7 +134,7 @@ class ModeSelection:
                 joined = self._joined(candidate.states, choices)
                 if joined == candidate.states:
                     return candidate
-                spare = spare or candidate  # differs from the joined choice by rounding only
+                spare = spare or candidate  # differs from the joined states by rounding only
                 candidate = self._admissible(joined, at, scales)
                 if candidate is not None and candidate.states not in left:
                     return candidate
@@ -155,7 +156,7 @@ class ModeSelection:
     def _joined(self, states: States, choices: Sequence[Choice]) -> States:
         """Return states in which contacts between rigidly connected links stick as well.
 
-        Such a contact has no slip that could begin, and its torque is redundant.
+        Such a contact cannot slip, and its torque is redundant.
         """
         structure = self.structure(states.held, states.meshes)
         contacts = list(states.contacts)
@@ -167,7 +168,7 @@ class ModeSelection:
         return states._replace(contacts=tuple(contacts))
 
     def _guess(self, asked: ModesAsked) -> States | None:
-        """Return the states a little later if all links had inertia, which avoids singularity."""
+        """Return the states a little later if all links had inertia, to avoid singularity."""
         ahead = SelectionAhead(self.system)
         ahead.within = self.within
         return ahead.found(asked)
@@ -175,10 +176,10 @@ class ModeSelection:
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
     ) -> States:
-        """Return states in which all meshes move whose speeds follow from links with inertia.
+        """Return states in which all mechanisms move whose speeds follow from links with inertia.
 
-        In a gear, these are nearly all meshes. Only in a slipping part can a mesh be at rest, or
-        its speed jump.
+        While a gear is engaged, nearly all mechanisms do. Only a mechanism next to slipping
+        contacts can be at rest, or have a speed that jumps.
         """
         options = {index: options for kind, index, options in choices if kind == "meshes"}
         if not options:
@@ -197,7 +198,7 @@ class ModeSelection:
         return states._replace(meshes=tuple(meshes))
 
     def _may_change(self, watch: Watch, states: States) -> bool:
-        """Return whether a failing mesh could move with the sticking contacts held."""
+        """Return whether a failing mechanism could move although the sticking contacts stick."""
         if KIND_OF.get(watch.kind) != "meshes":
             return True
         meshes = tuple("" if state == "stick" else state for state in states.meshes)
@@ -209,7 +210,7 @@ class ModeSelection:
         return _moves(slip, motions.free) or _moves(slip, motions.light)
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
-        """Return states with all meshes in motion that would move without friction."""
+        """Return states in which all mechanisms move that would move without friction."""
         held = [
             index
             for kind, index, _ in choices
@@ -244,15 +245,15 @@ class ModeSelection:
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes
     ) -> tuple[Selected | None, list[Watch]]:
-        """Try a choice, and adjust the flows of meshes and the pieces of laws.
+        """Try a combination, and adjust the power flows of mechanisms and the pieces of laws.
 
-        Returns the choice if it is admissible, and otherwise the failing watches.
+        Returns the combination if it is admissible, and the failing margins otherwise.
         """
         tried = set()
         failing: list[Watch] = []
         acting = [load.when for load in self.system.outside if load.acts(states.contacts)]
         if any(sum(states.contacts[index] == "stick" for index, _ in when) > 1 for when in acting):
-            return None, []  # a law would stick at two jumps, over speed and angle
+            return None, []  # a law cannot stick at two jumps, over speed and over angle
         while states not in tried:
             tried.add(states)
             equations = self._equations(states, at)
@@ -275,7 +276,7 @@ class ModeSelection:
         return None, failing
 
     def _caught(self, states: States, at: Instant, scales: LargeSizes) -> list[Watch]:
-        """Return watches of slipping contacts and meshes that are chosen to stick."""
+        """Return the margins of parts that move at this instant but are assumed to stick."""
         least = STANDING * scales.speed
         watches = []
         for index, contact in enumerate(self.system.contacts):
@@ -291,7 +292,7 @@ class ModeSelection:
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch]:
-        """Return the watches with negative margins, or at 0 and falling."""
+        """Return the identities of margins that are negative, or 0 and falling."""
         units = margins.units(scales)[: margins.deciding]
         now = _finite(margins.at(time, state)[: margins.deciding])
         below = ~(now >= -STANDING * units)
@@ -304,17 +305,16 @@ class ModeSelection:
         falls = near & (then - now < -least)
         sizes = np.where(falls, then / units, np.inf)
         failing = _failed(margins, time + self.within, ahead, sizes)
-        # A mesh that other parts hold still needs no friction: its friction torque is as small as
-        # its torque.
+        # A mechanism that other parts hold at rest needs no friction, so its margins cannot fail.
         states = margins.equations.states
         return failing if any(self._may_change(watch, states) for watch in failing) else []
 
     def _ahead(self, margins: Margins, time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
-        """Return the state a little later, the margins, and the least significant margin changes.
+        """Return the state a little later, its margins, and their least significant changes.
 
         Torques are taken at the later time: a brake whose capacity begins at 0 does nothing before.
-        The change from rest that such a brake causes is only compared with the speeds and torques
-        at the later time, as it is small compared with all others.
+        The small change from rest that such a brake causes is only compared with the speeds and
+        torques at the later time.
         """
         later, count, equations = time + self.within, margins.deciding, margins.equations
         ahead = state + self.within * equations.derivative(later, state)
@@ -325,7 +325,7 @@ class ModeSelection:
         acting = np.abs(equations.acting(later, ahead)[1])
         motions = motions + self.within * np.abs(structure.accelerations) @ acting
         speeds, torques = np.abs(structure.free) @ motions, np.abs(structure.torques) @ acting
-        # the torque of a spring at its limit is in no constraint
+        # the torque of a spring at its limit is not contained in the constraint torques
         sprung = largest(acting[equations.layout.spring_ports])
         # A twist grows with a difference of speeds, whose rounding error is not zero at rest.
         twisted = self.within * largest(equations.ports.stiffness) * largest(speeds)
@@ -336,7 +336,7 @@ class ModeSelection:
         """Return the state a little later under torques that depend on the later state.
 
         A steep law around zero slip can reverse a slip that is too small for the look-ahead. Such a
-        slip is considered to begin if the torques at zero slip make it begin.
+        slip counts as begun if the torques at zero slip make it begin.
         """
         slips = slice(len(margins.slipping))
         for _ in range(_MOST_TURNED):
@@ -351,7 +351,7 @@ class ModeSelection:
 
 
 class SelectionAhead(ModeSelection):
-    """Selection with a little inertia on all links, by the margins a little later."""
+    """Selection in a system with a small inertia on all links, by the margins a little later."""
 
     def __init__(self, system: MotionSystem) -> None:
         links = len(system.names)
@@ -365,7 +365,7 @@ class SelectionAhead(ModeSelection):
         )
 
     def found(self, asked: ModesAsked) -> States | None:
-        """Return the first admissible choice found by block pivoting, if any."""
+        """Return the first admissible combination of block pivoting, or None."""
         search = ModeSearch(*self.choices.at(*asked[:3], asked.met), asked.before)
         for states in search.pivoting():
             try:
@@ -394,7 +394,7 @@ def _moves(slip: Floats, motions: Floats) -> bool:
 
 
 def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:
-    """Return failed watches, worst first, with splits replaced by the watches at a limit."""
+    """Return failing margins, worst first; a split is replaced by the torques at their limits."""
     failed: list[Watch] = []
     for index in np.argsort(sizes, kind="stable")[: int(np.isfinite(sizes).sum())]:
         watch = margins.watches[index]
@@ -403,7 +403,7 @@ def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list
 
 
 def turned(states: States, watches: Sequence[Watch]) -> States:
-    """Return states with reversed flows of watched meshes and with the next pieces of laws."""
+    """Return states after given changes: reversed power flows and next pieces of laws."""
     meshes, pieces = list(states.meshes), list(states.pieces)
     for watch in watches:
         if watch.kind == "flow":

@@ -1,4 +1,4 @@
-"""Changes that a step of a sequence makes: numbers, shifts and dog clutches."""
+"""Actions of a sequence step: it sets numbers, starts a shift, or moves dog clutches."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.simulation.system.sight import looking, with_settings
 
 
 class StepCommands:
-    """Commands of sequences up to now, written into the scenario as scheduled inputs.
+    """Actions of all finished sequence steps, written into the scenario as inputs at given times.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class StepCommands:
     def given(
         self, system: MotionSystem, time: float, step: SequenceStep, values: Mapping[str, float]
     ) -> MotionSystem:
-        """Return the system after a step.
+        """Return the system after a sequence step.
 
         Parameters
         ----------
@@ -72,7 +72,7 @@ def value_of(system: MotionSystem, value: Curve, time: float, seen: Sequence[flo
 
 
 def with_states(scenario: Scenario, now: Floats, values: Mapping[str, float]) -> Floats:
-    """Return values of states after a step set some of them, clipped to the limits."""
+    """Return the values of control states after a step sets some of them, within their limits."""
     after = now.copy()
     for index, state in enumerate(scenario.states):
         if state.name in values:

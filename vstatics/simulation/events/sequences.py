@@ -1,4 +1,4 @@
-"""Sequences of steps: the step that is due, and the watched conditions of the next steps."""
+"""Sequences of steps: the next step of each, its condition, and the time at which it is due."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ Happened = Callable[[Seen, float], bool]
 
 
 class SequenceProgress:
-    """Progress of a sequence: the next step, and the time since which it is considered."""
+    """Progress of a sequence: its next step, and the time since the step before."""
 
     def __init__(self, sequence: StepSequence) -> None:
         self.sequence = sequence
         self.index = 0
         self.since = 0.0
-        """Time from which on the step is considered. [s]"""
+        """Time at which the step before was done. [s]"""
         self.true_at: float | None = None
-        """Time at which the condition of the step first became true. [s]"""
+        """Time at which the condition of the step became true. [s]"""
 
     @property
     def step(self) -> SequenceStep | None:
@@ -35,16 +35,16 @@ class SequenceProgress:
 
     @property
     def name(self) -> str:
-        """Name of the sequence with the number of the step."""
+        """Name of the sequence with the number of the next step."""
         return f"{self.sequence.name}, step {self.index + 1}"
 
     @property
     def path(self) -> Path:
-        """Path of the step in the scenario."""
+        """Path of the next step in the scenario."""
         return "sequences", self.sequence.name, self.index + 1
 
     def next_time(self) -> float:
-        """Return the time at which the step is due or overdue without an event [s]."""
+        """Return the time at which the step is due, or its condition is overdue [s]."""
         step = self.step
         if step is None:
             return math.inf
@@ -53,12 +53,12 @@ class SequenceProgress:
         return self.true_at + step.wait
 
     def is_due(self, time: float, judge: Judge, happened: Happened) -> bool:
-        """Return whether the step is due.
+        """Return whether the next step is due at a time [s].
 
         Raises
         ------
         CaseError
-            If a condition was not true in time, or compares a value that is not a number.
+            If its condition is overdue, or compares a value that is not a number.
         """
         step = self.step
         if step is None:
@@ -99,7 +99,7 @@ class SequenceProgress:
 
 
 class SequenceRun:
-    """Sequences of a run.
+    """Progress of all sequences of a run.
 
     Parameters
     ----------
@@ -116,17 +116,17 @@ class SequenceRun:
         return copied
 
     def next_time(self) -> float:
-        """Return the earliest time at which a step is due without an event [s]."""
+        """Return the earliest time at which a step is due, or its condition is overdue [s]."""
         return min((progress.next_time() for progress in self.going), default=math.inf)
 
     def due(self, time: float, judge: Judge, happened: Happened) -> SequenceProgress | None:
-        """Return the first sequence with a due step."""
+        """Return the first sequence whose next step is due, or None."""
         return next(
             (progress for progress in self.going if progress.is_due(time, judge, happened)), None
         )
 
     def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
-        """Return the awaited comparisons, each with the number of the sequence."""
+        """Return the comparisons in open conditions, each with the index of its sequence."""
         return [
             (number, judge.awaited(comparison))
             for number, progress in enumerate(self.going)

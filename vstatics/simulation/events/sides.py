@@ -1,10 +1,10 @@
-"""Side of each comparison from an instant on: the sign of the difference of the compared numbers.
+"""Sign of the difference of two compared numbers from an instant on.
 
 Two numbers that are equal at an instant are compared a little later, where the motion is known with
 an error of fifth order, and then at growing distances: the first difference above rounding decides.
-The side is therefore the sign of the first derivative that is not zero. If no difference decides,
-both numbers count as equal. A formula that bends there has one value on both sides, so the run goes
-on until the difference exceeds rounding.
+The result is therefore the sign of the first derivative that is not zero. If no difference decides,
+both numbers count as equal. A formula that bends there is continuous, so the run goes on until the
+difference exceeds rounding.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from vstatics.simulation.tolerances import EQUAL_SIDES, EXACT_SIDES, MET, ROUNDE
 
 
 class SeenInstant(NamedTuple):
-    """Values of all quantities that formulas see at an instant."""
+    """Values of all quantities that formulas can read at an instant."""
 
     time: float
     """The instant. [s]"""
@@ -42,7 +42,7 @@ class Judge:
     state : ndarray
     scales : LargeSizes
     values : ndarray
-        Scales of large values of states and temperatures.
+        Large values of control states and temperatures, as scales of rounding errors.
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class Judge:
 
     @property
     def ahead(self) -> SeenInstant:
-        """Values of all quantities that formulas see a little later."""
+        """Values of all quantities that formulas can read, a little later."""
         return self._after(0)
 
     def _after(self, number: int) -> SeenInstant:
@@ -71,17 +71,17 @@ class Judge:
         return self._later[number]
 
     def awaited(self, comparison: Formula) -> Awaited:
-        """Return the side of a comparison that the condition of a sequence step contains."""
+        """Return the sign of the difference in a comparison of a step condition."""
         if comparison not in self._known:
             self._known[comparison] = self.judged(compared(self.equations.system, comparison))
         return self._known[comparison]
 
     def judged(self, pair: Compared) -> Awaited:
-        """Decide which of two numbers is larger from now on; return this side with error scales."""
-        now = math.nextafter(self.now.time, math.inf), self.now.values  # after a jump at this time
+        """Decide which of two numbers is larger from now on."""
+        now = math.nextafter(self.now.time, math.inf), self.now.values  # after a jump at now
         (first, second), (later, other) = pair.at(*now), pair.at(*self.ahead)
         apart, then = first - second, later - other
-        if math.isinf(apart):  # at a pole, the values after it decide
+        if math.isinf(apart):  # at a pole, the values a little later decide
             first, second, apart = later, other, then
         change = abs(then - apart)
         size = max(abs(first), abs(second), SOON * change, self._size(pair))
@@ -100,27 +100,27 @@ class Judge:
         return "0"
 
     def nearest(self, group: Sequence[Compared]) -> list[tuple[int, Awaited]]:
-        """Compare a number with its nearest neighbours in a sorted group of numbers.
+        """Compare a number with its nearest neighbours among ascending numbers.
 
         Returns
         -------
         list of (int, Awaited)
-            Place in the group and comparison, for the last number below and for the next two
-            numbers, as far as the group has them.
+            Index in the group and comparison, for the last number below and the next two numbers,
+            if they exist.
         """
         judged = [*enumerate(map(self.judged, group))]
         above = next((n for n, awaited in judged if awaited.side != "+"), len(judged))
         return judged[max(0, above - 1) : above + 2 if above < len(judged) else None]
 
     def _size(self, pair: Compared) -> float:
-        """Return the size of the inputs of two numbers, converted to the unit of the difference.
+        """Return the size of the inputs of two numbers, in the unit of their difference.
 
         The rounding error of the difference is proportional to this size.
         """
         return self._sensed(pair.first) + self._sensed(pair.second)
 
     def _sensed(self, look: Look) -> float:
-        """Return the size of the inputs of a number, converted to its unit by its slopes."""
+        """Return the size of the inputs of a formula, in the unit of its value, by its slopes."""
         if look not in self._sizes:
             time, values = self.ahead
             seen, base, sum_of_changes = [*values], look.at(time, values), 0.0

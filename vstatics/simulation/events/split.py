@@ -1,4 +1,4 @@
-"""Split of redundant torques: with most room, and least changed to be within all limits."""
+"""Split of redundant torques within torque limits."""
 
 from __future__ import annotations
 
@@ -12,16 +12,18 @@ from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMITS
 
 _MOST_TORQUE_CORNERS = 3000
-"""Largest number of corners of the split that are enumerated."""
+"""Largest number of candidate splits that are enumerated instead of linear programming."""
 
 
 def widest(slack: Floats, directions: Floats) -> Floats:
-    """Return the slacks of the split whose smallest slack is largest; negative if no split fits.
+    """Return the slacks of the split whose smallest slack is largest.
+
+    The smallest slack is negative if no split is within all limits.
 
     Parameters
     ----------
     slack : ndarray, shape (limits,)
-        Slacks of any split.
+        Slacks of any split: distances of the torques to their limits. [N*m]
     directions : ndarray, shape (limits, d)
         Changes of the slacks along the d redundant directions.
 
@@ -45,15 +47,15 @@ def widest(slack: Floats, directions: Floats) -> Floats:
 
 @lru_cache(maxsize=64)
 def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats | None:
-    """Return the matrix from slacks to the corners of the split, where most slacks are equal.
+    """Return the matrix from slacks to all splits in which d + 1 slacks are equal.
 
-    The split with most room is one of them. Few sets of directions occur in a run, so the equations
-    of their corners are solved once, for any slacks.
+    The split with the largest smallest slack is among them. A run contains few sets of directions,
+    so each matrix is used for many slacks.
 
     Returns
     -------
-    ndarray, shape (d * corners, limits)
-        None if there are too many corners.
+    ndarray, shape (d * splits, limits)
+        None if there are too many splits.
     """
     if math.comb(limits, count + 1) > _MOST_TORQUE_CORNERS:
         return None
@@ -73,7 +75,7 @@ def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats |
 
 
 def _by_programming(slack: Floats, directions: Floats) -> Floats:
-    """Return the split with most room by linear programming, for many redundant directions."""
+    """Return the split with the largest smallest slack, by linear programming."""
     from scipy.optimize import linprog
 
     count = directions.shape[1]
@@ -90,7 +92,7 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
-    """Return the least change that brings a split within all limits, or None if impossible.
+    """Return the smallest change that brings a split within all limits, or None if impossible.
 
     Examples
     --------

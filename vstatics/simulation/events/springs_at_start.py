@@ -1,4 +1,4 @@
-"""Springs before a run: their equivalent viscous damping, and their torques at the start."""
+"""Springs at the start: their equivalent viscous damping, and their twists at rest."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def with_viscous_damping(
 ) -> tuple[MotionSystem, tuple[Message, ...]]:
     """Return the system with loss factors as viscous damping at the lowest natural frequency.
 
-    A loss factor eta is equivalent to viscous damping ``eta k/omega`` at one frequency only. The
-    lowest natural frequency with all parts sticking that stick at the start is used.
+    A loss factor eta of a stiffness k is equivalent to viscous damping ``eta k/omega`` at a single
+    frequency omega: here the lowest natural frequency while all contacts without slip stick.
     """
     if not any(spring.loss_factor for spring in system.springs):
         return system, ()
@@ -53,7 +53,7 @@ def with_viscous_damping(
 
 
 def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
-    """Return the lowest natural frequency with all contacts without slip closed, or 0 [rad/s]."""
+    """Return the lowest natural frequency while contacts without slip stick, or 0 [rad/s]."""
     scale = max(1.0, largest(speeds))
     rows = [mesh.row for mesh in system.meshes]
     for contact in system.contacts:
@@ -87,7 +87,7 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
 def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     """Return the twists of the springs at rest under the torques of t = 0 [rad].
 
-    The springs carry the torques of rigid connections, within their limits.
+    The springs carry the torques of rigid connections at their places, within their torque limits.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
 
 
 def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> dict[int, float]:
-    """Return the torques of springs replaced by rigid connections [N*m]."""
+    """Return the torques of rigid connections that replace springs, by spring index [N*m]."""
     stiff = Programme(constant(math.inf), is_dog=True)
     others = [contact for contact in system.contacts if contact.beside is None]
     rigid = [Contact(system.springs[n].name, system.springs[n].row, stiff) for n in bent]

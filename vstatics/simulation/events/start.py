@@ -1,4 +1,4 @@
-"""Speeds, angles and twists at the start, determined by the given values."""
+"""Speeds, angles and twists at the start, from the given values."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def with_all_converters(scenario: Scenario) -> Scenario:
     Raises
     ------
     CaseError
-        If a converter has no lambda.
+        If a converter has no performance coefficient (lambda).
     """
     before = scenario.case
     try:
@@ -47,9 +47,10 @@ def with_all_converters(scenario: Scenario) -> Scenario:
 
 
 def with_fixed_ratios(scenario: Scenario) -> Scenario:
-    """Return the scenario with fixed variators as gear pairs with the ratios of the start gear.
+    """Return the scenario with gear pairs instead of variators with constant ratio.
 
-    Variators that move, or that have the ratio 0, are kept.
+    The pairs have the ratios of the start gear. Moving variators, and variators with the ratio 0,
+    remain.
     """
     case, name = scenario.case, scenario.start.gear
     if not any(mechanism.kind for mechanism in case.mechanisms):
@@ -59,8 +60,8 @@ def with_fixed_ratios(scenario: Scenario) -> Scenario:
     moving = dict(scenario.speed_ratios)
     for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.kind and not ratios[number]:
-            moving.setdefault(number, constant(0.0))  # no gear pair has this ratio
-    others = dict.fromkeys(moving, 1.0)  # their pairs are not used
+            moving.setdefault(number, constant(0.0))  # a gear pair cannot have the ratio 0
+    others = dict.fromkeys(moving, 1.0)  # any ratio, since these pairs are not used
     pairs = case.as_pairs(gear._replace(speed_ratios={**gear.speed_ratios, **others}))
     assert pairs is not None  # noqa: S101 - no ratio is 0, and converters are left out
     return scenario._replace(case=pairs, speed_ratios=moving)
@@ -86,7 +87,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
         return gear
     from vstatics.core.statics.solve import solve
 
-    # the solver gives its gear the drag at the speed of the load, but a motion follows the laws
+    # Only the engaged elements are used: the solver also fixes drags at the speed of the gear.
     return gear._replace(engaged=solve(case).gear_at(number - 1).gear.engaged)
 
 
@@ -96,7 +97,7 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     Raises
     ------
     CaseError
-        If speeds contradict each other, or do not determine all others.
+        If given speeds contradict each other, or do not determine all other speeds.
     """
     scenario = system.scenario
     case, start = scenario.case, scenario.start
@@ -137,12 +138,12 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
     """Return the angles of links and twists of springs at t = 0 [rad].
 
     Rigid mechanisms tie angles as they tie speeds, and the twist of a spring is the angle between
-    its ends unless it can slip. Values that are not determined are 0.
+    its ends unless it can slip. Undetermined values are 0.
 
     Raises
     ------
     CaseError
-        If twists and angles contradict each other, or do not determine how springs share a twist.
+        If given twists and angles contradict each other, or leave open how springs share a twist.
     """
     start, links = system.scenario.start, np.eye(len(system.names))
     twists = np.array([start.twists.get(spring.name, 0.0) for spring in system.springs])
@@ -195,9 +196,9 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
 
 
 def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, float] | None:
-    """Return the first row that contradicts the rows before, with the value expected there.
+    """Return the first equation that contradicts those before, with the value expected there.
 
-    The first `certain` rows are taken as correct, and row numbers count from there.
+    The first `certain` equations are taken as correct, and the index counts from there.
     """
     for count in range(certain + 1, len(values) + 1):
         rows, wanted = matrix[:count], values[:count]
@@ -207,7 +208,7 @@ def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, f
 
 
 def fixed_rows(system: MotionSystem) -> list[Floats]:
-    """Return constraint rows that always hold: of mechanisms, and of variators at the start."""
+    """Return the constraint rows of all mechanisms, and of moving variators at the start."""
     rows = [mesh.row for mesh in system.meshes]
     return rows + [system.contacts[variator.contact].row for variator in system.variators]
 
@@ -232,7 +233,7 @@ def _backward(
 ) -> Iterator[Problem]:
     """Yield a problem for each locking freewheel that slips backward at the start.
 
-    Freewheels on an open motion without inertia can change their slip at once.
+    Freewheels whose slip is open and without inertia can change it at once.
     """
     _, light = split_motions(system.heavy, free)
     for contact in system.contacts:
@@ -250,9 +251,9 @@ def _backward(
 
 
 def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
-    """Return speeds completed so that springs do not twist and freewheels hold.
+    """Return speeds with open values chosen so that springs do not twist and freewheels hold.
 
-    A motion without inertia never needs a given speed: the torques at t = 0 determine it.
+    A motion without inertia needs no given speed: the torques at t = 0 determine it.
     """
     heavy, _ = split_motions(system.heavy, free)
     rows = system.rows(

@@ -1,11 +1,11 @@
 """Solution of the equations of motion in closed form, by matrix exponentials.
 
-In ``dx/dt = A x + B c + D dc/dt`` the matrix A contains all linear terms. The torques c, which are
-given over time or are nonlinear in the speeds, are polynomials over a stretch of time. Nonlinear
-torques and the motion depend on each other, so both are iterated to convergence (waveform
-relaxation). The slopes of the torques at the start are in A, so few iterations are needed. Works
-and losses are sums over Gauss points. A stretch has equal parts; in each part the fastest motion
-that has not decayed turns through about three radians.
+In ``dx/dt = A x + B c + D dc/dt`` x is the state, and the matrix A contains all linear terms. The
+torques c, which are given over time or are nonlinear in the state, are polynomials over a stretch
+of time. Nonlinear torques and the motion depend on each other, so both are iterated to convergence
+(waveform relaxation). The slopes of the torques at the start are in A, so few iterations are
+needed. Works and losses are integrals by Gauss points. A stretch has equal parts; in each part the
+fastest motion that has not decayed turns through about three radians.
 """
 
 from __future__ import annotations
@@ -38,41 +38,41 @@ _GAUSS = 8
 """Number of Gauss points of a part of a stretch."""
 _POINTS, WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)
 NODES: Floats = np.append(0.5 + 0.5 * np.asarray(_POINTS, float), 1.0)
-"""Gauss points of a part of a stretch and the end, as fractions of the length."""
+"""Gauss points of a part of a stretch, and its end, as fractions of its length."""
 _BY_ORDER = (
     np.linalg.inv(NODES[:-1, None] ** np.arange(_GAUSS)) / np.arange(1.0, _GAUSS + 1)[:, None]
 )
-"""Matrix from powers at the Gauss points of a part to coefficients of the work over time."""
+"""Matrix from powers at the Gauss points of a part to a polynomial of the work over time."""
 _RADIANS = 3.0
-"""Angle through which the fastest motion turns in a part of a stretch. [rad]"""
+"""Angle through which the fastest eigenmotion turns in a part of a stretch. [rad]"""
 _MOST_HALVINGS = 256
 """Largest number of parts of a stretch, a power of 2."""
 _GONE = 40.0
-"""Number of time constants after which a motion has decayed."""
+"""Number of time constants after which an eigenmotion has decayed."""
 _FIRST_PARTS = 4
 """Initial number of parts of a stretch with nonlinear torques."""
 _FIRST_JOINED = 4
-"""Number of parts at which the first joined stretches of a motion end a step."""
+"""Number of parts after which the first time step of a motion ends; later steps are longer."""
 _SMOOTH = 4
 """Number of successful stretches of a single part before a longer stretch is tried."""
 _LIKE = 1.5
-"""Largest ratio of a new length of parts to the last length that is still used instead."""
+"""Ratio of lengths of parts below which the last length is kept, to save a new exponential."""
 _MOST_AT_START = 64.0
-"""Largest error of polynomials at the start of a stretch, as a multiple of the limit elsewhere."""
+"""Largest error of polynomials at the start of a stretch, relative to the error limit."""
 _RELAXATION_ROUNDS = 12
 """Largest number of rounds of waveform relaxation."""
 _CONVERGED = 0.1
-"""Largest error expected from the last two rounds, as a share of the limit."""
+"""Largest expected error after the last round, relative to the error limit."""
 _BALANCINGS = 3
-"""Number of sweeps over the control values in which their scales are balanced."""
+"""Number of passes over the control values to balance their scales."""
 _FEW = 64
-"""Number of state variables above which eigenvalues are at first only bounded."""
+"""Number of state variables above which eigenvalues are first estimated by a bound."""
 _SQUARINGS = 6
-"""Number of squarings of a matrix in the bound of the largest eigenvalue."""
+"""Number of squarings of a matrix for the bound of its eigenvalues."""
 
 
 def _degree(count: int) -> int:
-    """Return the degree of the polynomials over a number of parts."""
+    """Return the degree of the polynomials over a stretch of `count` parts."""
     return min(DEGREE, count * len(NODES) - 3)
 
 
@@ -83,12 +83,12 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
     Returns
     -------
     to_series : ndarray, shape (instants, DEGREE + 1)
-        Values to Chebyshev coefficients.
+        From values to Chebyshev coefficients.
     to_powers : ndarray, shape (DEGREE + 1, DEGREE + 1)
-        Chebyshev coefficients to derivatives at the start, with the length of a part as the unit
-        of time.
+        From Chebyshev coefficients to derivatives at the start, with the length of a part as the
+        unit of time.
     to_values : ndarray, shape (DEGREE + 1, 1 + instants)
-        Chebyshev coefficients to values, at the start and at the instants.
+        From Chebyshev coefficients to values, at the start and at the instants.
     """
     places = _places(count)
     degree = _degree(count)
@@ -102,13 +102,13 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
 
 
 def _places(count: int) -> Floats:
-    """Return the instants of a number of parts, as fractions of their length."""
+    """Return the Gauss points and ends of `count` parts, as fractions of the stretch."""
     return ((np.arange(count)[:, None] + NODES) / count).reshape(-1)
 
 
 @lru_cache(maxsize=32)
 def _continuing(ratio: float, count: int) -> Floats:
-    """Return the matrix from Chebyshev coefficients to those of the next stretch.
+    """Return the matrix that continues Chebyshev series into the next stretch.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def _powers() -> Floats:
 
 
 def _largest_rate(matrix: Floats) -> float:
-    """Return an upper bound of all eigenvalues: ``|A^n|^(1/n)`` (Gelfand).
+    """Return an upper bound of the magnitudes of eigenvalues: ``|A^n|^(1/n)`` (Gelfand).
 
     Examples
     --------
@@ -152,7 +152,7 @@ def _largest_rate(matrix: Floats) -> float:
 
 
 class NoFit(Exception):  # noqa: N818 - the simulation always catches it
-    """Signal that no polynomial fits the torques."""
+    """Signal that polynomials do not fit the torques."""
 
 
 class Parts(NamedTuple):
@@ -170,16 +170,16 @@ class Parts(NamedTuple):
         return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
 
     def end_near(self, end: float) -> float:
-        """Return the end of the last part, or a given time that differs from it by rounding."""
+        """Return the end of the last part, or the given time if both differ by rounding only."""
         last = self.begin + self.length * self.number
         return end if abs(end - last) <= SAME_END * abs(end) else last
 
 
 class GivenSeries(NamedTuple):
-    """Chebyshev series of the nonlinear torques over a stretch."""
+    """Chebyshev series of nonlinear torques and rates of control values over a stretch."""
 
     coefficients: Floats
-    """Coefficients, shape (torques, DEGREE + 1). [N*m]"""
+    """Coefficients, shape (torques and rates, DEGREE + 1). [N*m]"""
     parts: Parts
     limit: float
     """Largest error that counts as rounding. [N*m]"""
@@ -192,38 +192,38 @@ class GivenSeries(NamedTuple):
         return largest(self.coefficients[:, orders] * 2.0**orders) <= self.limit
 
     def continued(self, parts: Parts) -> Floats | None:
-        """Return the series continued over the next stretch, unless it is much longer."""
+        """Return the coefficients over the next stretch, or None if it is over twice as long."""
         ratio = parts.length * parts.number / (self.parts.length * self.parts.number)
         return self.coefficients @ _continuing(ratio, parts.number) if ratio <= 2 else None
 
 
 class TimeStretch(NamedTuple):
-    """Stretch of time with its solution."""
+    """Stretch of time with the solution in closed form."""
 
     parts: Parts
     exponential: Exponential
     balance: Floats
-    """Factors of the state in the exponential."""
+    """Factors by which the state is scaled in the exponential."""
     starts: Floats
-    """States of the exponential at the start of each part."""
+    """Scaled states, time, 1 and torques at the start of each part, shape (size, parts)."""
 
     @property
     def last(self) -> Floats:
-        """State at the end."""
+        """State at the end of the stretch."""
         state: Floats = self.exponential.nodes[-1] @ self.starts[:, -1]
         return state / self.balance
 
     def continued(self, following: TimeStretch) -> TimeStretch:
-        """Return the stretch joined to the following stretch of the same exponential."""
+        """Return the stretch joined to the following stretch, which has equally long parts."""
         parts = self.parts._replace(number=self.parts.number + following.parts.number)
         return self._replace(parts=parts, starts=np.hstack([self.starts, following.starts]))
 
 
 def _equal_parts(length: float, left: float, most: int) -> tuple[float, int]:
-    """Return the length and the number of parts up to a time; shorter ones if they reach it."""
+    """Return length and number of parts: `most` parts, or fewer and shorter to end after `left`."""
     if most * length < left:
         return length, most
-    count = 1  # up to the end, in a power of 2 of equal parts
+    count = 1  # the number of parts is a power of 2
     while count * length < left * (1 - SAME_TIME):
         count *= 2
     return left / count, count
@@ -240,7 +240,7 @@ class Closed:
     large : float
         Torque that counts as large, the scale of rounding errors. [N*m]
     most : int, optional
-        Number of parts that fitted before, if nonlinear torques follow from the motion.
+        Number of parts of the last successful stretch, if torques are nonlinear in the state.
     """
 
     def __init__(
@@ -253,33 +253,33 @@ class Closed:
         self.bending = np.array([*sorted(timed.union(ports.bending)), *rates], dtype=int)
         """Ports with nonlinear torques, followed by the rates of control values."""
         self.torques = len(self.bending) - len(rates)
-        """Number of the first entries of `bending`, which are torques and not rates of values."""
+        """Number of torques in `bending`; the other entries are rates of control values."""
         self.is_given = ports.is_affine and not rates
         self.most = _MOST_HALVINGS if self.is_given else min(most or _FIRST_PARTS, _FIRST_PARTS)
         """Largest number of parts of the next stretch."""
         looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
-        """Orders used in each polynomial; only 0 and 1 for a law linear in all its inputs."""
+        """Flags of used orders in each polynomial; only 0 and 1 for laws linear in their inputs."""
         self.latest: Floats = np.zeros(len(self.bending))
-        """Nonlinear torques at the end of the last stretch."""
+        """Nonlinear torques and rates at the end of the last stretch."""
         self.series: GivenSeries | None = None
-        """Polynomials of the nonlinear torques over the last stretch, if any fits."""
+        """Polynomials of the nonlinear torques and rates over the last stretch, if they fit."""
         self.size = equations.works.start
         self._straighten(equations.time, state)
 
     def _straighten(self, time: float, state: Floats) -> None:
-        """Linearize the torques in a state and build the matrix."""
+        """Linearize the torques about a state, and calculate the matrix A."""
         equations = self.equations
         by_rate, by_state = self.known = self._slopes(time, state)
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
         self.by_state = by_state[self.bending]
         self.sees_state = bool(self.by_state.any())
         self.noise = ROUNDED_SUM * largest(np.abs(self.by_state) @ np.abs(state[: self.size]))
-        """Rounding error of the torques that depend on the state."""
+        """Rounding error of the torques that depend on the state. [N*m]"""
         try:
             self.affine = Affine(equations, by_rate, by_state)
-        except np.linalg.LinAlgError:  # a speed depends on a law that sees another speed
+        except np.linalg.LinAlgError:  # a speed without inertia depends on a law of another speed
             raise NoFit from None
         self.latest, self.series = np.zeros(len(self.bending)), None
         matrix = self.affine.change.by_state
@@ -287,7 +287,7 @@ class Closed:
         self._balance_values(matrix)
         self.matrix = self.balance[:, None] * matrix / self.balance
         self.rates: tuple[Floats, Floats] | None = None
-        """Magnitudes of the eigenvalues, and of their real parts, as far as known. [rad/s]"""
+        """Magnitudes of eigenvalues and of their real parts, None until calculated. [rad/s]"""
         self.exponentials: dict[float, tuple[Exponential, float]] = {}
 
     def _slopes(self, time: float, state: Floats) -> tuple[Floats, Floats]:
@@ -295,7 +295,7 @@ class Closed:
         return equations.slopes_by_rate(time, state), equations.slopes_by_state(time, state)
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
-        """Return whether the slopes in a state differ from the slopes in the matrix."""
+        """Return whether the slopes of torques in a state differ from the slopes in the matrix."""
         now, before = (
             np.hstack([*map(np.ravel, slopes)])
             for slopes in (self._slopes(time, state), self.known)
@@ -313,13 +313,13 @@ class Closed:
         mass = ((free.T @ equations.system.mass) * free.T).sum(axis=1)
         factors[: equations.motions] = np.sqrt(np.maximum(mass, LEAST_MASS))
         drivers = len(equations.structure.drivers)
-        if drivers:  # a driver can move links without inertia only
+        if drivers:  # a contact that slides at a given speed can move links without inertia only
             driven = slice(equations.motions - drivers, equations.motions)
             factors[driven] = max(1.0, largest(factors[: equations.angles.start]))
         return factors
 
     def _balance_values(self, matrix: Floats) -> None:
-        """Balance control values: the effect on each is limited by all other terms (Osborne)."""
+        """Scale control values so that rows and columns of the matrix are balanced (Osborne)."""
         for _ in range(_BALANCINGS):
             for index in range(*self.equations.values.indices(self.size)):
                 balanced = np.abs(self.balance[:, None] * matrix / self.balance)
@@ -330,7 +330,7 @@ class Closed:
                     self.balance[index] *= np.sqrt((given + others) / (taken + others))
 
     def steps(self, state: Floats, end: float) -> Iterator[TimeStep]:
-        """Yield calculated steps up to a time.
+        """Yield time steps up to a time.
 
         Consecutive stretches are joined into one step, because a search for events takes nearly
         the same time in a long step as in a short one.
@@ -351,13 +351,13 @@ class Closed:
                 joined = stretch if joined is None else joined.continued(stretch)
 
     def _stretches(self, state: Floats, end: float) -> Iterator[TimeStretch | None]:
-        """Yield stretches up to a time, and None where the stretches before end a step."""
+        """Yield stretches up to a time, and None wherever a time step ends."""
         time = begin = straightened = self.equations.time
         shorter, smooth = 1.0, 0
         joined, most_joined, last_length = 0, _FIRST_JOINED, 0.0
         while time < end:
             length, count = self._parts(time - begin, end - time, shorter)
-            if last_length < length < _LIKE * last_length:  # a new exponential takes longer
+            if last_length < length < _LIKE * last_length:  # a new exponential would take longer
                 length, count = _equal_parts(last_length, end - time, self.most)
             if joined >= most_joined or length != last_length:
                 yield None
@@ -376,7 +376,7 @@ class Closed:
                     shorter = min(1.0, 2 * shorter)
             elif time > straightened and self._bends_elsewhere(time, state):
                 self._straighten(time, state)
-                straightened = time  # slopes of 0 have rounding errors that differ each time
+                straightened = time  # only once, as slopes near 0 are rounded differently
             else:
                 smooth = 0
                 shorter = shorter if count > 1 else shorter / 2
@@ -394,9 +394,9 @@ class Closed:
         return _equal_parts(length, left, self.most)
 
     def _fastest(self, gone: float) -> float:
-        """Return the speed of the fastest motion that has not decayed after a time [rad/s]."""
+        """Return the speed of the fastest eigenmotion that has not decayed after a time [rad/s]."""
         if self.rates is None:
-            if self.size > _FEW and not gone:  # eigenvalues would dominate the calculation time
+            if self.size > _FEW and not gone:  # eigenvalues would take too long
                 return _largest_rate(self.matrix)
             rates: Complex = np.asarray(np.linalg.eigvals(self.affine.change.by_state), complex)
             self.rates = np.abs(rates), np.abs(rates.real)
@@ -404,9 +404,9 @@ class Closed:
         return float(speeds[decays * gone < _GONE].max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
-        """Return the exponential for the vector of x, time, 1 and nonlinear torques, and a unit.
+        """Return the exponential over a part, and the unit of its variables other than the state.
 
-        All variables except x are measured in this unit.
+        Its vector contains the scaled state, time, 1, and derivatives of the nonlinear torques.
         """
         known = self.exponentials.get(length)
         if known is not None:
@@ -428,7 +428,7 @@ class Closed:
             rows = np.arange(first, first + orders - 1)
             matrix[rows, rows + 1] = 1.0
             first += orders
-        # The unit keeps the effect of torques as small as the effect of x.
+        # The unit keeps the effect of torques as small as the effect of the state.
         unit = max(largest(np.abs(matrix[:size, size:]).sum(axis=0)), NOT_ZERO)
         matrix[:size, size:] /= unit
         exponential = Exponential(matrix, NODES, size), unit
@@ -436,7 +436,7 @@ class Closed:
         return exponential
 
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
-        """Calculate a stretch from its first state; return None if no polynomial fits."""
+        """Calculate a stretch from its first state; return None if polynomials do not fit."""
         given, self.series = self._expected(parts), None
         times = np.concatenate([[parts.begin], parts.times.reshape(-1)])
         times = self.equations.ports.inside(times)
@@ -472,7 +472,7 @@ class Closed:
         return None
 
     def _uses_more(self, given: Floats, limit: float) -> bool:
-        """Remove unused orders of polynomials; return whether a torque uses all from now on."""
+        """Set unused orders of polynomials to 0; return whether a torque needs all from now on."""
         bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
         if bends.any():
             self.is_used[bends] = True
@@ -481,7 +481,7 @@ class Closed:
         return bool(bends.any())
 
     def _expected(self, parts: Parts) -> Floats:
-        """Return the expected series of the nonlinear torques over a stretch."""
+        """Return a first guess of the polynomials of nonlinear torques over a stretch."""
         continued = self.series.continued(parts) if self.series else None
         if continued is not None:
             return continued
@@ -504,10 +504,10 @@ class Closed:
         return inner / stretch.balance[:, None]
 
     def _bent(self, times: Floats, states: Floats, given: Floats, to_values: Floats) -> Floats:
-        """Return the nonlinear torques, less the linear part in the matrix."""
+        """Return the nonlinear torques and rates without the linear part in the matrix."""
         equations, affine = self.equations, self.affine
         rates = affine.rates.by_state @ states
-        if equations.light:  # speeds that follow from torques
+        if equations.light:  # speeds of links without inertia follow from torques
             all_given, slopes = affine.given_at(times)
             all_given[self.bending] = given @ to_values
             rates += affine.rates.by_given @ all_given + affine.rates.by_slope @ slopes
@@ -554,7 +554,7 @@ class Closed:
         return result
 
     def _inside(self, stretch: TimeStretch, befores: Floats, time: float) -> Floats:
-        """Return the state at a time of a stretch, with works by Gauss points."""
+        """Return the state at a time within a stretch; its works are integrals by Gauss points."""
         parts = stretch.parts
         passed = (time - parts.begin) / parts.length
         part = min(parts.number - 1, max(0, int(passed)))
@@ -569,7 +569,7 @@ class Closed:
         return np.asarray(result[:, 0, -1])
 
     def _account(self, states: Floats, times: Floats, before: Floats, length: float) -> Floats:
-        """Write works and losses into the states; return their rates at the Gauss points."""
+        """Write works and losses into the states; return the powers at the Gauss points."""
         equations = self.equations
         first = equations.works.start
         count, nodes = times.shape

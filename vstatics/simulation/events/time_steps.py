@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from scipy.integrate import DOP853
 
 _NODES = np.arange(1, 9) / 8
-"""Instants of a step at which margins are evaluated, as parts of the length."""
+"""Instants of a step at which margins are evaluated, as fractions of its length."""
 Between = Callable[[Floats], Floats]
-"""Dense output: times within a step, shape (n,), to states, shape (size, n)."""
+"""Dense output: function from times within a step, shape (n,), to states, shape (size, n)."""
 
 
 class StepTolerances(NamedTuple):
@@ -40,15 +40,15 @@ class TimeStep(NamedTuple):
     """State at the end."""
     between: Between
     exact: Callable[[float], Floats]
-    """State at a time, with the accuracy of the end of a step."""
+    """Function from a time within the step to the state, as accurate as the end of a step."""
     times: Floats
     """Instants of the step at which margins are evaluated, including the end. [s]"""
     states: Floats
-    """States at the instants, shape (size, instants)."""
+    """States at `times`, shape (size, instants)."""
     nodes: Floats
-    """Positions of the instants in each of the equal parts of a step, from above 0 to 1."""
+    """Instants in each of the equal parts of a step, as fractions of a part, from above 0 to 1."""
     accuracy: float = BETWEEN_INSTANTS
-    """Accuracy of `between`, relative to the largest value in the step."""
+    """Error of states from `between`, relative to the largest value in the step."""
 
 
 _STEPS_OF_PROGRESS = 1000
@@ -56,7 +56,7 @@ _STEPS_OF_PROGRESS = 1000
 
 
 class TooSmall(Exception):  # noqa: N818 - it never leaves the room
-    """Signal that steps are as small as rounding, or too small to progress."""
+    """Signal that steps are as small as rounding errors, or too small to progress."""
 
 
 def steps(
@@ -73,7 +73,7 @@ def steps(
     TooSmall
     """
     if not np.isfinite(equations.derivative(*begin)).all():
-        raise TooSmall  # the solver would search for a first step forever
+        raise TooSmall  # otherwise the solver would search for a first step without end
     longest = equations.longest if equations.ports.timed else np.inf
     if first is not None:
         first = min(first, end - begin[0], longest)

@@ -1,4 +1,4 @@
-"""Search for a formula without a finite value, after a run has stopped."""
+"""Search for a quantity that is infinite or too large, after a run has stopped."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from vstatics.simulation.tolerances import LARGEST_NUMBER
 
 
 def unbounded(equations: Equations, begin: float, time: float, state: Floats) -> Problem | None:
-    """Return a problem for the first control, limit, rate or speed without a finite value.
+    """Return a problem for the first control, limit, rate or speed that is infinite or too large.
 
     Parameters
     ----------
     equations : Equations
     begin : float
-        Time of the state. [s]
+        Time at which the run stopped. [s]
     time : float
-        Slightly later time, up to which the state is extrapolated linearly. [s]
+        Slightly later time, to which the state is extrapolated linearly. [s]
     state : ndarray
     """
     moved = state + (time - begin) * equations.derivative(begin, state)

@@ -20,7 +20,7 @@ class ElementStates(NamedTuple):
     element: int
     """Index of the shift element in `Motion.elements`."""
     slips: tuple[Span, ...]
-    """Start and end times. [s]"""
+    """Start and end of each period of slip under torque. [s]"""
     sticks: tuple[Span, ...]
 
 
@@ -31,16 +31,16 @@ def loaded(motion: Motion) -> list[tuple[int, str]]:
 
 
 def carrying(motion: Motion) -> Booleans:
-    """Return whether each component carries torque at any time, beyond rounding noise."""
+    """Return a flag for each component that carries torque above rounding noise at any time."""
     peaks = np.fmax.reduce(np.abs(motion.torques), axis=0, initial=0.0)
     carries: Booleans = peaks > NO_RUN_TORQUE * peaks.max(initial=0.0)
     return carries
 
 
 def states(motion: Motion) -> list[ElementStates]:
-    """Return the times at which loaded shift elements slip and stick.
+    """Return the times at which shift elements slip and stick under torque.
 
-    An element without torque, or with drag torque alone, is disengaged.
+    A shift element without torque, or with drag torque alone, counts as disengaged.
     """
     fastest = np.abs(motion.speeds).max(initial=0.0)
     listed = []
@@ -49,7 +49,7 @@ def states(motion: Motion) -> list[ElementStates]:
         if torques.any():
             carries = torques[:-1] + torques[1:] > SAME_RUN_SPEED * torques.max()
             near = SAME_RUN_SPEED * max(fastest, slips.max())
-            moves = np.maximum(slips[:-1], slips[1:]) > near  # it slips at either instant
+            moves = np.maximum(slips[:-1], slips[1:]) > near  # slip at either end of an interval
             slipping, sticking = (
                 tuple(spans(motion.time, carries & some)) for some in (moves, ~moves)
             )
@@ -64,14 +64,14 @@ def _gripped(motion: Motion, place: int) -> Floats:
     if capacities is None:
         return torques
     case = motion.case
-    if case and case.shift_elements[place].is_freewheel:  # a freewheel overruns at any capacity
+    if case and case.shift_elements[place].is_freewheel:  # may overrun at any capacity
         sticks = motion.beside["sticks"][name] > 0
         return np.where(sticks | (torques > capacities * (1 - SAME_RUN_SPEED)), torques, 0.0)
     return np.minimum(torques, capacities)
 
 
 def spans(time: Floats, holds: Booleans) -> Iterator[Span]:
-    """Yield start and end times of a state, for which `holds` has a flag for each interval.
+    """Yield the start and end times of a state; `holds` has a flag for each interval of `time`.
 
     >>> list(spans(np.array([0.0, 1.0, 1.0, 3.0]), np.array([True, False, True])))
     [(0.0, 1.0), (1.0, 3.0)]

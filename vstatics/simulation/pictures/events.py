@@ -1,4 +1,4 @@
-"""Words of events in pictures of a run, and their places."""
+"""Words such as "locks" at the events in pictures of a run, and their places."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from vstatics.pictures.runs import IMPORTANCE, event_word
 from vstatics.simulation.record.motion import Event
 
 MOST_ROW_EVENTS = 80
-"""Largest number of events of a row that are considered for a word."""
+"""Largest number of events of a row that can get a word."""
 FAR_WORD = 26.0
-"""Largest distance of a word from the event. [pt]"""
+"""Largest distance of a word from its event. [pt]"""
 
 
 class EventWord(NamedTuple):
-    """Word at the row of a component with events."""
+    """Word in the row of a component, at an event."""
 
     event: Event
     text: str
@@ -31,12 +31,12 @@ class EventWord(NamedTuple):
 def placed_words(
     events: Sequence[tuple[Event, float]], room: float, style: Style
 ) -> list[EventWord]:
-    """Place words of the events of a row without overlap, the most important first.
+    """Place words at the events of a row without overlap, the most important events first.
 
     Parameters
     ----------
     events : sequence of (Event, float)
-        Events with positions. [pt]
+        Events with their positions along the row. [pt]
     room : float
         Length of the row. [pt]
 
@@ -49,7 +49,7 @@ def placed_words(
     texts = [event_word(event, style) for event, _ in events]
     first_step = next((n for n, (event, _) in enumerate(events) if event.step), None)
     for n, (event, _) in enumerate(events):
-        if event.step and n != first_step:  # the name of the row is the sequence
+        if event.step and n != first_step:  # the name of the row is known
             texts[n] = str(event.step)
     sizes = [width(text) + 2 * LABEL_GAP for text in texts]
     order = sorted(range(len(events)), key=lambda n: (IMPORTANCE[events[n][0].event], n))

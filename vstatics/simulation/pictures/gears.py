@@ -1,4 +1,4 @@
-"""Gears of a run over time, and the shift phases between them."""
+"""Engaged gears of a run over time, and the shift phases between gears."""
 
 from __future__ import annotations
 
@@ -16,24 +16,25 @@ from vstatics.simulation.record.motion import Motion
 Phase = Literal["torque", "inertia", "slip", "part"]
 """Kinds of shift phases.
 
-`torque`: a gear is engaged while an element of another gear takes over torque. `inertia`: no gear
-is engaged, and speeds change from one gear to another. `slip`: slip within a gear. `part`: all
-elements of a gear stick except elements common to all gears, such as a lock-up clutch.
+`torque`: a gear is engaged while a shift element of another gear takes over torque. `inertia`: no
+gear is engaged, and speeds change from a gear to another. `slip`: shift elements slip, but the gear
+is the same before and after. `part`: all shift elements of a gear stick except elements common to
+all gears, such as a lock-up clutch.
 """
 
 
 class GearPiece(NamedTuple):
-    """Time during which all elements of a gear stick."""
+    """Period during which all shift elements of a gear stick."""
 
     gear: str
     start: float
-    """Start of the piece. [s]"""
+    """Start of the period. [s]"""
     end: float
-    """End of the piece. [s]"""
+    """End of the period. [s]"""
 
 
 class ShiftPhase(NamedTuple):
-    """Phase between gears, or during a gear."""
+    """Phase of a shift, or of slip during a gear."""
 
     phase: Phase
     start: float
@@ -49,7 +50,7 @@ GearSets = Mapping[str, frozenset[str]]
 
 
 def element_sets(results: Results) -> GearSets:
-    """Return the shift elements of each gear, with the freewheels that hold."""
+    """Return the shift elements of each gear, including the freewheels that hold."""
     case = results.with_freewheels_engaged
     names = [element.name for element in case.shift_elements]
     return {
@@ -60,23 +61,25 @@ def element_sets(results: Results) -> GearSets:
 
 
 def common(sets: GearSets, motion: Motion) -> list[str]:
-    """List elements of all gears that do not always stick, such as a lock-up clutch."""
+    """List the shift elements that belong to all gears but do not always stick.
+
+    A lock-up clutch is an example.
+    """
     sticks = motion.beside.get("sticks", {})
     every = frozenset.intersection(*sets.values()) if len(sets) > 1 else frozenset()
     return [name for name in motion.elements if name in every and not np.all(sticks.get(name, 1))]
 
 
 def gear_pieces(sets: GearSets, motion: Motion) -> list[GearPiece]:
-    """Return the engaged gears in the order of time.
+    """Return the periods of engaged gears in the order of time.
 
-    If the elements of a gear are part of the elements of another engaged gear, only the other gear
-    is returned.
-    Gears with identical elements are engaged at the same time.
+    Gears with identical shift elements are engaged at the same time. If an engaged gear has all
+    shift elements of another gear and more, the other gear does not count as engaged.
     """
     sticks = motion.beside.get("sticks")
     if sticks is None:
         return []
-    holds = {  # the state at the later of two instants is valid between them
+    holds = {  # the state at an instant is valid since the instant before
         gear: np.logical_and.reduce([sticks[name][1:] > 0 for name in elements])
         for gear, elements in sets.items()
     }
@@ -91,12 +94,12 @@ def gear_pieces(sets: GearSets, motion: Motion) -> list[GearPiece]:
 def phases(
     sets: GearSets, motion: Motion, pieces: Sequence[GearPiece], rows: Sequence[ElementStates]
 ) -> list[ShiftPhase]:
-    """Return the shift phases in order.
+    """Return the shift phases in the order of time.
 
     Parameters
     ----------
     rows : sequence of ElementStates
-        Times at which elements slip under torque.
+        Times at which shift elements slip under torque.
     """
     time, common_names = motion.time, {*common(sets, motion)}
     middle = (time[:-1] + time[1:]) / 2

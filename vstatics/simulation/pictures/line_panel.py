@@ -1,4 +1,4 @@
-"""Panel of lines over the time of a run, with the capacities of shift elements."""
+"""Panel of lines over time, with the torque capacities of shift elements."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, capacity
 PANEL_HEIGHT = 78.0
 """Least height of a panel. [pt]"""
 LINE_NAME_WIDTH = 72.0
-"""Width to which names at the right are wrapped. [pt]"""
+"""Width at which the names to the right of a panel are wrapped. [pt]"""
 CAPACITY: Look = {"linestyle": (0, (2.5, 2)), "width": 0.8}
-"""Line style of a capacity."""
+"""Line style of torque capacities."""
 CAPACITY_ROOM = 1.25
 """Largest factor by which a capacity enlarges the scale of the torques."""
 
 
 def line_ends(shown: MotionPanel, style: Style, numbers: Mapping[str, int]) -> list[LineEnd]:
-    """Return the names of lines at the last values."""
+    """Return the names of lines, each at the height of the last value of its line."""
     scale = range_of(shown)
     return [
         LineEnd(
@@ -43,7 +43,7 @@ def line_ends(shown: MotionPanel, style: Style, numbers: Mapping[str, int]) -> l
 def names_over(
     shown: MotionPanel, style: Style, numbers: Mapping[str, int], room: float
 ) -> list[list[KeySign]]:
-    """Return the names of lines in rows, for a page too narrow for names at the right."""
+    """Return the names of lines in rows above a panel, for a page without room at the right."""
     rows: list[list[KeySign]] = []
     for line in shown.lines:
         for name, look in zip(line.labels, line.looks(style, numbers), strict=True):
@@ -81,7 +81,7 @@ def draw_lines(
     pen.line((0.0, zero), (wide, zero), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
     further = (
         {"part": str(shown.part)} if shown.part > 1 else {}
-    )  # otherwise both would be in the same group
+    )  # panels of a kind need distinct groups
     group = pen.within("panel", panel=shown.kind.replace("_", "-"), **further)
     for line in shown.lines:
         looks = line.looks(style, numbers)
@@ -96,17 +96,17 @@ def draw_lines(
 
 
 def what_of(shown: MotionPanel, style: Style) -> str:
-    """Return the title of the scale of a panel."""
+    """Return the title of the vertical scale of a panel."""
     return wrapped(style.text(shown.text), PANEL_HEIGHT)
 
 
 def ticks_of(scale: AxisScale) -> list[float]:
-    """Return the numbers at the scale of a panel."""
+    """Return the numbers printed at the scale of a panel."""
     return ticks(scale.low, scale.high, 5)
 
 
 def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Look) -> None:
-    """Draw the capacity of an element on the side of the torque, except while infinite."""
+    """Draw the torque capacity of a shift element on the side of its torque, while it is finite."""
     assert line.capacity is not None  # noqa: S101 - callers check
     side = capacity_side(line.values, line.capacity)
     drawn = np.where(np.isfinite(line.capacity), side * line.capacity, np.nan)
@@ -119,7 +119,7 @@ def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Lo
 
 
 def range_of(shown: MotionPanel) -> AxisScale:
-    """Return a scale with 0 and margins, in the unit of the panel, that also covers other runs."""
+    """Return the vertical scale of a panel, in its unit; it contains 0, margins, and other runs."""
     ends = [_ends(panel) for panel in (shown, *shown.others)]
     low, high = min(low for low, _ in ends), max(high for _, high in ends)
     room = 0.06 * (high - low) if math.isfinite(high - low) and high > low else 1.0

@@ -14,17 +14,17 @@ from vstatics.pictures.drawing.line_styles import link_looks, thing_look
 from vstatics.pictures.drawing.style import Style
 
 MOST_LINES = 6
-"""Largest number of lines of a panel; more lines get a further panel."""
+"""Largest number of names in a panel; lines with more names are drawn in further panels."""
 LARGE_PEAK_RATIO = 20.0
 """Ratio of the largest values of two lines from which they are drawn in separate panels."""
 LARGE_PART = 0.5
-"""Ratio of torque to capacity above which the capacity is drawn on the side of the torque."""
+"""Ratio of torque to capacity above which the capacity changes to the side of the torque."""
 PARTS_OF_TIME = 1500
-"""Number of equal parts of the time; a thinned line has the ends and extremes of each part."""
+"""Number of equal parts of the time of which a thinned line keeps ends and extremes."""
 
 
 class MotionLine(NamedTuple):
-    """Quantity over the time of a run."""
+    """Quantity over time, drawn as a line."""
 
     names: tuple[str, ...]
     """Name of a component, or of links that always turn together."""
@@ -35,27 +35,27 @@ class MotionLine(NamedTuple):
     capacity: Floats | None = None
     """Torque capacity of a shift element. [N*m]"""
     distinction: str = ""
-    """Addition that distinguishes two lines of equal name."""
+    """Word that distinguishes two lines of the same name."""
 
     @property
     def peak(self) -> float:
-        """Largest value, as a magnitude."""
+        """Largest magnitude of the values."""
         return float(np.abs(self.values).max(initial=0.0))
 
     @property
     def labels(self) -> list[str]:
-        """Labels at the end of the line."""
+        """Labels at the end of the line: its names with the distinguishing word."""
         return [f"{name} ({self.distinction})" if self.distinction else name for name in self.names]
 
     def looks(self, style: Style, numbers: Mapping[str, int]) -> list[Look]:
-        """Return the look of each name; without a link, `numbers` determines its colour."""
+        """Return the line style of each name; except for links, `numbers` determines colours."""
         if self.links:
             return link_looks(self.links, style)
         return [thing_look(numbers[name], style) for name in self.names]
 
 
 class MotionPanel(NamedTuple):
-    """Lines with a common scale."""
+    """Lines in a panel with a common vertical scale."""
 
     kind: str
     """Kind of the panel, which is also the value of ``data-panel`` in the SVG group."""
@@ -67,7 +67,7 @@ class MotionPanel(NamedTuple):
     left_out: tuple[str, ...] = ()
     """Names of links or components whose lines are left out."""
     part: int = 1
-    """Number of the panel among the panels of a kind."""
+    """Number of the panel among the panels of its kind, from 1."""
     others: tuple[MotionPanel, ...] = ()
     """Panels of another run that the scale also covers."""
 
@@ -90,12 +90,12 @@ def panels_of(
     *,
     by_size: bool = False,
 ) -> list[MotionPanel]:
-    """Return panels of at most `MOST_LINES` lines; a line joins the first panel with room.
+    """Divide lines into panels; a line joins the first panel with room.
 
     Parameters
     ----------
     by_size : bool
-        Separate lines whose values differ so much that some would appear flat.
+        Separate lines of very different size, among which small lines would appear flat.
 
     Examples
     --------
@@ -129,7 +129,7 @@ def _parts(line: MotionLine) -> list[MotionLine]:
 
 
 def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[str, int]:
-    """Return the number that determines the colour of each component that is not a link.
+    """Return a number for each component other than links, which determines its colour.
 
     >>> numbers_of(["A", "B"], [MotionPanel("heat", "", 1.0, (MotionLine(("P1",), None),))])
     {'A': 0, 'B': 1, 'P1': 2}
@@ -141,9 +141,9 @@ def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[s
 
 
 def capacity_side(torques: Floats, capacity: Floats) -> Floats:
-    """Return the side of 0 on which a capacity is drawn: the side of a large torque.
+    """Return the sign with which a capacity is drawn: the sign of the latest large torque.
 
-    The side changes only for a torque that is a large part of the capacity, or at zero capacity.
+    The sign changes only at a torque above half of the capacity, or after zero capacity.
 
     >>> capacity_side(np.array([-1.0, 6.0, -1.0, 2.0, -9.0]), np.full(5, 10.0))
     array([ 1.,  1.,  1.,  1., -1.])
@@ -165,7 +165,7 @@ def capacity_side(torques: Floats, capacity: Floats) -> Floats:
 
 
 def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
-    """Return a line of similar look with fewer points: ends and extremes of parts of the time.
+    """Return fewer points of a line that look the same: ends and extremes of parts of the time.
 
     >>> time = np.linspace(0.0, 1.0, 100_001)
     >>> fewer, values = thinned(time, np.sin(1e4 * time))

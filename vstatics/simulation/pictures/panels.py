@@ -34,13 +34,13 @@ _ASKED = {
     "efficiency": ("efficiency", 1.0),
     "reduced_inertia": ("reduced inertia, kg·m²", 1.0),
 }
-"""Title of the scale, and divisor of the values, of panels of additional tables."""
+"""Title of the scale, and divisor of SI values, for the panel of each additional table."""
 
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
     """Return the panels of a run that are not empty.
 
-    Additional links and springs follow after the panels that matter for every shift.
+    The panels that matter for every shift come first, other links and springs last.
     """
     speeds = panels_of("speed", "speed, rpm", RAD_PER_RPM, _speeds(case, motion), by_size=True)
     main = [
@@ -58,7 +58,7 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
 
 
 def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
-    """Return lines of moving links: input, output, links of elements with events, fastest links."""
+    """Return lines of moving links: input, output, links of shift elements with events, fastest."""
     largest = np.abs(motion.speeds).max(initial=0.0)
     near = SAME_RUN_SPEED * largest
     groups: list[list[int]] = []
@@ -72,7 +72,7 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
                 break
         else:
             groups.append([link])
-    # Links of interest by rank: input, output, links of elements with events.
+    # The rank of links: input, output, links of shift elements with events, all others.
     happens = {event.element for event in motion.events}
     wanted = [case.input, case.output]
     for element in case.shift_elements:
@@ -104,7 +104,7 @@ def _slips(motion: Motion) -> Iterator[MotionLine]:
 
 
 def _carried(motion: Motion) -> list[MotionPanel]:
-    # A capacity that is never finite is not drawn.
+    # Capacities that are never finite are not drawn.
     capacities = {
         name: capacity
         for name, capacity in motion.beside.get("capacities", {}).items()
@@ -119,7 +119,7 @@ def _carried(motion: Motion) -> list[MotionPanel]:
 
 def _elastic_torques(case: Transmission, motion: Motion) -> list[MotionPanel]:
     springs = {spring.name for spring in case.springs}
-    # Mechanisms have neither slip nor twist.
+    # Rigid mechanisms are left out; only springs and converters are drawn.
     rigid = {*case.devices} - springs
     carries = carrying(motion)
     lines = [
@@ -132,7 +132,7 @@ def _elastic_torques(case: Transmission, motion: Motion) -> list[MotionPanel]:
 
 
 def _kinds(springs: Collection[str], names: Sequence[str]) -> str:
-    """Return the title of the torques of some springs and converters.
+    """Return the title of the scale for torques of springs, of converters, or of both.
 
     >>> _kinds((), ["TC"])
     'torque of converters, N·m'
@@ -146,7 +146,7 @@ def _kinds(springs: Collection[str], names: Sequence[str]) -> str:
 
 
 def _output(case: Transmission, motion: Motion) -> list[MotionPanel]:
-    """Return panels of vehicle accelerations, or of the output torque without a road."""
+    """Return panels of vehicle accelerations, or of the output torque if there is no road."""
     roads = motion.beside.get("vehicle_acceleration", {})
     if roads:
         lines = [MotionLine((name,), values, _links(case, name)) for name, values in roads.items()]
@@ -159,7 +159,7 @@ def _output(case: Transmission, motion: Motion) -> list[MotionPanel]:
 
 
 def _heat(motion: Motion) -> list[MotionPanel]:
-    """Return panels of heat and losses in descending order; negligible heat is only named."""
+    """Return panels of heat and losses in descending order; negligible energies are only named."""
     over_time = motion.beside or {
         "heat": dict(zip(motion.elements, motion.heat.T, strict=True)),
         "losses": {},
@@ -189,7 +189,7 @@ def _heat(motion: Motion) -> list[MotionPanel]:
 def _asked(
     case: Transmission, motion: Motion, shown: Sequence[MotionPanel]
 ) -> Iterator[MotionPanel]:
-    """Yield panels of additional columns that are not shown yet."""
+    """Yield panels of the requested columns that `shown` does not contain."""
     tables_of_panels = {"heat": "heat", "acceleration": "vehicle_acceleration"}
     present = {
         (tables_of_panels[panel.kind], name)

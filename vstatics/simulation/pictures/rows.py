@@ -18,15 +18,15 @@ from vstatics.simulation.pictures.gears import GearPiece, Phase, ShiftPhase
 from vstatics.simulation.record.motion import Event
 
 GEAR_ROW_HEIGHT, GEAR_BAR_HEIGHT = 17.0, 12.0
-"""Heights of the row of gears, and of the bar. [pt]"""
+"""Height of the row of gears, and of its bar. [pt]"""
 BAR_ROW_HEIGHT, BAR_HEIGHT = 11.0, 6.0
-"""Heights of the row of a shift element without events, and of the bar. [pt]"""
+"""Height of the row of a shift element without events, and of its bar. [pt]"""
 WORD_HEIGHT = 11.0
 """Height of the words above a bar. [pt]"""
 ROW_NAME_WIDTH = 76.0
-"""Width to which names of rows are wrapped. [pt]"""
+"""Width at which names of rows are wrapped. [pt]"""
 BEFORE_ROW = 5.0
-"""Distance from a name to the row. [pt]"""
+"""Distance from the name of a row to the row. [pt]"""
 
 PHASES: Mapping[Phase, str] = {
     "torque": "torque phase",
@@ -34,7 +34,7 @@ PHASES: Mapping[Phase, str] = {
     "slip": "other slip",
     "part": "(gear): without",
 }
-"""Names of shift phases."""
+"""Names of shift phases in the legend."""
 
 
 class RunRow(NamedTuple):
@@ -42,7 +42,7 @@ class RunRow(NamedTuple):
 
     name: str
     label: str
-    """Name, wrapped into lines as in the picture."""
+    """Name as printed, wrapped into lines."""
     states: ElementStates | None
     words: Sequence[EventWord]
 
@@ -59,7 +59,7 @@ class RunRows(NamedTuple):
     phases: Sequence[ShiftPhase]
     rows: Sequence[RunRow]
     common: Sequence[str]
-    """Shift elements that are engaged in all gears but do not always stick."""
+    """Shift elements that belong to all gears but do not always stick."""
 
     @property
     def has_gears(self) -> bool:
@@ -72,7 +72,7 @@ class RunRows(NamedTuple):
         return GEAR_ROW_HEIGHT * self.has_gears + sum(row.high for row in self.rows)
 
     def meanings(self, style: Style) -> list[Meaning]:
-        """Return the signs of the legend."""
+        """Return the entries of the legend."""
         shown = [row.states for row in self.rows if row.states]
         phases = {phase.phase for phase in self.phases} if self.has_gears else set()
         ink, aside = style.ink, ", ".join(map(short, self.common))
@@ -88,7 +88,7 @@ class RunRows(NamedTuple):
 
 
 def name_width(names: Sequence[str], style: Style) -> float:
-    """Return the width of the names of rows [pt]."""
+    """Return the width that the names of rows need, with the distance to the rows [pt]."""
     labels = [*(_label(name) for name in names), style.text("gear")]
     return max(map(width, labels)) + BEFORE_ROW
 
@@ -103,7 +103,7 @@ def run_rows(
     events: Sequence[Event],
     pen: Pen,
 ) -> list[RunRow]:
-    """Return the rows of shift elements, then of `others` with events; `pen` spans a row."""
+    """Return the rows of shift elements, then of `others`; `pen` has the length of a row."""
     style = pen.style
     rows = []
     for name, states in [*((row.name, row) for row in shown), *((name, None) for name in others)]:
@@ -113,7 +113,7 @@ def run_rows(
 
 
 def draw_rows(pen: Pen, shown: RunRows, numbers: Mapping[str, int]) -> None:
-    """Draw all rows in a panel of equal height, with the time across."""
+    """Draw all rows from the top of a panel down."""
     top = pen.size[1]
     if shown.has_gears:
         _draw_gears(pen.within("panel", panel="gear"), top - GEAR_ROW_HEIGHT, shown)
@@ -154,7 +154,7 @@ def _draw_gears(pen: Pen, low: float, shown: RunRows) -> None:
 
 
 def _box(pen: Pen, span: Span, upright: Span, name: str, look: Look) -> None:
-    """Draw a piece of a bar, with name and times as title; `upright` is lower edge and height."""
+    """Draw a box from start to end time, titled with them; `upright` is lower edge and height."""
     (low, high), (left, right) = upright, map(pen.across, span)
     start, end = map(number, span)
     title = f"{name}, {start}–{end} {pen.style.text('s')}"

@@ -38,43 +38,43 @@ from vstatics.simulation.pictures.rows import RunRows, draw_rows, name_width, ru
 from vstatics.simulation.record.motion import Motion
 
 BEFORE_SCALE = 3.0
-"""Distance from the title of a scale to the numbers. [pt]"""
+"""Distance from the title of a scale to its numbers. [pt]"""
 TIME_SCALE_HEIGHT = 30.0
 """Height of the time scale. [pt]"""
 MOST_ROWS, MOST_OTHER_ROWS = 14, 6
-"""Largest numbers of rows of shift elements, and of rows of other things with events."""
+"""Largest number of rows of shift elements, and of rows of other parts and sequences."""
 BETWEEN_PANELS = 9.0
 """Distance between panels. [pt]"""
 NARROW = 150.0
-"""Least width of a panel with the names of its lines at the side. [pt]"""
+"""Width of a panel below which the names of lines are above the panel. [pt]"""
 TICKS_APART = 28.0
 """Least distance between numbers of the time scale. [pt]"""
 
 
 class _Content(NamedTuple):
-    """Content and layout of the picture."""
+    """Content and layout of the picture of a run."""
 
     motion: Motion
     panels: Sequence[MotionPanel]
     rows: RunRows
     numbers: Mapping[str, int]
     left: float
-    """Width of scales and row names. [pt]"""
+    """Width to the left of panels, for scales and row names. [pt]"""
     off: float
     """Distance from a panel to the title of the scale. [pt]"""
     wide: float
-    """Width of a panel without labels. [pt]"""
+    """Width of a panel, without scale and names. [pt]"""
     over: bool
-    """Whether the names of lines are above the panels."""
+    """True if the names of lines are above the panels instead of at the right."""
     notes: str
 
     def names_high(self, panel: MotionPanel, style: Style) -> float:
-        """Return the height of the names above a panel [pt]."""
+        """Return the height of the names of lines above a panel [pt]."""
         rows = names_over(panel, style, self.numbers, self.wide) if self.over else []
         return SIGN_ROW_HEIGHT * len(rows)
 
     def high(self, panel: MotionPanel, style: Style) -> float:
-        """Return the height of a panel with the names of lines [pt]."""
+        """Return the height of a panel, including the names of its lines [pt]."""
         if self.over:
             return PANEL_HEIGHT + self.names_high(panel, style)
         return max(PANEL_HEIGHT, height_of(line_ends(panel, style, self.numbers)))

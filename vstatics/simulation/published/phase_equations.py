@@ -1,7 +1,7 @@
 """Equations (12) to (15) of the published method for one phase of a clutch.
 
-The state is w_in, w_out [rad/s], their angles [rad], the work of outside torques [J] and the heat
-of the clutch [J].
+The state contains the speeds w_in and w_out of input and output [rad/s], their angles [rad], the
+work of outside torques [J] and the heat of the clutch [J]. The equations are in `tarasik`.
 """
 
 from __future__ import annotations
@@ -17,29 +17,29 @@ from vstatics.simulation.system.matrices import MotionSystem
 
 
 class ClutchPhase(NamedTuple):
-    """Phase of a clutch: slipping, locked, or without a clutch."""
+    """Phase of a run: a clutch slips, a clutch has locked, or no clutch is active."""
 
     masses: TwoMasses
     clutch: int | None
     locked: bool
     direction: float = 0.0
-    """Sign of w_f while the clutch slips."""
+    """Sign of w_f, the slip reduced to the input, while the clutch slips."""
 
 
 class PublishedEquations:
-    """Equations of motion for one phase of a clutch: equation (12) of the published method."""
+    """Equations of motion for one phase: equation (12) of the published method."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], phase: ClutchPhase, end: float
     ) -> None:
         self.phase, self.masses = phase, phase.masses
         self.last = math.nextafter(end, -math.inf)
-        """Last instant before `end`, where outside torques or the capacity can jump. [s]"""
+        """Last instant before `end`; outside torques and the capacity can jump at `end`. [s]"""
         self.contact = None if phase.clutch is None else system.contacts[phase.clutch]
         self.laws = [(ends.index(outside.link), outside.law) for outside in system.outside]
 
     def torques(self, time: float, state: Floats) -> tuple[float, float]:
-        """Return M_in and M_out [N*m]."""
+        """Return the outside torques M_in at the input and M_out against the output [N*m]."""
         torques, time = [0.0, 0.0], min(time, self.last)
         for end, law in self.laws:
             speed, angle = state[end], state[2 + end]
@@ -54,7 +54,7 @@ class PublishedEquations:
         return torques[0], -torques[1]
 
     def w_f(self, state: Floats) -> float:
-        """Return w_f by equation (13) [rad/s]."""
+        """Return the slip w_f, reduced to the input, by equation (13) [rad/s]."""
         return float(state[0] - self.masses.ratio * state[1])
 
     def friction(self, time: float, state: Floats) -> float:
@@ -88,7 +88,7 @@ class PublishedEquations:
         return [dw_in, dw_out, state[0], state[1], work, heat]
 
     def slip(self, _time: float, state: Floats) -> float:
-        """Return w_f, positive in the direction of slip [rad/s]."""
+        """Return w_f times the sign of the slip; 0 at the end of the slip [rad/s]."""
         return self.phase.direction * self.w_f(state)
 
     def passed(self, time: float, state: Floats) -> float:

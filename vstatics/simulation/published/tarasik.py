@@ -4,11 +4,13 @@
     dw_out/dt = {[M_in L P + M_f sign(w_f) (1 - L)] u eta - M_out}/(J_in L u^2 + J_out)     (12)
     w_f = w_in - u w_out                                                                    (13)
 
-L = 1 after the clutch has locked, P = 1 while the clutch holds: M_f exceeds the transmitted torque.
-`TwoMasses.input_inertia` gives J_in. Equation (12) omits the rate of change of a lumped inertia and
-its share at the output, so the energy does not balance; a message reports the deviation. Errors
-that would stop the method at once are corrected: M_f is reduced to the input, (14) uses the
-magnitude of w_f and (15) the magnitude of u, and a clutch that does not hold slips.
+M_in and M_out are the outside torques, M_f the capacity of the clutch, u and eta the ratio and
+efficiency of the engaged gear. L = 1 after the clutch has locked, otherwise 0; P = 1 while M_f
+exceeds the transmitted torque. `TwoMasses.input_inertia` gives J_in. Equation (12) omits the rate
+of change of a lumped inertia and its share at the output, so the energy does not balance; a message
+reports the deviation. Errors that would stop the method at once are corrected: M_f is reduced to
+the input, (14) uses the magnitude of w_f and (15) the magnitude of u, and a clutch that does not
+hold slips.
 
 Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (12) to (15).
 """
@@ -41,9 +43,9 @@ from vstatics.simulation.system.matrices import Contact, MotionSystem
 from vstatics.simulation.tolerances import PUBLISHED_RTOL, RTOL, STANDING
 
 _FINER = 1e-2
-"""Ratio of the integration tolerance to the requested tolerance."""
+"""Integration tolerance, relative to the requested tolerance."""
 _CHANGES = 1000
-"""Largest number of changes of the clutch between two stops."""
+"""Largest number of changes between slipping and locking in an interval."""
 
 
 def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL) -> Motion:
@@ -61,7 +63,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     Returns
     -------
     Motion
-        Torques of mechanisms, and of locked elements other than the clutch, are NaN, as the
+        Torques of mechanisms, and of locked shift elements other than the clutch, are NaN, as the
         method does not give them. The motion is `stopped` where the equations do not apply.
 
     Raises
@@ -101,12 +103,12 @@ class _BoxEnds:
         self.function = function
 
     def __call__(self, time: float, state: Floats) -> float:
-        """Return the value at a state."""
+        """Return the value of the function at a time and state."""
         return self.function(time, state)
 
 
 class _Run:
-    """Motion integrated from one change of the clutch to the next."""
+    """Run of the published method, integrated from one change of the clutch to the next."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], speeds: Floats, rtol: float
@@ -114,12 +116,12 @@ class _Run:
         self.system, self.ends, self.rtol = system, ends, rtol * _FINER
         self.record = TarasikRecord(system, speeds)
         self.state = np.array([speeds[ends[0]], speeds[ends[1]], 0.0, 0.0, 0.0, 0.0])
-        """Speeds of input and output, their angles, work, heat of the clutch."""
+        """State vector of `PublishedEquations`."""
         self.stuck: list[int] = []
         self.speeds = speeds
 
     def through(self, stops: list[float]) -> Problem | None:
-        """Integrate from stop to stop; return the problem that ends the run early."""
+        """Integrate from stop to stop [s]; return the problem that ends the run early, or None."""
         for begin, end in pairwise(stops):
             time = begin
             try:
@@ -136,7 +138,7 @@ class _Run:
         return None
 
     def _begin(self, middle: float, time: float) -> ClutchPhase:
-        """Return the phase at the start of an interval, from the capacities in the middle."""
+        """Return the phase at the start of an interval, from the capacities in its middle [s]."""
         contacts = self.system.contacts
         active = [n for n, contact in enumerate(contacts) if capacity_at(contact, middle) > 0]
         for n in self.stuck:
@@ -166,7 +168,7 @@ class _Run:
         return ClutchPhase(masses, clutch, locked=False, direction=direction)
 
     def _holding(self) -> ClutchPhase:
-        """Return a phase without slip: the last sticking contact joins input and output."""
+        """Return a phase without slip: the last sticking contact that suits is its clutch."""
         reason: NotTwoError | None = None
         for clutch in reversed(self.stuck):
             others = [n for n in self.stuck if n != clutch]
@@ -184,7 +186,7 @@ class _Run:
             raise (reason or NotTwoError("nothing joins input and output")) from None
 
     def _piece(self, phase: ClutchPhase, begin: float, end: float) -> tuple[float, ClutchPhase]:
-        """Integrate to the next event or the end; return the time and the next phase."""
+        """Integrate to the next change of the clutch or to `end`; return time and next phase."""
         equations = PublishedEquations(self.system, self.ends, phase, end)
         self.state[5] = 0.0
         if phase.locked and equations.margin(begin, self.state) < 0:
@@ -216,7 +218,7 @@ class _Run:
         return time, self._meets(phase, time, end)
 
     def _meets(self, phase: ClutchPhase, time: float, end: float) -> ClutchPhase:
-        """Return the phase after w_f = 0: locked by (14), or reversed if (15) fails."""
+        """Return the phase after w_f reaches 0: locked, or slipping backward if (15) fails."""
         assert phase.clutch is not None  # noqa: S101 - for mypy: a clutch slipped
         self.state[0] = phase.masses.ratio * self.state[1]
         locked = phase._replace(locked=True)
@@ -230,12 +232,12 @@ class _Run:
     def _breaks_away(
         self, phase: ClutchPhase, equations: PublishedEquations, time: float
     ) -> ClutchPhase:
-        """Return the phase after P = 0: slip in the direction of the torque or of the drift."""
+        """Return the phase after a clutch breaks away: slip along its torque, or along a drift."""
         assert phase.clutch is not None  # noqa: S101 - for mypy: it was locked
         self.stuck.remove(phase.clutch)
         self._tell(time, phase.clutch, "slips")
         drift = equations.w_f(self.state)
-        if abs(drift) > STANDING * np.abs(self.state[:2]).max():  # w_f drifts under losses
+        if abs(drift) > STANDING * np.abs(self.state[:2]).max():  # losses make w_f drift
             return phase._replace(locked=False, direction=math.copysign(1.0, drift))
         self.state[0] = phase.masses.ratio * self.state[1]
         passed = equations.passed(time, self.state)

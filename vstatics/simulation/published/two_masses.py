@@ -20,27 +20,27 @@ from vstatics.simulation.tolerances import NO_COEFFICIENT
 
 
 class TwoMasses(NamedTuple):
-    """Input and output of a gearbox, joined by a clutch that slips or has locked."""
+    """Masses of the input and output of a gearbox, joined by a clutch that slips or has locked."""
 
     speeds: Floats
-    """Speeds of links per unit speed of input and output; shape (links, 2)."""
+    """Speeds of links per unit speed of input and of output, shape (links, 2)."""
     slip: float
-    """Slip of the clutch per unit of w_f = w_in - u w_out, (13); 0 without a clutch."""
+    """Slip of the clutch per unit of w_f = w_in - u w_out, equation (13); 0 without a clutch."""
     ratio: float
     """Ratio u with the clutch locked."""
     efficiency: float
     """Efficiency eta with the clutch locked."""
     turning: Floats
-    """Speeds of the bodies of the input per unit speed of both ends; shape (bodies, 2)."""
+    """Speeds of the bodies lumped at the input per unit speed of both ends, shape (bodies, 2)."""
     inertias: Floats
-    """Inertias of the bodies of the input. [kg*m^2]"""
+    """Inertias of the bodies lumped at the input. [kg*m^2]"""
     output_inertia: float
     """Inertia J_out. [kg*m^2]"""
 
     def input_inertia(self, speed_in: float, speed_out: float) -> float:
-        """Return J_in by (3), (5) and (11): the kinetic energy referred to the input speed.
+        """Return J_in by (3), (5) and (11) [kg*m^2]: ``sum J w^2/w_in^2`` of the lumped bodies.
 
-        [kg*m^2]; infinite if the input is at rest.
+        It is infinite if the input is at rest.
         """
         speeds = self.turning @ np.array([speed_in, speed_out])
         energy = float(self.inertias @ speeds**2)
@@ -50,13 +50,13 @@ class TwoMasses(NamedTuple):
 
 
 class NotTwoError(ValueError):
-    """Error for a gearbox that cannot be reduced to two masses."""
+    """Error: the gearbox cannot be reduced to two masses."""
 
 
 def two_masses(
     system: MotionSystem, ends: tuple[int, int], held: Sequence[int], clutch: int | None
 ) -> TwoMasses:
-    """Return the two masses while some contacts stick and a clutch joins the ends.
+    """Reduce a gearbox to two masses while some contacts stick and a clutch joins its ends.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def two_masses(
     Raises
     ------
     NotTwoError
-        If the gearbox has no form of two masses.
+        If the gearbox cannot be reduced to two masses.
     """
     rows = [mesh.row for mesh in system.meshes] + [system.contacts[n].row for n in held]
     free = null(system.rows(rows))

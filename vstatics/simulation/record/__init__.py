@@ -1,8 +1,9 @@
 """Record of a run: its columns, events and energies, and the motion that a simulation returns.
 
-`record` collects a run in the pieces of `segments`, which calculates their columns. `drawn` chooses
-the instants that draw these columns from the curves of `curves`. `asked` calculates additional
-columns, `row_names` lists their names, `changes` differentiates speeds. `account` balances the
-energy.
-`motion` declares the result; `tables`, `columns` and `answer` write it.
+`record` collects a run in pieces from event to event; `segments` calculates the columns of a piece.
+`drawn` chooses the instants that draw these columns, from the polynomials of `curves`. `asked`
+calculates additional columns, `row_names` lists their names, `changes` differentiates speeds, and
+`converters` calculates converter efficiencies. `picture_tables` adds columns for pictures.
+`account` balances the energy, and `dynamic_factors` compares torques with statics. `motion`
+declares the result; `tables`, `columns` and `answer` write it, with the words of `words`.
 """

@@ -1,4 +1,4 @@
-"""Energy balance of a run: the work, and its division into heat, losses and stored energy."""
+"""Energy balance of a run: work, heat, losses, and stored energy."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ from vstatics.simulation.system.equations import Equations
 
 
 def element_heat(equations: Equations, states: Floats) -> Floats:
-    """Return the heat of shift elements up to some states, shape (elements, states) [J]."""
+    """Return the heat of shift elements in each state, shape (shift elements, states) [J].
+
+    The states are columns of `states`, shape (size, states).
+    """
     system, works = equations.system, states[equations.works]
     heat = np.zeros((len(system.case.shift_elements), states.shape[1]))
     for index, contact in enumerate(system.contacts):
@@ -42,13 +45,13 @@ def energy_account(
     ----------
     start : Instant
     end : float
-        Time of the end. [s]
+        Time of the end of the run. [s]
     equations : Equations
         Equations at the end.
     state : ndarray
         State at the end.
     impacts : tuple of float
-        Energy lost in impacts, and their work on links at given speeds. [J]
+        Energy lost in impacts, and work of impacts at links with given speeds. [J]
     """
     system = equations.system
     heat, losses = (
@@ -77,7 +80,7 @@ def energy_account(
 def heat_and_losses(
     equations: Equations, state: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """Return heat and losses by name [J], for a state or several; equal names are summed."""
+    """Return heat and losses by name [J], in one state or several; equal names are summed."""
     system, layout = equations.system, equations.layout
     works = state[equations.works]
     heat: dict[str, Floats] = {}
@@ -106,7 +109,7 @@ def heat_and_losses(
 
 
 def _of_meshes(equations: Equations, state: Floats) -> Iterator[tuple[str, Floats]]:
-    """Yield losses of mechanisms; ports have a part of them if the efficiency varies."""
+    """Yield the losses of mechanisms; varying efficiencies add a loss at a port."""
     system, works = equations.system, state[equations.works]
     for index, mesh in enumerate(system.meshes):
         if not mesh.lossless:

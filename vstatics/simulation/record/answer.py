@@ -1,4 +1,4 @@
-"""JSON document of `vstatics simulate`: the course of a simulation."""
+"""JSON document of `vstatics simulate`: the results of a run."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vstatics.core.tables.answer import Flat, Provided, Sometimes, document
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 
 Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
-"""Values over time of a table, by name of the row; absent unless the table is requested."""
+"""Table of a run: values over time by name of the row; absent unless requested."""
 
 
 class AskedAnswer(NamedTuple):
-    """Additional tables of a run, each under its name."""
+    """Requested additional tables of a run, each under its name."""
 
     accelerations: Rows = None
     jerks: Rows = None
@@ -37,7 +37,7 @@ class AskedAnswer(NamedTuple):
 
 @document("vstatics-simulation")
 class MotionAnswer(NamedTuple):
-    """Times, columns, events, energies and largest torques of a case."""
+    """Times, columns, events, energies and largest torques of a run."""
 
     case: str
     time: Floats
@@ -49,11 +49,11 @@ class MotionAnswer(NamedTuple):
     energy: Energy
     peaks: Mapping[str, Peak]
     dynamic_factors: Sometimes[Mapping[str, float | None]]
-    """Largest torques divided by the torques of statics, if the scenario has `static`."""
+    """Largest torques divided by static torques, if the scenario has `static`."""
     damage: Sometimes[Annotated[object, Provided("Damages")]]
-    """Fatigue damage by component, if asked for."""
+    """Fatigue damage by component, if requested."""
     targets: Sometimes[Sequence[Reached]]
-    """Speeds reached, if the scenario has target speeds."""
+    """Time and distance at target speeds, if the scenario has `targets`."""
     messages: Sequence[Message]
     stopped: str | None
 
@@ -73,7 +73,7 @@ def motion_answer(
     damage : bool
         Include the fatigue damage of components.
     """
-    # A table of a single number has one row without a name.
+    # A table of a single quantity has one row, whose name is empty.
     asked: dict[str, Any] = {
         table: rows[""].tolist() if "" in rows else rows for table, rows in motion.asked.items()
     }
@@ -112,7 +112,7 @@ def lay_out(document: Mapping[str, Any]) -> str:
 
 
 def _laid_out(value: Any, encode: Callable[[Any], str], end: str) -> str:
-    """Return JSON with mappings, and lists of mappings, on several lines."""
+    """Return JSON in which mappings, and lists of mappings, extend over several lines."""
     inner = end + " "
     if isinstance(value, Mapping) and value:
         items = (f"{encode(key)}: {_laid_out(item, encode, inner)}" for key, item in value.items())

@@ -1,4 +1,4 @@
-"""Additional columns of a run, on top of its speeds, slips and torques."""
+"""Columns of a run that a user can request in addition to speeds, slips and torques."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from vstatics.simulation.system.values import outside_torques
 
 
 class Moments(NamedTuple):
-    """State of a run at some times of a piece; time is the last axis of all arrays."""
+    """State of a run at several times between two events; time is the last axis of all arrays."""
 
     motion: PieceMotion
     times: Floats
@@ -34,15 +34,15 @@ class Moments(NamedTuple):
     speeds: Floats
     """Speeds of links. [rad/s]"""
     slips: Floats
-    """Slips of shift elements. [rad/s]"""
+    """Slip speeds of shift elements. [rad/s]"""
     torques: Floats
     """Torques of components. [N*m]"""
     ports: Floats
-    """Torques of ports. [N*m]"""
+    """Torques of ports (see `PortLayout`). [N*m]"""
 
     @property
     def system(self) -> MotionSystem:
-        """System in motion."""
+        """System of the scenario."""
         return self.motion.equations.system
 
     def accelerations(self) -> Floats:
@@ -58,7 +58,7 @@ Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
 
 
 def _powers(at: Moments, rows: Sequence[str]) -> Floats:
-    """Return the powers of links and springs [W]."""
+    """Return the powers of outside torques on links, and of springs [W]."""
     system = at.system
     of_links = outside_torques(at.motion.equations) @ at.ports * at.speeds
     powers = {
@@ -155,11 +155,11 @@ def _values(word: str, at: Moments, rows: Sequence[str]) -> Floats:
 
 
 class AskedTable(NamedTuple):
-    """Kind of the rows of a table, with the unit and the function that calculates the values."""
+    """Additional table: kind of its rows, unit, and function that calculates the values."""
 
     kind: Kind
     unit: str
-    """Unit of rows of rotating links; empty for a dimensionless number or a state of any unit."""
+    """Unit of the values; empty for a dimensionless number or a control state of any unit."""
     make: Maker
 
 
@@ -188,9 +188,9 @@ TABLES: Mapping[str, AskedTable] = {
 }
 """Tables that can be requested in addition, by name."""
 PER_AREA = "_per_area"
-"""Suffix of the names of tables that need the area of a shift element."""
+"""Suffix of tables of energy or power divided by the friction area."""
 MOST_EMPTY = 12
-"""Largest number of columns that the warning about empty columns names."""
+"""Largest number of columns that are named in the warning about empty columns."""
 ALWAYS = ("speeds", "slips", "torques")
 """Tables of every run."""
 
@@ -198,7 +198,7 @@ ALWAYS = ("speeds", "slips", "torques")
 def rows_of_tables(
     asked: Sequence[tuple[str, str]], scenario: Scenario
 ) -> Mapping[str, tuple[str, ...]]:
-    """Return the requested rows without repetition, by table in the order of `TABLES`.
+    """Return the requested rows of each table, in the order of `TABLES`, without repetition.
 
     Raises
     ------
@@ -223,7 +223,7 @@ def rows_of_tables(
 
 
 def empty_columns(asked: Mapping[str, Mapping[str, Floats]]) -> list[Message]:
-    """Return a warning that names the columns of a run without any value.
+    """Return a warning about columns in which all values are NaN, if any.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Accelerations and jerks of links along a motion."""
+"""Accelerations and jerks of links during a run."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from vstatics.simulation.tolerances import (
 
 
 class PieceMotion(NamedTuple):
-    """Motion between two events, while no element changes between sticking and slipping."""
+    """Motion between two events, while no contact changes between sticking and slipping."""
 
     equations: Equations
     begin: float
-    """Start time. [s]"""
+    """Time of the first event. [s]"""
     end: float
-    """End time. [s]"""
+    """Time of the second event. [s]"""
 
     def accelerations(self, times: Floats, states: Floats) -> Floats:
         """Return the accelerations of links, shape (links, times) [rad/s^2]."""
@@ -35,7 +35,7 @@ class PieceMotion(NamedTuple):
         return self._along(times, states, self._accelerations)
 
     def _accelerations(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
-        """Return accelerations, and sums of magnitudes as a scale of rounding errors."""
+        """Return accelerations, and the sums of magnitudes of their terms as scales of rounding."""
         equations, structure = self.equations, self.equations.structure
         _, torques = equations.acting_at(times, states)
         by_torque = structure.free @ structure.accelerations
@@ -58,8 +58,8 @@ class PieceMotion(NamedTuple):
     ) -> Floats:
         """Return the derivative along the motion of a function of time and state.
 
-        The derivative is a one-sided difference of second order along the tangent: forwards, or
-        backwards at the end of the piece. It is exact for linear equations.
+        The derivative is a one-sided difference of second order along the tangent of the motion:
+        forward, or backward near `end`.
         """
         equations = self.equations
         duration = max(equations.system.scenario.duration, LEAST_DURATION)

@@ -1,4 +1,4 @@
-"""The course of a simulation as columns of numbers, with the names that sweep expressions use."""
+"""Columns of a run over time, with the names that sweep expressions use, and their file formats."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 def columns(motion: Motion) -> dict[str, Floats]:
     """Return the columns of a motion by heading, such as ``speeds[in]``.
 
-    The first is `time` [s], followed by speeds and slips [rad/s], torques [N*m] and additional
-    columns. A run that stopped early also has `stopped`, which is 1 at the last instant.
+    The first column is `time` [s], followed by speeds and slips [rad/s], torques [N*m] and
+    additional columns. A run that stopped early also has `stopped`, which is 1 at the last instant.
     """
     named = {"time": motion.time}
     for table, names, values in (
@@ -44,7 +44,7 @@ def columns(motion: Motion) -> dict[str, Floats]:
 
 
 def motion_dataframe(motion: Motion) -> pd.DataFrame:
-    """Return a data frame with a row for each instant; see `Motion.to_dataframe`."""
+    """Return a pandas data frame with a row for each instant; see `Motion.to_dataframe`."""
     require("pandas", "to_dataframe")
     import pandas as pd
 
@@ -53,7 +53,7 @@ def motion_dataframe(motion: Motion) -> pd.DataFrame:
 
 
 def motion_dataset(motion: Motion) -> xr.Dataset:
-    """Return a dataset with names along the axes; see `Motion.to_xarray`."""
+    """Return an xarray dataset with names along the axes; see `Motion.to_xarray`."""
     require("xarray", "to_xarray")
     import xarray as xr
 
@@ -69,7 +69,7 @@ def motion_dataset(motion: Motion) -> xr.Dataset:
 
 
 def as_csv(motion: Motion, *, raw: bool = False) -> str:
-    """Return comma-separated values with all digits: a heading, then a line for each instant.
+    """Return comma-separated values: a line of headings, then a line for each instant.
 
     NaN is an empty cell.
     """

@@ -12,12 +12,12 @@ from vstatics.simulation.tolerances import STANDING
 
 
 def turbine(converter: str) -> str:
-    """Return the row name of the torque that a turbine gives to the link."""
+    """Return the row name of the torque that the turbine of a converter gives to its link."""
     return f"{converter}.turbine"
 
 
 def speed_ratios(converters: Sequence[Converter], speeds: Floats) -> Floats:
-    """Return ``i = w_T/w_P``, shape (converters, times); NaN with the pump at rest.
+    """Return turbine speed divided by pump speed, shape (converters, times); NaN if the pump rests.
 
     Parameters
     ----------
@@ -30,9 +30,9 @@ def speed_ratios(converters: Sequence[Converter], speeds: Floats) -> Floats:
 
 
 def turning(divisors: Floats, speeds: Floats) -> Floats:
-    """Return speeds for use as a divisor, with NaN for links at rest.
+    """Return speeds for use as divisors: NaN instead of 0.
 
-    A speed counts as zero if it is only rounding noise of the fastest link.
+    A speed counts as 0 if it is only rounding noise relative to the fastest link.
     """
     return np.where(np.abs(divisors) > STANDING * np.abs(speeds).max(axis=0), divisors, np.nan)
 
@@ -40,8 +40,8 @@ def turning(divisors: Floats, speeds: Floats) -> Floats:
 def efficiencies(converters: Sequence[Converter], ratios: Floats, given: Floats) -> Floats:
     """Return the ratio of output to input power, shape (converters, times).
 
-    The efficiency is ``K i`` (Tarasik, figure 7), its inverse while the turbine drives, and 0 while
-    power enters at both ends.
+    With torque ratio K and speed ratio i, the efficiency is ``K i`` (Tarasik, figure 7), its
+    inverse while the turbine drives, and 0 while power enters at both ends.
 
     Parameters
     ----------

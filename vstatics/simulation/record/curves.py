@@ -1,8 +1,9 @@
-"""Columns of a run as curves: their extremes, and the number of chords that draw them.
+"""Choice of the instants that draw the columns of a run: extremes, and ends of chords.
 
-Between two points of integration a column is approximated by the polynomial through its values at
-some nodes. The second derivative gives the number of chords, the first derivative the extremes. The
-polynomials only choose instants; the values there are calculated from the states.
+In each part of a time step a column is approximated by the polynomial through its values at some
+nodes. Its second derivative gives the number of straight lines (chords) that draw it, its first
+derivative the extremes. The polynomials only choose instants; the values drawn there are calculated
+from the states.
 """
 
 from __future__ import annotations
@@ -17,27 +18,27 @@ from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.simulation.tolerances import CHORD, EQUAL_EXTREMES, NO_RANGE
 
 _NEAR_TOP = 0.1
-"""Distance from an extreme, as a fraction of the range, up to which turning points are sought."""
+"""Distance from the extreme nodes within which turning points are sought, relative to the range."""
 _NEWTON_OF_EXTREMES = 4
 _MOST_CHORDS = 1e6
-"""Square of the largest number of chords of a part; a polynomial with more is meaningless."""
+"""Square of the largest number of chords of a part; more would only draw a wild polynomial."""
 
 
 class Curves(NamedTuple):
-    """Columns over consecutive parts of a run."""
+    """Columns of a run as polynomials over consecutive parts of time."""
 
     begins: Floats
     """Start times of the parts. [s]"""
     lengths: Floats
     """Durations of the parts. [s]"""
     nodes: tuple[float, ...]
-    """Positions of the values within a part, from 0 to 1."""
+    """Instants of the values, as fractions of a part, from 0 to 1."""
     values: Floats
-    """Values, shape (columns, parts, nodes)."""
+    """Values at the nodes, shape (columns, parts, nodes)."""
 
 
 class CurveRanges(NamedTuple):
-    """Range of each column over a run; constant columns have an infinite size."""
+    """Least and largest value of each column; `size` is infinite for constant columns."""
 
     least: Floats
     largest: Floats
@@ -47,14 +48,14 @@ class CurveRanges(NamedTuple):
 def ranges(
     curves: Sequence[Curves], kinds: Sequence[slice], before: CurveRanges | None = None
 ) -> CurveRanges:
-    """Return the ranges of columns; changes negligible for a kind of column do not count.
+    """Return the ranges of columns; a column with changes negligible in its group is constant.
 
     Parameters
     ----------
     kinds : sequence of slice
         Groups of columns of the same quantity.
     before : CurveRanges, optional
-        Ranges of an earlier part of the run, which are included.
+        Ranges of an earlier part of the run, which the result includes.
     """
     least = np.fmin.reduce([np.fmin.reduce(part.values, axis=(1, 2)) for part in curves])
     largest = np.fmax.reduce([np.fmax.reduce(part.values, axis=(1, 2)) for part in curves])
@@ -69,9 +70,9 @@ def ranges(
 
 
 def drawn_times(curves: Sequence[Curves], column_ranges: CurveRanges, most: int) -> list[Floats]:
-    """Return the times of each curve whose chords approximate all columns, without ends [s].
+    """Return the times, for each curve, whose chords approximate all columns [s].
 
-    If more than `most` times are needed, the chords become longer.
+    The ends of parts are left out. If more than `most` times are needed, the chords become longer.
 
     Examples
     --------
@@ -97,16 +98,16 @@ def drawn_times(curves: Sequence[Curves], column_ranges: CurveRanges, most: int)
 
 
 def _counts(curves: Curves, column_ranges: CurveRanges) -> Integers:
-    """Return the number of equal chords of each part, from the largest second derivative."""
+    """Return the number of equal chords in each part, from the largest second derivative."""
     bends = np.abs(_risen(curves.values) @ _polynomials(curves.nodes).bends.T).max(axis=2)
     chords = np.fmax.reduce(bends / (8 * CHORD * column_ranges.size[:, None]), initial=0.0)
     return np.asarray(np.maximum(1, np.ceil(np.sqrt(np.minimum(chords, _MOST_CHORDS)))), dtype=int)
 
 
 def extreme_times(curves: Sequence[Curves], column_ranges: CurveRanges) -> list[Floats]:
-    """Return the times of each curve at which columns are largest or least [s].
+    """Return the times, for each curve, at which columns are largest or least [s].
 
-    The first of several equal extremes is included.
+    Of several equal extremes, the first is included.
 
     Examples
     --------
@@ -117,7 +118,7 @@ def extreme_times(curves: Sequence[Curves], column_ranges: CurveRanges) -> list[
     >>> sorted(set(times.round(9).tolist()))
     [0.0, 1.0]
     """
-    if not np.isfinite(column_ranges.size).any():  # nothing changes
+    if not np.isfinite(column_ranges.size).any():  # all columns are constant
         return [np.zeros(0) for _ in curves]
     candidates = [_turns(curve, column_ranges) for curve in curves]
     columns, times, values = (np.concatenate(parts) for parts in zip(*candidates, strict=True))
@@ -134,7 +135,7 @@ def extreme_times(curves: Sequence[Curves], column_ranges: CurveRanges) -> list[
 
 
 class _Turns(NamedTuple):
-    """Candidates for extremes of columns."""
+    """Candidates for extremes of columns: index of the column, time and value."""
 
     columns: Integers
     times: Floats
@@ -143,7 +144,7 @@ class _Turns(NamedTuple):
 
 
 def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
-    """Return the highest and lowest nodes of columns, and turning points near the extremes."""
+    """Return the highest and lowest nodes of columns, and turning points of nearly their values."""
     moving, nodes = np.flatnonzero(np.isfinite(column_ranges.size)), np.array(curves.nodes)
     values = curves.values[moving]
     flat = values.reshape(len(values), -1)
@@ -171,7 +172,7 @@ def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
 
 
 def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:
-    """Return the turning points of polynomials between two places, by Newton's method."""
+    """Return the turning point of each polynomial between `low` and `high`, by Newton's method."""
     orders = np.arange(1.0, powers.shape[1])
     slopes = powers[:, 1:] * orders
     bends = slopes[:, 1:] * orders[:-1]
@@ -188,7 +189,7 @@ def _times(curves: Curves, parts: Integers, within: Floats) -> Floats:
 
 
 def _risen(values: Floats) -> Floats:
-    """Return values minus the value at the start of the part."""
+    """Return values minus the value at the first node."""
     return _finite(values - values[..., :1])
 
 
@@ -198,19 +199,19 @@ def _finite(values: Floats) -> Floats:
 
 
 def _along(powers: Floats, places: Floats) -> Floats:
-    """Evaluate each polynomial at a different place."""
+    """Evaluate each polynomial at its place."""
     values: Floats = (powers * places[:, None] ** np.arange(powers.shape[1])).sum(axis=1)
     return values
 
 
 class _Polynomials(NamedTuple):
-    """Matrices from values at nodes to coefficients, and to derivatives at the nodes."""
+    """Matrices from values at nodes to coefficients (`powers`), and to derivatives at the nodes."""
 
     powers: Floats
     slopes: Floats
-    """First derivatives at the nodes."""
+    """Matrix to first derivatives at the nodes."""
     bends: Floats
-    """Second derivatives at the nodes."""
+    """Matrix to second derivatives at the nodes."""
 
 
 @lru_cache(maxsize=8)

@@ -1,4 +1,4 @@
-"""Result of a simulation: the motion with its events, energies and largest torques."""
+"""Result of a simulation: the motion over time, with events, energies and largest torques."""
 
 from __future__ import annotations
 
@@ -22,17 +22,16 @@ EventKind = Literal["locks", "slips", "reverses", "impact", "step"]
 
 
 class Event(NamedTuple):
-    """Event at an instant, of a shift element, a load, a mechanism or a sequence."""
+    """Event of a shift element, a load, a spring, a mechanism or a sequence."""
 
     time: float
     """Time of the event. [s]"""
     element: str
     event: EventKind
     energy: Annotated[float | None, SOMETIMES] = 0.0
-    """Energy lost at once in an impact; None for a step of a sequence. [J]"""
+    """Energy lost in an impact, otherwise 0; None for a step of a sequence. [J]"""
     word: str = ""
-    """Usual word: dog clutches open and close, freewheels overrun, loads start, mechanisms that
-    friction has locked stick and move."""
+    """Usual word: dog clutches open and close, freewheels overrun, loads start."""
     step: Annotated[int | None, SOMETIMES] = None
     """Number of the completed step of a sequence."""
 
@@ -43,19 +42,19 @@ class Energy(NamedTuple):
     work: float
     """Work of outside torques."""
     heat: Mapping[str, float]
-    """Heat of friction, by shift element, and by link for resistances."""
+    """Heat of friction, by name of shift element or spring, or of a link with a resistance."""
     heat_per_area: Annotated[Mapping[str, float], SOMETIMES]
     """Heat per friction area of shift elements with a known area. [J/m^2]"""
     losses: Mapping[str, float]
-    """Losses of converters, dampers, drag and meshes, by name."""
+    """Losses by name: of mechanisms, converters and dampers, and of links with drag."""
     kinetic: float
     """Change of the kinetic energy."""
     elastic: float
     """Change of the elastic energy."""
     impact: float
-    """Energy lost at once in impacts."""
+    """Energy lost in impacts."""
     balance: float
-    """Work minus all other parts; 0 but for numerical errors."""
+    """Work minus all other energies above; 0 except for numerical errors."""
 
 
 class Damage(Protocol):
@@ -63,15 +62,15 @@ class Damage(Protocol):
 
     @property
     def damage(self) -> float:
-        """Fraction of the damage at which the component fails [-]."""
+        """Damage of the run; the component fails at a total of 1 [-]."""
 
     @property
     def repeats(self) -> float | None:
-        """Number of runs to failure; None for an unlimited number [-]."""
+        """Number of runs to failure; None if unlimited [-]."""
 
 
 class Peak(NamedTuple):
-    """Torque of a component with the largest magnitude."""
+    """Largest torque of a component, by magnitude."""
 
     torque: float
     """Torque, with sign. [N*m]"""
@@ -80,7 +79,7 @@ class Peak(NamedTuple):
 
 
 class Reached(NamedTuple):
-    """Time and travel at which a link reaches a target speed."""
+    """Time, angle and distance at which a link first reaches a target speed."""
 
     link: str
     speed: float
@@ -88,49 +87,49 @@ class Reached(NamedTuple):
     time: float
     """Time; NaN if the speed is not reached. [s]"""
     angle: float
-    """Angle turned until then. [rad]"""
+    """Angle of the link at this time. [rad]"""
     distance: float
-    """Distance on a road; NaN without a road, or with a varying rolling radius. [m]"""
+    """Distance of the vehicle; NaN without a road, or with a varying rolling radius. [m]"""
 
 
 class Motion(NamedTuple):
-    """The course of a simulation.
+    """Result of a simulation: motion over time, events and energies.
 
     Attributes
     ----------
     time : ndarray, shape (instants,)
         Instants of events, of the extremes of each column, multiples of a step, and enough others
         to draw the columns with straight lines. An instant of a jump appears twice. The last
-        instant is the duration. [s]
+        instant is the end of the run. [s]
     links, elements, devices : sequence of str
-        Names of the columns of `speeds`, of `slips`, of `torques`.
+        Names of the columns of `speeds`, `slips` and `torques`, respectively.
     speeds : ndarray, shape (instants, links)
         Speeds of links. [rad/s]
     slips : ndarray, shape (instants, elements)
         Slip of shift elements: speed of the first link minus the speed of the second. [rad/s]
     torques : ndarray, shape (instants, devices)
-        Torques of shift elements, mechanisms, springs and converters: those that the first link
-        gives to the component, so the integral of torque times slip is heat. [N*m]
+        Torques of shift elements, mechanisms, springs and converters: the torque that the first
+        link gives to the component, so the integral of torque times slip is heat. [N*m]
     heat : ndarray, shape (instants, elements)
-        Heat of shift elements up to an instant. [J]
+        Heat of shift elements since the start. [J]
     events : sequence of Event
     energy : Energy
     peaks : mapping of str to Peak
     reached : sequence of Reached
     messages : sequence of Message
     stopped : Problem, optional
-        Reason why the run ends before its duration.
+        Reason why the run ended early.
     asked : mapping of str to mapping of str to ndarray, shape (instants,)
         Additional columns, by table and row.
-    damage : mapping of str to DeviceDamage
+    damage : mapping of str to Damage
         Damage of components with a fatigue strength.
     beside : mapping of str to mapping of str to ndarray, shape (instants,)
         Tables for pictures and the report; empty for the method `tarasik`.
     case : Transmission
         Case of the scenario.
     dynamic_factors : mapping of str to float or None
-        Largest torque of each component divided by the torque in statics, if the scenario has
-        `static`; None where the torque in statics is 0.
+        Largest torque of each component divided by its static torque, if the scenario has `static`;
+        None where the static torque is 0.
 
     Examples
     --------
@@ -165,7 +164,7 @@ class Motion(NamedTuple):
     dynamic_factors: Mapping[str, float | None] = MappingProxyType({})
 
     def __repr__(self) -> str:
-        """Return the case, the duration and the number of events."""
+        """Return the name of the case, the duration and the number of events."""
         name = f" of {self.case.name!r}" if self.case and self.case.name else ""
         end = f"{self.time[-1]:.6g} s, {len(self.events)} {plural('event', len(self.events))}"
         stopped = ", stopped" if self.stopped else ""
@@ -230,7 +229,7 @@ class Motion(NamedTuple):
         return dataset
 
     def plot(self, kind: str = "shift", **how: Any) -> AnyPicture:
-        """Draw the run; a notebook shows the picture.
+        """Draw the run; a notebook displays the returned picture.
 
         Parameters
         ----------

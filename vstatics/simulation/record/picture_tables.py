@@ -1,4 +1,4 @@
-"""Tables of a run for pictures and the report: sticking elements, capacities, losses."""
+"""Tables of a run for pictures and the report, such as capacities and losses over time."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from vstatics.simulation.system.matrices import SIGNS, Contact
 from vstatics.simulation.system.values import outside_torques
 
 Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
-"""Columns by table and row."""
+"""Columns over time, by name of the table and name of the row."""
 
 
 def picture_tables(at: Moments) -> Tables:
-    """Return the tables for pictures and the report, at some times of a piece.
+    """Return the tables for pictures and the report, at times between two events.
 
     The tables are `sticks` of shift elements (1 if sticking), their `capacities` [N*m], `heat` and
     `losses` by name [J], `vehicle_acceleration` of links with a road [m/s^2], and `output_torque`,
-    which the train gives to the output link [N*m].
+    which the gear train gives to the output link [N*m].
     """
     equations, torques, roads = at.motion.equations, at.ports, roads_of(at.system.scenario)
     heat, losses = heat_and_losses(equations, at.states)
@@ -55,7 +55,7 @@ def picture_tables(at: Moments) -> Tables:
 
 
 def joined(parts: Sequence[Tables]) -> Tables:
-    """Return tables with the columns of all parts appended."""
+    """Return tables in which the columns of consecutive parts of the run are joined."""
     return {
         table: {row: np.concatenate([part[table][row] for part in parts]) for row in rows}
         for table, rows in parts[0].items()
@@ -71,7 +71,7 @@ def chosen(tables: Tables, selected: Booleans) -> Tables:
 
 
 def _sticks(equations: Equations) -> Iterator[bool]:
-    """Yield the state of each shift element: True if sticking."""
+    """Yield a flag for each shift element, True if it sticks."""
     system, states = equations.system, equations.states
     contacts = dict(zip(map(id, system.contacts), states.held, strict=True))
     springs = dict(zip(map(id, system.springs), states.springs, strict=True))
@@ -83,7 +83,7 @@ def _sticks(equations: Equations) -> Iterator[bool]:
 
 
 def _capacities(at: Moments) -> Iterator[Floats]:
-    """Yield the capacity of each shift element: dynamic when slipping, static when sticking."""
+    """Yield the torque capacity of each shift element: kinetic if slipping, static if sticking."""
     equations, system = at.motion.equations, at.system
     active, seen = equations.states, None
     if any(device.programme.look is not None for device in system.may_slip):
@@ -109,7 +109,7 @@ def _capacities(at: Moments) -> Iterator[Floats]:
 
 
 def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
-    """Return the acceleration of a vehicle [m/s^2] from that of a link [rad/s^2]."""
+    """Convert the acceleration of a link with a road [rad/s^2] to that of the vehicle [m/s^2]."""
     if road.wheel is None:
         return road.radius * acceleration
     slope, _ = road.wheel.turning_slopes(road.wheel.velocity(turning))
@@ -117,10 +117,10 @@ def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
 
 
 def _output_torque(equations: Equations, accelerations: Floats, torques: Floats) -> Floats:
-    """Return the torque that the train gives to the output link [N*m].
+    """Return the torque that the gear train gives to the output link [N*m].
 
-    The balance of the link gives the torque: its inertia takes the rest of the outside torques. A
-    link without gear sets or shift elements receives the torque of its springs.
+    It is the inertia torque of the link minus the outside torques on it. Springs count as outside
+    unless the link has neither gear sets nor shift elements: then the springs drive it.
     """
     system, layout = equations.system, equations.layout
     link = system.case.output - 1

@@ -1,4 +1,4 @@
-"""Record that collects a run step by step and returns its motion."""
+"""Record that collects a run, time step by time step, and returns its motion."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
-"""Largest number of state values kept in full, and equivalent overhead of one step."""
+"""Number of stored values from which steps are reduced to instants, and allowance for one step."""
 
 
 class Record:
-    """Record of a run up to the time reached.
+    """Record of a run until the simulated time.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ class Record:
     step : float, optional
         Spacing of additional instants. [s]
     asked : mapping of str to sequence of str
-        Rows of additional tables.
+        Requested rows of additional tables.
     """
 
     def __init__(
@@ -66,23 +66,23 @@ class Record:
         self.events: list[Event] = []
         self.impact = 0.0
         self.impact_work = 0.0
-        """Work of impulses on links at given speeds. [J]"""
+        """Work of impacts at links with given speeds. [J]"""
         self.joined: set[int] = set()
-        """Contacts that have just joined in an impact."""
+        """Indices of the contacts that have closed in an impact at the present instant."""
         self.messages: list[Message] = []
         self.cut: set[str] = set()
-        """Elements whose control exceeded their capacity, and states set beyond their limits."""
+        """Names that have a note: controls above a capacity, states set beyond their limits."""
         self.pieces: list[Piece] = []
-        """Latest pieces, with all their steps; earlier pieces are in `drawn`."""
+        """Latest pieces of the run, with all time steps; earlier pieces are reduced in `drawn`."""
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
         self.open: set[frozenset[int]] = set()
-        """Sets of contacts in which the choice of the contact that breaks away was not unique."""
+        """Sets of contacts that have a note, since other contacts could break away instead."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
         self.value_scales = np.maximum(np.abs(start.values), LEAST_VALUE)
-        """Magnitudes of states and temperatures that tolerances refer to."""
+        """Scales of control states and temperatures, to which their tolerances are relative."""
         self.targets = [
             (link - 1, speed)
             for link, speeds in system.scenario.targets.items()
@@ -91,7 +91,7 @@ class Record:
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
 
     def copy(self) -> Record:
-        """Return a copy that continues independently, without the earlier pieces."""
+        """Return a copy that continues independently, but without recorded pieces."""
         copied = copy(self)
         copied.events, copied.messages, copied.pieces = [*self.events], [*self.messages], []
         copied.drawn = DrawnRun(self.system, self.every, self.drawn.table.asked)
@@ -102,7 +102,7 @@ class Record:
 
     @property
     def turnover(self) -> float:
-        """Energy that has flowed or is stored: the scale for errors of the balance [J].
+        """Largest energy transferred or stored until now, the scale of errors of the balance [J].
 
         Net work is not a scale, because a torque can take the energy that another torque gives.
         """
@@ -116,12 +116,12 @@ class Record:
         )
 
     def largest_slip(self, row: Floats) -> float:
-        """Return the largest slip since the last event, as a magnitude [rad/s].
+        """Return the largest magnitude of a slip since the last event [rad/s].
 
         Parameters
         ----------
         row : ndarray, shape (links,)
-            Coefficients of the slip for the speeds of the links.
+            Coefficients of the speeds of links in the slip.
         """
         piece = self.pieces[-1]
         speeds_at = piece.margins.equations.speeds
@@ -133,7 +133,7 @@ class Record:
         self.events.append(Event(time, sequence, "step", None, "step", step))
 
     def jumps(self, time: float, jump: Jump) -> None:
-        """Record twists that change at once, and add a message."""
+        """Record the energy lost in a sudden change of twists, and add a warning."""
         self.impact += jump.energy
         text = (
             f"link {jump.link} has no inertia: at {time:.6g} s the torques on it jump, and it "
@@ -142,7 +142,7 @@ class Record:
         self.messages.append(Message("W602", text))
 
     def sets(self, time: float, values: Mapping[str, float]) -> None:
-        """Warn once of each state that a step of a sequence sets beyond its limits."""
+        """Add a note, once for each state, if a sequence step sets it beyond its limits."""
         for state in self.system.scenario.states:
             beyond = state.beyond(values.get(state.name, state.start))
             if beyond and state.name not in self.cut:
@@ -151,7 +151,7 @@ class Record:
                 self.messages.append(Message("N611", f"{text}; it is kept at this limit"))
 
     def cuts(self, system: MotionSystem, now: tuple[float, Sequence[float]]) -> None:
-        """Warn once of each control that exceeds a capacity of the case."""
+        """Add a note, once for each control, if it exceeds a capacity of the case."""
         for device in system.may_slip:
             programme = device.programme
             if programme.look is None or programme.largest is None or device.name in self.cut:
@@ -162,7 +162,7 @@ class Record:
                 self.messages.append(Message("N605", text))
 
     def fits_too(self, time: float, broken: Iterable[int], others: Iterable[int]) -> None:
-        """Warn once of each set of contacts that could break away instead."""
+        """Add a note, once for each set, that other contacts could break away instead."""
         if (both := frozenset([*broken, *others])) in self.open:
             return
         self.open.add(both)
@@ -177,7 +177,7 @@ class Record:
         self.messages.append(Message("N606", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
-        """Begin a piece of the run at a state; `margins` and their equations apply to all of it."""
+        """Begin a piece of the run, to which the equations of `margins` apply."""
         equations = margins.equations
         self.pieces.append(Piece(margins, equations.time, state))
         self.time = equations.time
@@ -191,7 +191,7 @@ class Record:
         self._store(equations, equations.time, state)
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
-        """Record a step up to a time: the end of the step or an event [s]."""
+        """Record a time step until `end`, which is its end or an event within it [s]."""
         if self.numbers > _MOST_NUMBERS:
             self._draw()
         piece = self.pieces[-1]
@@ -217,8 +217,8 @@ class Record:
     def leaves_zero(self, equations: Equations, time: float, state: Floats) -> bool:
         """Return whether a control value is about to exceed its scale; if so, raise the scale.
 
-        A value that leaves 0 by rounding alone has no accurate step relative to itself, so its
-        error is measured against the magnitude that it soon reaches.
+        A value that leaves 0 cannot be integrated with a small error relative to itself. Its error
+        is compared with the magnitude that it soon reaches.
         """
         length = DISTANCES[-1] * equations.within
         later = equations.moved(time, state, length)
@@ -231,19 +231,19 @@ class Record:
         return False
 
     def _draw(self, *, hurried: bool = False) -> None:
-        """Reduce all pieces to the instants needed to draw them, and begin a new piece."""
+        """Reduce all pieces to the instants that draw them, and begin a new piece."""
         self.drawn.add(self.pieces, hurried=hurried)
         last = self.pieces[-1]
         self.pieces, self.numbers = [Piece(last.margins, self.time, last.states[-1])], 0
 
     def _store(self, equations: Equations, time: float, state: Floats) -> None:
-        """Raise the largest stored energy to the stored energy of a state, if this is larger."""
+        """Update the largest stored energy with the kinetic and elastic energy of a state."""
         kinetic = kinetic_energy(self.system, equations.speeds(time, state))
         elastic = self.system.elastic_energy(state[equations.twists])
         self.stored = max(self.stored, kinetic + elastic)
 
     def _targets(self, step: TimeStep, end: float, state: Floats, equations: Equations) -> None:
-        """Record the times at which links reach target speeds."""
+        """Record the time and angle at which links reach target speeds in a time step."""
         for link, speed in self.targets:
             if (link, speed) in self.reached:
                 continue
@@ -262,7 +262,7 @@ class Record:
                 self.reached[link, speed] = time, angle
 
     def motion(self, stopped: Problem | None, *, hurried: bool) -> Motion:
-        """Return the motion; hurried if a time limit or a user stopped the run."""
+        """Return the motion; `hurried` (after a time limit or Ctrl-C) means fewer instants."""
         self._draw(hurried=hurried)
         self._tell_backward()
         system, [last], table = self.system, self.pieces, self.drawn.table
@@ -276,7 +276,7 @@ class Record:
         }
         messages = [*self.messages, *empty_columns(asked)]
         damages: Mapping[str, Damage] = {}
-        if system.case.fatigue:  # another annex calculates the damage
+        if system.case.fatigue:  # the annex `vehicle` calculates damage
             by_device = dict(zip(table.devices, torques.T, strict=True))
             damages = higher("damages")(system.case, by_device)
         return Motion(
@@ -306,7 +306,7 @@ class Record:
         )
 
     def _tell_backward(self) -> None:
-        """Warn of links that end opposite to a target, further away than at the start."""
+        """Add a note for links that end with the wrong sign, farther from a target than before."""
         last = self.pieces[-1]
         speeds = last.margins.equations.speeds(self.time, last.states[-1]).tolist()
         for link, target in self.targets:
@@ -321,7 +321,7 @@ class Record:
                 self.messages.append(Message("N613", text))
 
     def _tell_shared(self, equations: Equations) -> None:
-        """Warn once of each set of shift elements that share an indeterminate torque."""
+        """Add a note, once for each set of shift elements that share an indeterminate torque."""
         structure, contacts = equations.structure, equations.system.contacts
         sharing = tuple(
             multiplier.of
@@ -352,7 +352,7 @@ class Record:
 
 
 def _different(times: Floats, columns: Floats) -> Booleans:
-    """Return a mask that excludes repeated instants at which no column jumps."""
+    """Return a mask without the second of two equal instants at which no column jumps."""
     distinct = np.ones(len(times), dtype=bool)
     for number in np.flatnonzero(np.diff(times) == 0) + 1:
         before, after = columns[:, number - 1], columns[:, number]

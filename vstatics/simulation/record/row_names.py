@@ -1,4 +1,4 @@
-"""Names of the rows of a run's tables."""
+"""Names of the rows of the tables of a run."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ Kind = Literal[
     "device with fatigue",
     "number",
 ]
-"""Kinds of rows; a number has a single row without a name.
+"""Kinds of rows; a table of kind `number` has a single row without a name.
 
-Friction acts in shift elements, at links with a resistance or a road, and in springs with a limit
-or friction. Losses occur in components and at links with drag.
+`friction`: shift elements, links with a resistance or a road, and springs with a limit or friction.
+`loss`: components, and links with drag.
 """
 
 
 def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
-    """Return the names of the rows of tables of a kind."""
+    """Return the row names of tables with a kind of rows."""
     return tuple(_ROWS[kind](scenario))
 
 
@@ -45,7 +45,7 @@ def roads_of(scenario: Scenario) -> dict[int, Road]:
 
 
 def friction_areas(case: Transmission) -> dict[str, float]:
-    """Return the total friction area of each shift element that has a given area [m^2]."""
+    """Return the total friction area of each shift element with a known area, by name [m^2]."""
     packs = ((element.name, element.pack) for element in case.shift_elements)
     return {name: pack.area * pack.surfaces for name, pack in packs if pack and pack.area}
 
@@ -56,7 +56,7 @@ def _links(scenario: Scenario) -> Sequence[str]:
 
 
 def _links_and_springs(scenario: Scenario) -> Iterable[str]:
-    """List the names of links and springs; as in formulas, a name denotes a link first."""
+    """List the names of links and springs; a common name denotes the link, as in formulas."""
     return dict.fromkeys([*_links(scenario), *vocabulary(scenario.case).rows["twist"]])
 
 

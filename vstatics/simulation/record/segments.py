@@ -1,4 +1,4 @@
-"""Pieces of a run between events, and the recorded columns at instants of a piece."""
+"""Pieces of a run between two events, and the recorded columns at instants of a piece."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ from vstatics.simulation.system.matrices import MotionSystem, between
 
 
 class Piece:
-    """Piece of a run in which the same contacts stick and slip, so that its equations are fixed."""
+    """Piece of a run in which the same contacts stick, so that the same equations hold."""
 
     def __init__(self, margins: Margins, time: float, state: Floats) -> None:
         self.margins = margins
         self.times = [time]
-        """Ends of integration steps, and multiples of the output interval, if any. [s]"""
+        """Start, ends of parts of time steps, and multiples of a requested interval. [s]"""
         self.states = [state]
         self.steps: list[tuple[TimeStep, float]] = []
-        """Steps, each with the time up to which it is valid."""
+        """Time steps, each with the time until which it is valid. [s]"""
 
     @property
     def motion(self) -> PieceMotion:
@@ -44,7 +44,7 @@ class Piece:
 
 
 class MotionColumns:
-    """Layout and values of the recorded columns of a motion.
+    """Recorded columns of a run: their order, and their calculation.
 
     Parameters
     ----------
@@ -64,11 +64,11 @@ class MotionColumns:
         sizes = (links, len(elements), len(self.devices), *map(len, asked.values()), len(elements))
         ends = np.cumsum((0, *sizes)).tolist()
         self.kinds = [slice(*pair) for pair in pairwise(ends)]
-        """Columns of speeds, slips, torques, each additional table, and heat."""
+        """Ranges of columns: speeds, slips, torques, each additional table, heat."""
         self.speeds, self.slips, self.torques, *_, self.heat = self.kinds
 
     def moments(self, piece: Piece, times: Floats, states: Floats) -> Moments:
-        """Return speeds, slips and torques at some times of a piece."""
+        """Return the state of the run at times of a piece."""
         margins, equations = piece.margins, piece.margins.equations
         speeds = equations.speeds_at(times, states)
         rates, ports = equations.acting_at(times, states)
@@ -77,13 +77,13 @@ class MotionColumns:
         return Moments(piece.motion, times, states, speeds, self.rows @ speeds, torques, ports)
 
     def at(self, at: Moments) -> Floats:
-        """Return all columns at some times of a piece, shape (columns, times)."""
+        """Return all columns at given moments, shape (columns, times)."""
         asked = [TABLES[table].make(at, rows) for table, rows in self.asked.items()]
         heat = element_heat(at.motion.equations, at.states)
         return np.concatenate([at.speeds, at.slips, at.torques, *asked, heat])
 
     def curves(self, piece: Piece, steps: Sequence[tuple[TimeStep, float]]) -> Curves:
-        """Return the columns as curves over parts of steps; the last part is cut at the end."""
+        """Return the columns over all parts of time steps; an event can end the last part early."""
         (first, _), (last, end) = steps[0], steps[-1]
         size = len(first.nodes)
         times = np.concatenate([step.times for step, _ in steps]).reshape(-1, size)
@@ -116,7 +116,7 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
     ----------
     equations : Equations
     ports, held : ndarray, shape (ports, times) and (multipliers, times)
-        Torques of ports, and of the constraints. [N*m]
+        Torques of ports, and constraint torques. [N*m]
     """
     system, layout = equations.system, equations.layout
     torques = np.zeros((len(system.case.devices), ports.shape[1]))
@@ -139,7 +139,7 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
 
 
 def device_names(system: MotionSystem) -> tuple[str, ...]:
-    """Return the names of all torques: components, converters, turbines, links at given speeds."""
+    """Return the names of all torques: of components, converters, turbines, and given speeds."""
     given = (contact.name for contact in system.contacts if contact.is_given)
     converters = [converter.name for converter in system.converters]
     return (*system.case.devices, *converters, *map(turbine, converters), *given)

@@ -1,6 +1,6 @@
 """Tables of a simulation: events, energies, largest torques, and the times of target speeds.
 
-Components without heat, loss or torque are left out; the JSON document has them all.
+Components without heat, loss or torque are left out; the JSON document contains all components.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from vstatics.simulation.tolerances import CLOSED_BALANCE, PRINTED
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
-    """Yield the tables of a motion that are not empty, and the table of events."""
+    """Yield the table of events, and the other tables that are not empty."""
     if motion.stopped is not None:
         why = [[motion.stopped.told]]
         yield grid_of("Stopped before its end", ["why"], why, key="stopped")
@@ -52,7 +52,7 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
 
 
 def _of_kind(numbers: Iterable[float]) -> Callable[[float | None], Cell]:
-    """Return a writer of numbers that shows numbers negligible against the largest as 0."""
+    """Return a writer that prints 0 for numbers that are negligible relative to the largest."""
     least = PRINTED * max((abs(number) for number in numbers if math.isfinite(number)), default=0.0)
 
     def shown(value: float | None) -> Cell:
@@ -86,7 +86,7 @@ def _events(motion: Motion) -> Grid:
 
 
 def _energy(motion: Motion) -> Grid:
-    """Return the table of the energy balance, with the parts of a sum below the sum."""
+    """Return the table of the energy balance; the parts of heat and losses follow their sums."""
     energy = motion.energy
     per_area = energy.heat_per_area
     rows: list[Row] = []
@@ -109,7 +109,7 @@ def _energy(motion: Motion) -> Grid:
     for name in ("kinetic", "elastic", "impact"):
         add(name, getattr(energy, name))
     add("balance", energy.balance)
-    if abs(energy.balance) < CLOSED_BALANCE:  # no digit is certain
+    if abs(energy.balance) < CLOSED_BALANCE:  # rounding noise
         rows[-1][1] = exact(0.0)._replace(value=energy.balance)
     columns = [text(""), Column("energy [J]")] + [Column("per area [J/m^2]")] * bool(per_area)
     return Grid("Energy", columns, rows, levels, key="energy")

@@ -1,4 +1,4 @@
-"""Usual words for the events of a run, such as `overruns` of a freewheel."""
+"""Usual words for events, such as `overruns` for a freewheel that begins to slip."""
 
 from __future__ import annotations
 
@@ -9,25 +9,25 @@ Device = Contact | Elastic | RigidMechanism
 
 
 def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) -> Event:
-    """Return an event of a component, with the usual word.
+    """Return an event of a component, with its usual word.
 
     Parameters
     ----------
     time : float
         Time of the event. [s]
     energy : float
-        Energy lost at once. [J]
+        Energy lost in an impact. [J]
     """
     return Event(time, device.name, kind, energy, _word(device, kind))
 
 
 def slid_back(event: Event) -> Event:
-    """Return the event of a freewheel that slips backwards, beyond its capacity."""
+    """Return the event with the word for a freewheel that slips backward, beyond its capacity."""
     return event._replace(word="slips") if event.word == "overruns" else event
 
 
 def released(event: Event) -> Event:
-    """Return the event of a shift element whose capacity is controlled to zero."""
+    """Return the event with the word for a shift element whose control opens it."""
     return event._replace(word="opens") if event.word == "slips" else event
 
 
@@ -37,7 +37,7 @@ def _word(device: Device, kind: EventKind) -> str:
     if isinstance(device, Contact) and kind == "slips":
         if device.one_way:
             return "overruns"
-        if device.element is None:  # a load
+        if device.element is None:  # dry friction of a load
             return "starts"
     if device.programme.is_dog and kind != "reverses":
         return "opens" if kind == "slips" else "closes"

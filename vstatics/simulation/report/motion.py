@@ -1,4 +1,4 @@
-"""Section of a run on a page: pictures, events, energy, largest torques."""
+"""Section about a run in an HTML report: pictures, events, energy, largest torques."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ from vstatics.pictures.paged.parts import PartRequest, figures, on_screen
 from vstatics.simulation.record.motion import Motion
 
 TIME, FIGURES = 4, 5
-"""Decimals of a time in s, and significant digits of the largest number of a column."""
+"""Decimals of times in s, and significant digits of the largest number in other columns."""
 KILO = 1e4
-"""Largest energy of a column from which energies are shown in kJ. [J]"""
+"""Largest energy in a column from which the column is in kJ. [J]"""
 NOTHING = Markup()
 
 
 class RunSection(NamedTuple):
-    """Content of the section of a run."""
+    """Content of the section about a run."""
 
     motion: Motion
     course: Drawn | None = None
-    """Picture over time; None without pictures."""
+    """Picture of the run over time; None without pictures."""
     plan: Drawn | None = None
     """Speed plan with the speeds of the run; None without pictures."""
     moves: Markup = NOTHING
-    """Interactive run, which replaces `course` on a screen."""
+    """HTML of the interactive run, which replaces `course` on a screen."""
     in_full: bool = False
-    """Whether the speed plan is printed, too."""
+    """True if the speed plan is shown on paper, too."""
     has_marks: bool = False
-    """Whether times of events are marked for a script."""
+    """True if times of events are marked for the script of the page."""
     without: str = ""
 
     @property
@@ -47,7 +47,7 @@ class RunSection(NamedTuple):
         return ("plan",) if self.plan and self.plan.sheets else ()
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the section; the reason of an early stop is first."""
+        """Yield the HTML of the section, beginning with the reason of an early stop, if any."""
         from vstatics.simulation.record.tables import motion_grids
 
         motion = self.motion
@@ -70,12 +70,12 @@ class RunSection(NamedTuple):
 
 
 def has_part(case: Transmission, *, runs: bool) -> bool:  # noqa: ARG001
-    """Return whether a page has a section about a run."""
+    """Return whether a report contains a section about a run."""
     return runs
 
 
 def part(request: PartRequest) -> RunSection | None:
-    """Return the section of a run with pictures, or None without a run."""
+    """Return the section about the run of a request, or None without a run."""
     motion = request.motion
     if not isinstance(motion, Motion):
         return None
@@ -92,7 +92,7 @@ def part(request: PartRequest) -> RunSection | None:
 
 
 def marked_events(grid: Grid) -> Grid:
-    """Return a table with marks on the times of events; other tables are unchanged."""
+    """Mark the times in a table of events for the script; return other tables unchanged."""
     if grid.key != "events":
         return grid
     rows: list[Row] = []
@@ -103,7 +103,7 @@ def marked_events(grid: Grid) -> Grid:
 
 
 def in_figures(grid: Grid) -> Grid:
-    """Return a table of a run rounded for readers, with large energies in kJ.
+    """Round the numbers in a table of a run for readers; large energies are in kJ.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def in_figures(grid: Grid) -> Grid:
 
 
 def _column(column: Column, cells: Sequence[Cell]) -> tuple[Column, Sequence[Cell]]:
-    """Round the cells of a column; a number shown as 0 remains 0."""
+    """Round the cells of a column; a number printed as 0 remains 0."""
     numbers = [cell.value for cell in cells if cell.kind is float and cell.value is not None]
     largest = max((abs(number) for number in numbers if math.isfinite(number)), default=0.0)
     if not numbers:

@@ -1,4 +1,4 @@
-"""Runs of two scenarios side by side over time, with their tables row by row."""
+"""Runs of two scenarios side by side: pictures over time, and tables row by row."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from vstatics.simulation.record.tables import motion_grids
 from vstatics.simulation.report.motion import in_figures, marked_events
 
 LabelledRun = tuple[str, Results, Motion | None]
-"""Letter, results of a case, and the run of the case, if any."""
+"""Letter of a case, its results, and its run, if any."""
 
 
 def paired_runs(
     both: Sequence[LabelledRun],
 ) -> tuple[list[Markup], Iterator[list[Grid | None]]]:
-    """Return two runs side by side over time, and the tables of both."""
+    """Return the pictures of two runs side by side, and their tables."""
     return [*_shown(both)], run_grids([motion for _, _, motion in both])
 
 
@@ -46,7 +46,7 @@ def _shown(both: Sequence[LabelledRun]) -> Iterator[Markup]:
 
 
 def _course(labelled: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
-    """Return the picture of a run over time, with scales for both runs."""
+    """Return the picture of a run over time, with the scales that both runs need."""
     label, results, motion = labelled
     name = f"{label}: {tr('Run over time')}"
     others = [(case, run) for _, case, run in both if run and run is not motion]
@@ -59,10 +59,10 @@ def _course(labelled: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
 
 
 def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
-    """Yield each table that any run has, for all runs.
+    """Yield the tables of all runs by kind of table: a list with None for runs without it.
 
-    Events are paired by kind and order, whatever their times. Both runs have the same units in a
-    table. Energies of which no digit is certain are shown as 0.
+    All runs use the same units in a table. The name of an event comes before its time, so that
+    events are paired by name. Energies that are rounding noise become 0.
     """
     tables = [
         {grid.key: grid for grid in motion_grids(motion) if grid.key != "stopped"} if motion else {}
@@ -77,7 +77,7 @@ def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
 
 
 def _certain(grid: Grid) -> Grid:
-    """Return a table in which energies that are shown as 0 are 0."""
+    """Set the energies in a table to 0 where 0 is printed."""
     if grid.key != "energy":
         return grid
     rows = [
@@ -91,7 +91,7 @@ def _certain(grid: Grid) -> Grid:
 
 
 def _by_event(grid: Grid) -> Grid:
-    """Return a table of events in which the column of the event precedes the column of the time.
+    """Move the column of events before the column of times, and put names of parts into it.
 
     >>> from vstatics.core.tables.grid import Column, exact
     >>> columns = [Column("time [s]"), text("element"), text("event")]

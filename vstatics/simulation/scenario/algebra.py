@@ -1,4 +1,4 @@
-"""Calculations with trees of formulas: sums, products, slopes over time, straight forms."""
+"""Algebra of formulas, as trees of operations: sums, products, derivatives, linear forms."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vstatics.core.readers.expressions.operands import Constant, TableName
 from vstatics.simulation.scenario.formula_code import PI, compiled
 
 _STEPS = frozenset(("<", "<=", ">", ">=", "==", "!=", "and", "or", "not", "sign"))
-"""Operations whose values change by jumps alone."""
+"""Operations whose values are constant between jumps."""
 
 
 def parts(tree: Tree) -> Iterator[Tree]:
@@ -25,23 +25,23 @@ def parts(tree: Tree) -> Iterator[Tree]:
 
 
 def variables(tree: Tree) -> frozenset[str]:
-    """Return the names in a tree except pi, subscripts included."""
+    """Return the names of variables in a tree, with their subscripts; pi is a constant."""
     names = (name for name in parts(tree) if isinstance(name, TableName) and name.name != PI)
     return frozenset(name.name + "".join(row.written for row in name.subscripts) for name in names)
 
 
 def number(tree: Tree) -> float | None:
-    """Return the value of a tree without variables, else None."""
+    """Return the value of a tree without variables, or None for other trees."""
     return None if variables(tree) else compiled(tree)(0.0, 0.0, 0.0)
 
 
 def applied(name: str, *operands: Tree) -> Tree:
-    """Build an operation without a place in a text, so that equal operations are equal trees."""
+    """Build an operation without a position in a text, so that equal operations compare equal."""
     return Applied(name, operands, 0, 0)
 
 
 def bare(tree: Any) -> Tree:
-    """Return a tree without places in a text, so that equal formulas are equal trees."""
+    """Return a tree without positions in a text, so that equal formulas compare equal."""
     if isinstance(tree, Applied):
         return applied(tree.name, *map(bare, tree.operands))
     if isinstance(tree, TableName):
@@ -84,7 +84,7 @@ _OUTER: Mapping[str, Callable[[Tree, Tree], Tree]] = {
     "sin": lambda inner, _: applied("cos", inner),
     "cos": lambda inner, _: minus(applied("sin", inner)),
 }
-"""Derivatives of functions, from the argument and the value of the function."""
+"""Derivatives of functions: from the trees of argument and value to the tree of the derivative."""
 
 
 def slope(tree: Tree) -> Tree | None:
@@ -108,7 +108,7 @@ def slope(tree: Tree) -> Tree | None:
 
 
 def _combined(tree: Applied, operands: Sequence[Tree], slopes: Sequence[Tree]) -> Tree | None:  # noqa: PLR0911 - a table
-    """Return the derivative of an operation from the derivatives of the operands."""
+    """Return the derivative of an operation from the derivatives of its operands."""
     first, second, change, last_change = operands[0], operands[-1], slopes[0], slopes[-1]
     match tree.name:
         case "-x":
@@ -134,21 +134,21 @@ def _combined(tree: Applied, operands: Sequence[Tree], slopes: Sequence[Tree]) -
 
 
 def _picked(name: str, left: tuple[Tree, Tree], right: tuple[Tree, Tree]) -> tuple[Tree, Tree]:
-    """Return `min` or `max` of two operands, each with the derivative."""
+    """Return `min` or `max` of two operands, each a pair of value and derivative, as a pair."""
     is_first = applied("<" if name == "min" else ">", left[0], right[0])
     change = plus(left[1], minus(right[1]))
     return applied(name, left[0], right[0]), plus(right[1], times(is_first, change))
 
 
 class StraightForm(NamedTuple):
-    """Sum ``speed*w + angle*phi + offset(t)`` for a link with speed w and angle phi."""
+    """Linear form ``speed*w + angle*phi + offset(t)`` in the speed w and angle phi of a link."""
 
     speed: float
     angle: float
     offset: Tree
 
     def plus(self, other: StraightForm, factor: float = 1.0) -> StraightForm:
-        """Return the sum of this form and a second form times a factor."""
+        """Return the sum of this form and another form times a factor."""
         addend = other.times(factor)
         offset = plus(self.offset, addend.offset)
         return StraightForm(self.speed + addend.speed, self.angle + addend.angle, offset)
@@ -160,7 +160,7 @@ class StraightForm(NamedTuple):
 
 
 def straight(tree: Tree) -> StraightForm | None:  # noqa: PLR0911 - a table
-    """Return a tree that is linear in speed and angle as a straight form, else None.
+    """Return a tree that is linear in speed and angle as a linear form, or None for other trees.
 
     Examples
     --------

@@ -1,8 +1,8 @@
 """Checks of a scenario, its laws, points and formulas before the calculation.
 
-Paths contain names: ``("controls", "FH")``, ``("torques", "out", 2)`` for the second of several
-laws, ``("shifts", 1, "to")``, numbers from 1. Problems that only a calculation finds, such as
-contradictory start speeds, are reported there.
+The path of a problem contains names, and numbers from 1: ``("controls", "FH")``, ``("torques",
+"out", 2)`` for the second of several laws, ``("shifts", 1, "to")``. Contradictory start speeds and
+other problems that only a calculation finds are reported by the calculation.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _TRIED_TIMES = 1001
 
 
 def check_scenario(scenario: Scenario) -> None:
-    """Refuse an impossible scenario.
+    """Reject an impossible scenario.
 
     Raises
     ------
@@ -94,7 +94,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """Yield warnings and notes, such as warnings about shifts after the end of the scenario."""
+    """Yield warnings and notes about a scenario, such as for a shift after its end."""
     case = scenario.case
     yield from bare_capacities(case)
     yield from cut_controls(scenario)
@@ -189,7 +189,7 @@ def _of_controls(
 
 
 def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
-    """Yield a problem if a formula is infinite or NaN at all tried times, speeds and angles."""
+    """Yield a problem if a formula is infinite or NaN at all sampled times, speeds and angles."""
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
@@ -204,7 +204,7 @@ def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Proble
 
 
 def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
-    """Yield the problems of a control or a limit over time."""
+    """Yield the problems of a torque capacity over time, of a control or limit."""
     law, scale = control
     yield from of_range(scale, "a scale", (*path, "scale"))
     if isinstance(law, Points):
@@ -344,7 +344,7 @@ def _name(case: Transmission, link: int) -> Any:
 
 
 def _of_road(law: Road, path: Path) -> Iterator[Problem]:
-    """Yield the problems of a road: invalid numbers, or a wheel speed with several velocities."""
+    """Yield the problems of a road: invalid numbers, or an ambiguous vehicle speed."""
     problems = [
         *of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
         *of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
@@ -389,7 +389,7 @@ def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
 
 
 def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the problems of all formulas; the place of a formula decides on its allowed names."""
+    """Yield the problems of all formulas; the allowed names depend on the key of a formula."""
     names = scenario.value_names
     converters = [converter.name for converter in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
@@ -397,7 +397,7 @@ def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
         known = words.only(*allowed) if allowed else Vocabulary()
         problems = list(of_formula(law, variables, path, known))
         yield from problems
-        # controls and limits must be numbers at every time, see `_of_capacity`
+        # `_of_capacity` checks the numbers of controls and limits
         if not problems and path[0] not in ("controls", "limits"):
             yield from _never_a_number(law, scenario.duration, path)
 
@@ -406,7 +406,7 @@ _Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
 
 
 def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
-    """Yield all values that can be formulas, each with allowed variables, path, allowed words."""
+    """Yield all values that can be formulas, with allowed variables, path, allowed functions."""
     case, elements = scenario.case, scenario.case.shift_elements
     seen = (*OF_MOTION, *OF_TORQUES)
     for number, control in (scenario.controls or {}).items():
@@ -426,7 +426,7 @@ def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
 
 
 def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
-    """Yield limits, given speeds and given ratios in the form of `_placed_formulas`."""
+    """Yield limits, given speeds and given ratios, as `_placed_formulas` does."""
     case = scenario.case
     for number, limit in scenario.limits.items():
         if 0 < number <= len(case.springs):
@@ -440,11 +440,11 @@ def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
 def of_formula(
     law: object, names: Sequence[str], path: Path, words: Vocabulary
 ) -> Iterator[Problem]:
-    """Yield the problems of a formula: wrong syntax, unknown names, a constant not finite."""
+    """Yield the problems of a formula: wrong syntax, unknown names, or an infinite constant."""
     if not isinstance(law, Formula):
         return
     try:
-        if law.tree is None:  # a formula with a tree was checked when its names were replaced
+        if law.tree is None:  # a formula with a tree was already checked when it was read
             formula_tree(Excerpt(law.text, "formula"), names, words)
             if SHORT_SPEED in words.values and "speed" in law.variables:
                 yield Problem(
@@ -462,9 +462,9 @@ def of_formula(
 
 
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
-    """Yield the problems of points.
+    """Yield the problems of a law by points.
 
-    These are missing points, unequal numbers of abscissas and ordinates, numbers that are not
+    Problems are missing points, unequal numbers of abscissas and ordinates, numbers that are not
     finite, and abscissas out of order.
     """
     if not points.x or len(points.x) != len(points.y):
@@ -482,7 +482,7 @@ def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
 
 
 def of_finite(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
-    """Yield a problem of the first number that is infinite or NaN."""
+    """Yield a problem for the first number that is infinite or NaN, if any."""
     for value in values:
         if not math.isfinite(value):
             yield Problem("E654", f"read {value:g}, expected {expected} that is finite", path)

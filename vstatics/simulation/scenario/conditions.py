@@ -1,4 +1,4 @@
-"""Conditions of the steps of a sequence, by the motion and by events."""
+"""Conditions of sequence steps: comparisons of quantities of the motion, and events."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from vstatics.simulation.scenario.formula import OF_EVENTS, Formula, Vocabulary,
 from vstatics.simulation.scenario.formula_code import Seen, seen_in
 
 _SIDES = {"<": "-", "<=": "-0", ">": "+", ">=": "+0", "==": "0="}
-"""Signs of left minus right with which a comparison is true; `!=` is the negation of `==`."""
+"""Signs of left minus right side for which a comparison is true; `!=` is the negation of `==`."""
 
 
 class StepCondition(NamedTuple):
-    """Comparisons and events, joined by `and`, `or`, `not`.
+    """Condition of a sequence step: comparisons and events, joined by `and`, `or`, `not`.
 
     Examples
     --------
@@ -36,19 +36,19 @@ class StepCondition(NamedTuple):
 
     @property
     def comparisons(self) -> tuple[Formula, ...]:
-        """Differences that are compared, from left to right."""
+        """Left minus right side of each comparison, in the order of the text."""
         parts = (part for part in _parts(self.formula.whole) if isinstance(part, Applied))
         compared = (part._replace(name="-") for part in parts if _compares(part))
         return tuple(self.formula._replace(tree=difference) for difference in compared)
 
     def holds(self, sides: Sequence[str], happened: Callable[[Seen], bool]) -> bool:
-        """Return whether the condition is true.
+        """Return whether the condition is true, given the signs of all comparisons.
 
         Parameters
         ----------
         sides : sequence of str
-            Sign of the difference of each comparison from now on: `-`, `+`, or `0` if it stays 0. A
-            further `=` says that the difference is 0 at this instant, so that `==` is true.
+            Sign of the difference of each comparison from now on: `-`, `+`, or `0` if it stays 0.
+            An additional `=` means that the difference is 0 at this instant, so that `==` is true.
         happened : callable
             Function that returns whether an event has happened, such as ``locks('C')``.
         """
@@ -65,25 +65,24 @@ class StepCondition(NamedTuple):
             if _compares(part):
                 signs = next(remaining) if passing else next(remaining).removesuffix("=")
                 return not {*signs}.isdisjoint(_SIDES[part.name])
-            # every part is evaluated, since each takes its sides from the iterator
+            # No operand is skipped, because each takes its sides from the iterator.
             parts = [true(operand, passing) for operand in part.operands]
             return all(parts) if part.name == "and" else any(parts)
 
         return true(self.formula.whole)
 
     def with_wheel_speeds(self, turning: Mapping[str, Callable[[float], float]]) -> StepCondition:
-        """Return the condition with speeds of wheels instead of vehicle speeds.
+        """Return the condition with wheel speeds instead of vehicle speeds.
 
         Parameters
         ----------
         turning : mapping of str to callable
-            Name of a link with a road -> its speed as a function of the velocity of the vehicle.
-            [m/s -> rad/s]
+            Name of a link with a road -> function from vehicle speed [m/s] to link speed [rad/s].
 
         Raises
         ------
         ValueError
-            If the velocity of a vehicle is compared with anything but such a link.
+            If a vehicle speed is compared with anything but the speed of such a link.
 
         Examples
         --------
@@ -107,7 +106,7 @@ def _speed(written: str, at: int) -> Constant | None:
 
 
 def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]]) -> Any:
-    """Return comparisons, also joined by `and`, with wheel speeds instead of velocities."""
+    """Return a condition with wheel speeds instead of vehicle speeds."""
     if not isinstance(tree, Applied):
         return tree
     if not _compares(tree):
@@ -136,7 +135,7 @@ def _signed(side: Tree) -> Tree:
 
 
 def _of_wheel(side: Any, turning: Callable[[float], float]) -> Any:
-    """Return a side of a comparison, with a wheel speed for a velocity of either sign."""
+    """Return a side of a comparison; a vehicle speed becomes a wheel speed of the same sign."""
     if isinstance(side, Velocity):
         return Constant(turning(side.value))
     if isinstance(side, Applied) and isinstance(_signed(side), Velocity):
@@ -145,12 +144,12 @@ def _of_wheel(side: Any, turning: Callable[[float], float]) -> Any:
 
 
 def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
-    """Read a condition of a step.
+    """Read the condition of a sequence step.
 
     Raises
     ------
     ReadError
-        If the text is not a condition, with the place of the fault.
+        If the text is not a condition, with the position of the fault.
 
     Examples
     --------
@@ -183,7 +182,7 @@ def _compares(part: Tree) -> bool:
 
 
 def _parts(tree: Tree) -> Iterator[Tree]:
-    """Yield the joined conditions and the operators that join them, from left to right."""
+    """Yield a condition and all its operands, through `and`, `or` and `not`, from left to right."""
     yield tree
     if isinstance(tree, Applied) and tree.name in _JOINS:
         for operand in tree.operands:

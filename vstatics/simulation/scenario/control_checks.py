@@ -53,7 +53,7 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> Iterator[Problem]:
-    """Yield a problem of a number below 0 or infinite."""
+    """Yield a problem for a number that is negative or not finite."""
     if not (0 < value < math.inf or (value == 0 and not above_0)):
         least = "above 0" if above_0 else "of 0 or more"
         yield Problem("E640", f"read {value:g}, expected {what} {least}", path)
@@ -62,7 +62,7 @@ def of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> I
 def ascending(
     values: Sequence[float], expected: str, path: Path, *, strictly: bool = False
 ) -> Iterator[Problem]:
-    """Yield a problem of the first number that is less than, or equal to, the number before."""
+    """Yield a problem for the first number below, or if `strictly` not above, the number before."""
     for number, (before, after) in enumerate(pairwise(values), 2):
         if after < before or (strictly and after == before):
             yield Problem(
@@ -86,7 +86,7 @@ def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
 
 
 def _of_speed(speed: Curve, path: Path) -> Iterator[Problem]:
-    """Yield the problems of a given speed, which must be continuous with a known slope."""
+    """Yield the problems of a given speed, which must be continuous with a known derivative."""
     if isinstance(speed, Formula):
         if any(speed.jumps("t")) or not speed.has_slope:
             fault = "jumps" if speed.has_slope else "has no known slope"
@@ -133,7 +133,7 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
 
 
 def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
-    """Yield the problems of tables: rows and columns must ascend, values be finite.
+    """Yield the problems of lookup tables: breakpoints must ascend, and values must be finite.
 
     Examples
     --------

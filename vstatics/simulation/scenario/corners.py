@@ -1,8 +1,8 @@
-"""Bends and jumps of a formula along one of its variables, and its pieces between jumps.
+"""Corners (bends and jumps) of a formula along one of its variables, and the pieces between.
 
 A comparison, ``abs``, ``sign``, ``min`` or ``max`` of polynomials bends or jumps where the
 polynomials are equal. A piecewise polynomial, such as ``abs(speed)``, is a polynomial between two
-corners, so the search is repeated between the known corners until it finds nothing new.
+corners, so the search is repeated between the known corners until no new corner appears.
 
 ``min(t/0.3, 1)`` bends at 0.3, ``100*(abs(speed) < 300)`` jumps at -300 and 300.
 """
@@ -25,20 +25,20 @@ from vstatics.simulation.scenario.formula_code import PI
 from vstatics.simulation.scenario.table_call import TableCall
 
 MOST_BREAKS = 1000
-"""Largest number of corners of a formula at which a run stops; with more, all are ignored."""
+"""Largest number of corners of a formula; if there are more, all corners are ignored."""
 
 COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
 JUMPS = COMPARES | {"sign"}
 BENDS = frozenset(("abs", "min", "max"))
 ENDS = BENDS | {"sqrt"}
-"""Functions that bend, and `sqrt`, which ends where its argument falls below 0."""
+"""Functions that bend, and `sqrt`, which is undefined for arguments below 0."""
 
 
 _MOST_DEGREE = 8
 """Highest degree of polynomials whose corners are found."""
 
 Polynomial: TypeAlias = tuple[float, ...]
-"""Coefficients of 1, x, x^2, ...; the last of several is not 0."""
+"""Coefficients of 1, x, x^2, ...; the last coefficient is not 0 unless it is the only one."""
 
 
 def value_at(polynomial: Polynomial, x: float) -> float:
@@ -47,7 +47,7 @@ def value_at(polynomial: Polynomial, x: float) -> float:
 
 
 def corners(tree: Tree, name: str) -> dict[float, bool]:
-    """Find the corners along a variable, in order; True for a corner at which a jump is possible.
+    """Find the corners along a variable, in order; the value is True if a jump is possible.
 
     Corners of functions other than polynomials are not found.
 
@@ -73,7 +73,7 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
         bends = {place for place, jumps in within if not jumps}.difference(known)
         fresh = sorted(bends or {place for place, _ in within}.difference(known))
         for place, jumps in within:
-            if place in known or place in fresh:  # other meetings can vanish beyond a bend
+            if place in known or place in fresh:  # other corners can vanish beyond a bend
                 known[place] = known.get(place, False) or jumps
         if len(known) > MOST_BREAKS:
             return {}
@@ -83,14 +83,14 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
 
 
 def _inside(low: float, high: float) -> float:
-    """Return a number between two numbers, either of which can be infinite."""
+    """Return a number between two numbers, which can be infinite."""
     if math.isinf(low):
         return 0.0 if math.isinf(high) else high - max(1.0, abs(high))
     return low + max(1.0, abs(low)) if math.isinf(high) else low / 2 + high / 2
 
 
 def between(tree: Tree, name: str, low: float, high: float) -> Tree:
-    """Return the formula between two neighbouring jumps; comparisons become numbers.
+    """Return a formula as it is between two neighbouring jumps; comparisons become numbers.
 
     Examples
     --------
@@ -105,9 +105,9 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
 
 
 def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
-    """Return a tree as it is near a place, with numbers instead of comparisons and `sign`.
+    """Return a tree as it is near a value of the variable; comparisons and `sign` become numbers.
 
-    Within comparisons, `abs`, `min` and `max` are replaced by the operand that they equal there.
+    Within other comparisons, `abs`, `min` and `max` are replaced by the operand that they equal.
     """
     if not isinstance(tree, Applied):
         return tree
@@ -132,7 +132,7 @@ def is_polynomial(tree: Tree) -> bool:
 def _polynomial(
     tree: Any, name: str, at: float, met: list[tuple[float, bool]]
 ) -> Polynomial | None:
-    """Return a part as a polynomial near a place; append meetings of inner polynomials to `met`."""
+    """Return a tree as a polynomial near a value of the variable; append its corners to `met`."""
     if not isinstance(tree, Applied):
         return _of_operand(tree, name)
     inner: list[tuple[float, bool]] = []
@@ -175,7 +175,7 @@ def _of_table(
     at: float,
     met: list[tuple[float, bool]],
 ) -> Polynomial | None:
-    """Return the straight line of a table of one variable between two points."""
+    """Return a table of one argument as a straight line between two breakpoints."""
     [inner, *others] = operands
     if others or inner is None:
         return None
@@ -191,7 +191,7 @@ def _picked(
     values: Sequence[float],
     minus: Callable[[Any], Any] = lambda operand: Applied("-x", (operand,), 0, 0),
 ) -> Any:
-    """Return the operand that `abs`, `min` or `max` equals, by the values of the operands."""
+    """Return the operand, or its negative, that `abs`, `min` or `max` equals at given values."""
     if tree.name == "abs":
         return minus(operands[0]) if values[0] < 0 else operands[0]
     return operands[values.index((min if tree.name == "min" else max)(values))]
@@ -208,7 +208,7 @@ def _roots(polynomial: Polynomial) -> Iterator[float]:
 
 
 def _sum(polynomial: Polynomial, other: Polynomial, factor: float = 1.0) -> Polynomial:
-    """Return the sum of two polynomials, the second multiplied by a factor."""
+    """Return the sum of a polynomial and another polynomial times a factor."""
     coefficients = [a + factor * b for a, b in zip_longest(polynomial, other, fillvalue=0.0)]
     while len(coefficients) > 1 and not coefficients[-1]:
         coefficients.pop()
@@ -226,7 +226,7 @@ def _product(left: Polynomial, right: Polynomial) -> Polynomial | None:
 
 
 def _applied(name: str, operands: Sequence[Polynomial]) -> Polynomial | None:  # noqa: PLR0911 - a table
-    """Return an operation on polynomials, if the result is a polynomial."""
+    """Return the result of an operation on polynomials if it is a polynomial, otherwise None."""
     first, second = operands[0], operands[-1]
     match name:
         case "-x":

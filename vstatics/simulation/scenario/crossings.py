@@ -1,6 +1,6 @@
-"""Comparisons in formulas, and the times at which comparisons of functions of time switch.
+"""Comparisons in formulas, and the times at which compared functions of time become equal.
 
-Module `corners` finds the times for polynomials, this module for other functions.
+Module `corners` finds these times for polynomials, this module for other functions.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ from vstatics.simulation.tolerances import EXACT_SIDES, SAME_INSTANT
 
 
 class MeetingParts(NamedTuple):
-    """Pair of parts that a formula compares."""
+    """Pair of terms that a formula compares."""
 
     first: Tree
     second: Tree
     jumps: bool = False
-    """Whether the formula can jump where both parts are equal; otherwise a bend."""
+    """True if the formula can jump where both terms are equal; otherwise it bends."""
 
 
 Pairs: TypeAlias = list[MeetingParts]
-"""Pairs whose first part is the same; the second parts ascend."""
+"""Pairs with the same first term; the second terms ascend."""
 
 
 def met(tree: Tree) -> Iterator[Pairs]:
-    """Yield the parts that a formula compares, and the arguments of tables with breakpoints."""
+    """Yield the pairs of terms that a formula compares, explicitly or as functions and tables."""
     for part in parts(tree):
         if isinstance(part, Applied) and part.name in ENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
@@ -48,7 +48,7 @@ def met(tree: Tree) -> Iterator[Pairs]:
 
 
 def asked(tree: Tree) -> Iterator[Pairs]:
-    """Yield the arguments of tables, each with every breakpoint of its table, ascending."""
+    """Yield, for each argument of a lookup table, its pairs with all breakpoints, ascending."""
     for part in parts(tree):
         if isinstance(part, Applied) and isinstance(part.name, TableCall):
             table = part.name.table
@@ -58,16 +58,16 @@ def asked(tree: Tree) -> Iterator[Pairs]:
 
 @lru_cache(maxsize=256)
 def crossings(tree: Tree, until: float) -> tuple[float, ...]:
-    """Find the times at which a formula bends or jumps by functions other than polynomials.
+    """Find the times at which functions of time other than polynomials make a formula bend or jump.
 
-    A function of the time that is compared with a motion counts where its slope changes sign, so a
-    motion that is integrated from one such time to the next meets the function in between.
+    If a function of time is compared with a quantity of the motion, the result contains its
+    extremes: between two extremes it is monotonic, so integration steps cannot miss a crossing.
 
     Parameters
     ----------
     tree : Tree
     until : float
-        The last time that counts. [s]
+        End of the search. [s]
 
     Examples
     --------
@@ -97,7 +97,7 @@ def crossings(tree: Tree, until: float) -> tuple[float, ...]:
 
 
 def _timed(tree: Any) -> Iterator[Tree]:
-    """Yield the largest parts that depend on nothing but the time."""
+    """Yield the largest parts of a tree that depend on the time alone."""
     names = variables(tree)
     if names == {"t"}:
         yield tree

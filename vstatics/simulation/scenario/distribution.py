@@ -1,4 +1,4 @@
-"""Distributions from which numbers of a scenario are drawn."""
+"""Probability distributions of random numbers in a scenario."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Distribution(NamedTuple):
     uniform : (float, float), optional
         Smallest and largest number.
     min, max : float, optional
-        Limits at which numbers are clipped, such as the governed speed of an engine.
+        Limits to which numbers are clipped, such as the governed speed of an engine.
     """
 
     normal: tuple[float, float] | None = None
@@ -35,7 +35,7 @@ class Distribution(NamedTuple):
     max: float | None = None
 
     def quantiles(self, parts: Floats) -> Floats:
-        """Return the quantiles of the distribution at probabilities.
+        """Return the quantiles of the distribution.
 
         Parameters
         ----------

@@ -1,8 +1,8 @@
 """Reading of a scenario in YAML or JSON.
 
-Its bytes become a `ScenarioDocument`, and together with its case this becomes a `ScenarioFile`.
-A scenario names the file of its case (`case_file`). The caller, who opens all files, reads the case
-and hands it over (`with_case`).
+The bytes of a scenario become a `ScenarioDocument`, which names the file of the case (`case_file`).
+The caller opens and reads this file; with the case, the document becomes a `ScenarioFile`
+(`with_case`).
 """
 
 from __future__ import annotations
@@ -52,30 +52,30 @@ _OTHERS = {
 
 
 class ScenarioFile(NamedTuple):
-    """Scenario that was read, and the places of all parts in the document."""
+    """Scenario that was read, with the positions of all parts in the document."""
 
     scenario: Scenario
     name: str
-    """Name in the document; empty without the key `name`."""
+    """Value of the key `name`; empty without this key."""
     description: str
     samples: AnyMapping[str, Distribution]
-    """Distributions of sampled numbers, by the paths of the numbers."""
+    """Distributions of random numbers, by the paths of the numbers."""
     reading: Reading
-    """Reading of the case."""
+    """Case as it was read, with its warnings."""
     spots: Spots
 
     def allowing(self, ids: Sequence[str]) -> ScenarioFile:
-        """Return the file with more suppressed messages."""
+        """Return the scenario with additional suppressed messages."""
         reading = self.reading.allowing(ids)
         return self._replace(reading=reading, scenario=self.scenario._replace(case=reading.case))
 
     def locate(self, problem: Problem) -> Problem:
-        """Return a problem of the scenario or the case with the place in the document."""
+        """Return a problem of the scenario or case with its position in the document."""
         return located(problem, self.spots, self.reading)
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
-        """Magnitudes of input speeds: at the start, and at points of laws over speed [rpm]."""
+        """Magnitudes of input speeds: at the start, and in torque laws over speed [rpm]."""
         entry, start = self.scenario.case.input, self.scenario.start
         speeds = [start.speed, start.speeds.get(entry, 0.0)]
         for link, law in self.scenario.torques:
@@ -85,14 +85,14 @@ class ScenarioFile(NamedTuple):
 
 
 class ScenarioDocument(NamedTuple):
-    """Scenario as a tree of nodes, before the case is known."""
+    """Scenario as a tree of YAML nodes, before the case is known."""
 
     root: Mapping
     decoded: DocumentText
 
     @property
     def case_file(self) -> str:
-        """File of the case, with the folder of the scenario; empty if not named."""
+        """Path of the case file, relative to the folder of the scenario; empty if not named."""
         node = self._case_node
         if not isinstance(node, Scalar) or is_null(node) or not node.text:
             return ""
@@ -104,24 +104,24 @@ class ScenarioDocument(NamedTuple):
         return next((value for key, value in self.root.entries if key.text == "case"), None)
 
     def no_case(self, reason: str) -> ReadError:
-        """Return the error that the case is unreadable, at the place of the key `case`."""
+        """Return an error about the case, at the position of the key `case`."""
         node = self._case_node or self.root
         place = self.decoded.source.place(node.line, node.column)
         return ReadError([Problem("E660", reason, ("case",), place)])
 
     def refuse_foreign(self, data: bytes, name: str) -> None:
-        """Refuse a file that is not a case, because messages must not show its content.
+        """Reject a file that is not a case, so that messages do not show its content.
 
         Raises
         ------
         ReadError
-            Without anything from the file, which can be a private file of another program.
+            If the file is not a case; it can be a private file of another program.
         """
         if is_foreign(data, name):
             raise self.no_case(f"{name} is not a case: it has no key of a case")
 
     def with_case(self, reading: Reading) -> ScenarioFile:
-        """Return the scenario with the case.
+        """Return the scenario on a case.
 
         Raises
         ------
@@ -169,7 +169,7 @@ class ScenarioDocument(NamedTuple):
         )
 
     def _words(self, case: Transmission) -> Vocabulary:
-        """Return the vocabulary of the formulas; faults are reported later."""
+        """Return the names that formulas can use; faults are reported later."""
         walk = Walk(Spots(DocumentText(self.decoded.source)))
         nodes = {key.text: value for key, value in self.root.entries}
 
@@ -197,21 +197,21 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     Parameters
     ----------
     data : bytes
-        YAML, or JSON.
+        Content of the document, YAML or JSON.
     file : str
-        Name of the document, for messages, and for the file of its case.
+        Name of the document, for messages and for the path of its case.
 
     Raises
     ------
     ReadError
-        If the data are not a document, or are a case.
+        If the data are not YAML or JSON with keys, or if they are a document of another kind.
 
     Examples
     --------
     >>> read_scenario(b"{case: box.yaml, duration: 6}", "shifts/up.yaml").case_file
     'shifts/box.yaml'
     """
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # slow import
 
     decoded = decode(data, file, "a scenario")
     root = yaml_tree(decoded)
@@ -248,7 +248,7 @@ def load_scenario_file(source: FileOrStream, case: FileOrStream | None = None) -
 
 
 def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[bytes, str]:
-    """Return the bytes and the name of the case of a scenario, or of a given case.
+    """Return the bytes and the file name of the case of a scenario, or of a given case.
 
     Raises
     ------
@@ -274,12 +274,12 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
 
 
 def load_document(file: str) -> Scenario:
-    """Return a scenario that comes with the program, including the case."""
+    """Return a shipped scenario with its case."""
     return load_scenario_file(file).scenario
 
 
 def document_problems(data: bytes, file: str) -> list[Problem]:
-    """Return warnings and notes about a scenario and the case.
+    """Return warnings and notes about a scenario and its case.
 
     Raises
     ------
@@ -299,8 +299,8 @@ def load_scenario(source: FileOrStream, case: FileOrStream | None = None) -> Sce
     Parameters
     ----------
     source : path-like or stream
-        File, whose `case` and tables are opened wherever they are, or open stream. From a stream
-        without a name no other file is opened: give the case.
+        File or open stream. The case and tables that it names are opened, too, except from a stream
+        without a name: then give the case.
     case : path-like or stream, optional
         Case to use instead of the case that the scenario names.
 
@@ -332,7 +332,7 @@ def load_scenario(source: FileOrStream, case: FileOrStream | None = None) -> Sce
 
 
 def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
-    """Return a problem with the place in the scenario, or in the case for a path with `case`."""
+    """Return a problem with its position, in the case if its path begins with `case`."""
     if problem.place is not None:
         return problem
     whole = spots.place(())._replace(line=0, column=0, text="")
@@ -349,7 +349,7 @@ def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
 
 
 def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
-    """Convert a path with names of links, elements and converters to a path with numbers."""
+    """Convert a path with names of links and components to a path with their numbers."""
     named = 2 if path[0] == "start" and path[1:2] != ("engaged",) else 1
     if len(path) <= named:
         return path
@@ -371,7 +371,7 @@ def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
 
 
 def _own_step(path: Path, spots: Spots) -> Path:
-    """Convert a path in a step of a sequence, whose list can be under `steps`."""
+    """Convert a path into a sequence step; the list of steps can be under the key `steps`."""
     step, remainder = path[:2], path[2:]
     step = (*step, "steps") if spots.has((*step, "steps")) else step
     step, remainder = (*step, remainder[0]), remainder[1:]
@@ -386,7 +386,7 @@ def _own_step(path: Path, spots: Spots) -> Path:
 
 
 def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
-    """Return the numbers of the parts that can be named under a key of a scenario, by name."""
+    """Return the numbers of links or components, by name, to which a key of a scenario refers."""
     names = {
         "controls": [element.name for element in case.shift_elements],
         "speed_ratios": [mechanism.name for mechanism in case.mechanisms],

@@ -1,8 +1,8 @@
-"""Formulas of the time, and of the speed and angle of a link.
+"""Formulas of the time, of the speed and angle of a link, and of other quantities of the motion.
 
-The language is the language of a sweep (`readers.expressions`) with ``^`` as another sign of
-``**``, and with functions of numbers. A text becomes a tree, and the tree a function
-(`formula_code`); `corners` finds its bends and jumps.
+The language is that of sweep expressions (`readers.expressions`), with ``^`` as another sign for
+``**``, and with functions of numbers such as ``sin``. A text becomes a tree of operations, and the
+tree becomes a function (`formula_code`); `corners` finds its bends and jumps.
 """
 
 from __future__ import annotations
@@ -36,15 +36,15 @@ from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 from vstatics.simulation.scenario.table_call import TableCall
 
 Quantity = Callable[[str, int], Constant | None]
-"""Function that reads a number with a unit at a place in a text; None for an unknown unit."""
+"""Function that reads a number with a unit at a position in a text; None for an unknown unit."""
 SHORT_SPEED = "w"
-"""Short name of the speed of the link on which a formula acts; the speed has a sign."""
+"""Short name, in formulas, of the signed speed of the link on which the formula acts."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
-"""Words of the state of motion, which any formula can use."""
+"""Functions of the motion that any formula can use, such as `slip('C')`."""
 OF_TORQUES = ("acceleration", "torque", "power")
-"""Words of quantities that follow from torques and so cannot determine a torque."""
+"""Functions of the motion that follow from torques, and so cannot determine a torque."""
 OF_EVENTS = ("locks", "slips")
-"""Words of events, which only conditions of sequence steps can use."""
+"""Events, which only conditions of sequence steps can use, such as `locks('C')`."""
 _OF_NAMES = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
 
 
@@ -52,14 +52,14 @@ class Vocabulary(NamedTuple):
     """Names that the formulas of a scenario can use in addition to t, speed and angle."""
 
     rows: Mapping[str, Collection[str]] = MappingProxyType({})
-    """Names of links, shift elements and devices that can follow a word, as in `slip('C')`."""
+    """Function of the motion -> its possible arguments: `slip` -> names of shift elements."""
     numbers: Mapping[str, float] = MappingProxyType({})
     values: Collection[str] = ()
-    """Names of states, and of numbers that sequences change."""
+    """Names of control states, and of numbers that sequences set."""
     tables: Mapping[str, LookupTable] = MappingProxyType({})
 
     def only(self, *words: str) -> Vocabulary:
-        """Return the vocabulary with only some words of rows."""
+        """Return the vocabulary with only some functions of the motion."""
         return self._replace(rows={word: self.rows[word] for word in words if word in self.rows})
 
 
@@ -69,7 +69,7 @@ NO_WORDS = Vocabulary()
 class Formula(NamedTuple):
     """Formula of t [s], and of speed (or w) [rad/s] and angle [rad] of a link.
 
-    A formula can also depend on the whole transmission: speeds, slips, twists, states (`seen`).
+    A formula can also read other quantities of the transmission, such as slips (`seen`).
 
     Examples
     --------
@@ -82,11 +82,11 @@ class Formula(NamedTuple):
 
     text: str
     tree: Tree | None = None
-    """Tree that replaces the text: a piece between jumps, numbers for names, or a derivative."""
+    """Tree that replaces the text, for a derived formula such as a derivative."""
 
     @property
     def seen(self) -> tuple[Seen, ...]:
-        """Quantities of the transmission in the formula, in the order of `function`.
+        """Other quantities in the formula, in the order of the arguments of `function`.
 
         >>> Formula("100*(slip('C') > 2) + p").seen
         (Seen(word='slip', of='C'), Seen(word='value', of='p'))
@@ -95,11 +95,11 @@ class Formula(NamedTuple):
 
     @property
     def whole(self) -> Tree:
-        """Tree of operations: `tree` if given, else the tree of the text."""
+        """Tree of operations: `tree` if given, otherwise the tree of the text."""
         return _read(*self).tree
 
     def knowing(self, numbers: Mapping[str, float]) -> Formula:
-        """Return the formula with numbers instead of some names.
+        """Return the formula with numbers instead of names.
 
         >>> Formula("p*t").knowing({"p": 3.0}).function(2.0, 0.0, 0.0)
         6.0
@@ -121,7 +121,7 @@ class Formula(NamedTuple):
 
     @property
     def constants(self) -> list[float]:
-        """Numbers in the text of the formula.
+        """Numbers that the formula contains.
 
         Raises
         ------
@@ -142,12 +142,12 @@ class Formula(NamedTuple):
         return _read(*self).function
 
     def at(self, time: float) -> float:
-        """Return the value at a time [s] while all else is at rest."""
+        """Return the value at a time [s] for speed 0 and angle 0."""
         return self.function(time, 0.0, 0.0)
 
     @property
     def breaks(self) -> tuple[float, ...]:
-        """Times of bends and jumps at comparisons of polynomials of the time [s].
+        """Times of bends and jumps where polynomials of the time are compared [s].
 
         Raises
         ------
@@ -157,11 +157,11 @@ class Formula(NamedTuple):
         return _read(*self).breaks
 
     def crossings(self, until: float) -> tuple[float, ...]:
-        """Return the times of bends and jumps that `breaks` does not find, up to a time [s]."""
+        """Return the times of bends and jumps that `breaks` does not contain, up to a time [s]."""
         return crossings(self.whole, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
-        """Return the places of jumps along `speed` or `angle` at comparisons of polynomials.
+        """Return the values of `speed` or `angle` at which compared polynomials make a jump.
 
         >>> Formula("100*(abs(speed) < 300)").jumps("speed")
         (-300.0, 300.0)
@@ -169,21 +169,21 @@ class Formula(NamedTuple):
         return tuple(place for place, jumps in corners(self.whole, name).items() if jumps)
 
     def between(self, name: str, low: float, high: float) -> Formula:
-        """Return the formula that holds between two neighbouring jumps along a variable."""
+        """Return the formula as it is between two neighbouring jumps along a variable."""
         return self._replace(tree=between(self.whole, name, low, high))
 
     @property
     def surfaces(self) -> dict[JumpSurface, str]:
-        """Surfaces in time, speed and angle with a jump, and the side of the value on each."""
+        """Moving jumps, each with the side (`+`, `-`) to which the value at the jump belongs."""
         return surfaces(self.whole)
 
     def on_side(self, surface: JumpSurface, side: float) -> Formula:
-        """Return the formula above a surface, +1, or below the surface, -1."""
+        """Return the formula as it is above a moving jump (`side` = 1) or below it (-1)."""
         return self._replace(tree=on_side(self.whole, surface, side))
 
     @property
     def slope(self) -> Formula:
-        """Derivative of a formula of t with respect to t; see `has_slope`."""
+        """Derivative with respect to t, if known; see `has_slope`."""
         return self._replace(tree=slope(self.whole))
 
     @property
@@ -193,12 +193,12 @@ class Formula(NamedTuple):
 
     @property
     def switches(self) -> bool:
-        """True if the formula compares speeds or angles."""
+        """True if the formula compares anything but the time, or takes its sign."""
         return _read(*self).switches
 
     @property
     def along(self) -> Callable[..., Floats]:
-        """Function for an array of times; its other arguments, as of `function`, can be arrays."""
+        """Function for an array of times; the other arguments of `function` can be arrays, too."""
         return _read(*self).along
 
 
@@ -215,7 +215,7 @@ def read_formula(
     ----------
     source : Excerpt
     names : collection of str
-        Allowed variables out of t, speed and angle.
+        Allowed variables: some of t, speed and angle.
     words : Vocabulary
         Other allowed names.
     quantity : callable, optional
@@ -224,7 +224,7 @@ def read_formula(
     Raises
     ------
     ReadError
-        If the text is not a formula, with the place of the fault.
+        If the text is not a formula, with the position of the fault.
 
     Examples
     --------
@@ -245,7 +245,7 @@ def read_formula(
 def formula_tree(
     source: Excerpt, names: Collection[str], words: Vocabulary, *, quantity: Quantity | None = None
 ) -> Tree:
-    """Return the tree of a formula with allowed names and words only."""
+    """Read the tree of a formula, which may contain allowed names only."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
     language = Language((*FUNCTIONS, *words.tables), operands, "t", caret=True, of_names=_OF_NAMES)
     read = parse(source, language._replace(quantity=quantity) if quantity else language)
@@ -269,7 +269,7 @@ def _with_speed(tree: Any) -> Any:
 
 
 def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
-    """Return the tree with calls that carry the tables."""
+    """Return the tree with lookup tables in the calls of tables."""
     if not isinstance(tree, Applied):
         return tree
     name = tree.name if tree.name not in tables else TableCall(tree.name, tables[tree.name])
@@ -279,7 +279,7 @@ def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
 
 
 def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
-    """Refuse a function or a table with a wrong number of operands."""
+    """Reject a function or table with a wrong number of arguments."""
     count, name = len(part.operands), part.name
     if name in words.tables:
         wanted = words.tables[name].variables
@@ -323,7 +323,7 @@ def _check_name(
 
 
 def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
-    """Refuse a word of a link, shift element or device that does not exist."""
+    """Reject a link or component that does not exist, as in `slip('X')`."""
     [row] = part.subscripts
     seen = seen_in(part)
     assert seen is not None  # noqa: S101 - it has a row
@@ -372,7 +372,7 @@ def _read(text: str, tree: Tree | None) -> _Read:
 
 
 def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:
-    """Return the tree with values instead of names."""
+    """Return the tree with numbers instead of names."""
     if isinstance(tree, Applied):
         operands = tuple(_with_numbers(operand, numbers) for operand in tree.operands)
         return tree._replace(operands=operands)

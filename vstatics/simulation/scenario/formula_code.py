@@ -1,8 +1,8 @@
-"""Compilation of the tree of a formula to a function of plain floats.
+"""Compilation of the tree of a formula to a fast Python function.
 
-The Python syntax tree is built part by part from the checked tree of the formula, so the text
-itself is never executed. Where a float has no result (``1/0``, ``exp(1000)``) the formula is
-calculated again with arrays, as in a sweep, and the result is infinite or NaN.
+A Python syntax tree is built part by part from the checked tree of the formula, so the text itself
+is never executed. Where Python raises an error (``1/0``, ``exp(1000)``), the formula is evaluated
+again by the rules of NumPy, as in a sweep, and the result is infinite or NaN.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ from vstatics.simulation.scenario.table_call import TableCall
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"
 Function: TypeAlias = Callable[..., float]
-"""Function of t, speed and angle, followed by the other quantities in the formula (`Seen`)."""
+"""Function of t, speed and angle, and then of the other quantities in the formula (`Seen`)."""
 
 
 class Seen(NamedTuple):
-    """Quantity in a formula, except time and the motion of the link on which the law acts."""
+    """Quantity in a formula other than time, and speed and angle of the link on which it acts."""
 
     word: str
-    """Word, such as `speed` or `slip`; `value` for a state or setting."""
+    """Function of the motion, such as `speed` or `slip`; `value` for a state or setting."""
     of: str
-    """Name of a link, a shift element, a device, a state or a setting."""
+    """Name of a link, component, state or setting."""
 
 
 def seen_in(part: TableName) -> Seen | None:
-    """Return the quantity that a name in a formula stands for; None for `VARIABLES` and pi."""
+    """Return the quantity that a name in a formula means; None for `VARIABLES` and pi."""
     if part.subscripts:
         return Seen(part.name, part.subscripts[0].written[1:-1])
     return None if part.name in (*VARIABLES, PI) else Seen("value", part.name)
@@ -83,7 +83,7 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
     "not_": np.logical_not,
 }
 FUNCTIONS = tuple(_PLAIN)
-"""Functions of numbers; only `min` and `max` take several."""
+"""Functions of numbers; only `min` and `max` have several arguments."""
 
 _ARITHMETIC = {
     "+": ast.Add,
@@ -103,7 +103,7 @@ _LOGIC = {"and": ast.And, "or": ast.Or}
 
 
 def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
-    """Return the function of a tree; its arguments are `VARIABLES`, then the quantities `seen`.
+    """Compile a tree to a function; its arguments are `VARIABLES`, then the quantities `seen`.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
 
 
 def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Floats]:
-    """Return the function of a tree for many times.
+    """Compile a tree to a function for many times.
 
     Its first argument is an array of times; each other argument is an array of the same shape or a
     number.
@@ -146,7 +146,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
         with np.errstate(all="ignore"):
             try:
                 values = broad(times, *known)
-            except (ArithmeticError, ValueError):  # raised by constants, such as 1/0
+            except (ArithmeticError, ValueError):  # only constants, such as 1/0, raise
                 shaped = [np.reshape(value, (-1, 1, 1)) for value in (times, *known)]
                 values = _as_arrays(tree, shaped, seen).reshape(-1)
         result: Floats = np.empty(times.shape)
@@ -157,7 +157,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
 
 
 def _tables(tree: Any) -> dict[str, LookupTable]:
-    """Return the tables that a tree calls, by name."""
+    """Return the lookup tables that a tree calls, by name."""
     if not isinstance(tree, Applied):
         return {}
     called = {str(tree.name): tree.name.table} if isinstance(tree.name, TableCall) else {}
@@ -165,7 +165,7 @@ def _tables(tree: Any) -> dict[str, LookupTable]:
 
 
 def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Floats:
-    """Return the values of a tree by the rules of arrays: 1/0 is infinite, 0/0 is NaN."""
+    """Return the values of a tree by the rules of NumPy: 1/0 is infinite, 0/0 is NaN."""
     by_name = dict(zip([*VARIABLES, *seen], known, strict=True))
 
     def value_of(part: Any) -> Floats:
@@ -182,7 +182,7 @@ def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Flo
 
 
 class _CodeWriter:
-    """Writer of the Python syntax tree of a formula."""
+    """Writer of the Python syntax tree of a formula; `is_broad` means arrays instead of floats."""
 
     def __init__(self, seen: Sequence[Seen], *, is_broad: bool) -> None:
         self.is_broad = is_broad
@@ -190,7 +190,7 @@ class _CodeWriter:
         self.names |= {argument: f"seen_{number}" for number, argument in enumerate(seen)}
 
     def number(self, tree: Any) -> ast.expr:
-        """Return the Python expression for the value of a part of the formula, as a number."""
+        """Return the Python expression for the numerical value of a part of the formula."""
         if isinstance(tree, Applied):
             if _is_truth(tree):
                 return _call("number", self.condition(tree))
@@ -202,12 +202,12 @@ class _CodeWriter:
         return ast.Name(self.names[seen_in(tree) or tree.name], ast.Load())
 
     def operation(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
-        """Return the Python expression for an operator, or a function, applied to numbers."""
+        """Return the Python expression for an operator or function applied to operands."""
         if tree.name == "-x":
             return ast.UnaryOp(ast.USub(), operands[0])
         if tree.name == "**":
             base, exponent = tree.operands
-            if isinstance(base, TableName) and exponent == Constant(2.0):  # a product is faster
+            if isinstance(base, TableName) and exponent == Constant(2.0):  # faster than a power
                 return ast.BinOp(operands[0], ast.Mult(), self.number(base))
             return _call("pow", *operands)
         if tree.name in ("min", "max") and len(operands) == 1:
@@ -217,7 +217,7 @@ class _CodeWriter:
         return _call(str(tree.name), *operands)
 
     def condition(self, tree: Any) -> ast.expr:
-        """Return a Python expression for the truth value of a part of the formula."""
+        """Return the Python expression for the truth value of a part of the formula."""
         if not _is_truth(tree):
             return _call("truth", self.number(tree))
         if tree.name in _COMPARISONS:
@@ -238,7 +238,7 @@ def _evaluated(
     *,
     is_broad: bool,
 ) -> Any:
-    """Compile a tree to a function of the variables."""
+    """Compile a tree to a function of the variables and of `seen`."""
     writer = _CodeWriter(seen, is_broad=is_broad)
     arguments = [ast.arg(name) for name in writer.names.values()]
     signature = ast.arguments([], arguments, None, [], [], None, [])

@@ -1,8 +1,8 @@
-"""Values of a scenario's document before its case settles their units.
+"""Values in the document of a scenario, before the case determines their units.
 
-Numbers carry their unit, since the expected measure can depend on the case: a pressure where a
-shift element has friction, a velocity where a link has a road. `values` builds the parts of a
-scenario from these values.
+Numbers carry their unit, since the expected quantity can depend on the case: a pressure if a shift
+element has friction, a velocity if a link has a road. `values` builds the parts of a scenario from
+these values.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from vstatics.simulation.scenario.laws import Road
 
 
 class GivenControl(NamedTuple):
-    """Control of a shift element that is given as a mapping."""
+    """Control of a shift element, given as a mapping."""
 
     points: Sequence[tuple[float, float]] | None = None
     formula: float | Formula | None = None
@@ -32,7 +32,7 @@ class GivenControl(NamedTuple):
 
 
 class GivenLaw(NamedTuple):
-    """Law of an outside torque that is given as a mapping."""
+    """Law of an outside torque, given as a mapping."""
 
     over: str = "time"
     points: Sequence[tuple[float, float]] | None = None
@@ -42,7 +42,7 @@ class GivenLaw(NamedTuple):
 
 
 def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., str]:
-    """Return a check that a single key is given, and some keys only with `points`."""
+    """Return a check that a single key is given, and that some keys accompany `points` only."""
 
     def fault(**values: Any) -> str:
         given = [name for name in names if values.get(name) is not None]
@@ -58,7 +58,7 @@ def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., s
 
 
 class GivenTable(NamedTuple):
-    """Table of formulas that is given as a mapping."""
+    """Lookup table for formulas, given as a mapping."""
 
     file: str = ""
     columns: Sequence[float] = ()
@@ -66,7 +66,7 @@ class GivenTable(NamedTuple):
 
 
 class GivenSteps(NamedTuple):
-    """Steps of a sequence that are given as a mapping."""
+    """Steps of a sequence, given as a mapping."""
 
     steps: Sequence[Mapping[str, Any]] = ()
     repeat: bool = False
@@ -94,14 +94,14 @@ def curve(
     names: Sequence[str] = ("t",),
     unit: str = "",
 ) -> Parsed:
-    """Return the shape of a number, bare or with a unit, or of a formula.
+    """Return the shape of a value that is a number, bare or with a unit, or a formula.
 
     Parameters
     ----------
     measures : sequence of str
-        Measures of the number.
+        Allowed quantities of a number with a unit, such as `time`.
     words, names
-        Words and variables that the formula can use.
+        Names and variables that the formula can use.
     unit : str, optional
         Unit of bare numbers.
     """
@@ -117,14 +117,14 @@ def curve(
             return read_formula(Excerpt(text, ""), names, words)
         except ReadError:
             with suppress(ValueError):
-                return in_any_unit(text, measures)  # `t` in 3*t is the time, not tonnes
+                return in_any_unit(text, measures)  # `3 t` is a mass, but `t` in 3*t is the time
             raise
 
     return Parsed(expected, parse, 0.0, unit)
 
 
 def condition(words: Vocabulary) -> Parsed:
-    """Return the shape of a condition of a step."""
+    """Return the shape of the condition of a sequence step."""
     return Parsed(
         "a condition, such as `t >= 0.5`",
         lambda text: read_condition(Excerpt(text, ""), words),

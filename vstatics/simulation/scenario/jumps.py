@@ -1,7 +1,7 @@
 """Pieces of a torque law between its jumps over the speed or the angle of its link.
 
-Points jump where an abscissa repeats. Formulas jump by comparisons and `sign`, at a number
-(`corners`) or on a surface that depends on time or angle (`surfaces`).
+Points jump where an abscissa repeats. Formulas jump at comparisons and `sign`: at a fixed speed or
+angle (`corners`), or at one that moves with time or angle (`surfaces`).
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Over, Points, constant
 
 _MOST_JUMPS = 100
-"""Most jumps of a formula; with more, the formula is not split."""
+"""Largest number of fixed jumps of a formula; a formula with more jumps is not split."""
 _ANYTHING = 0.7390851332151607
-"""Arbitrary value of other quantities in a formula, if only the equality of results matters."""
+"""Arbitrary value of other quantities in a formula, to compare two versions of the formula."""
 _MOST_SURFACES = 4
-"""Most surfaces that depend on time, whose pieces are split by all combinations of sides."""
+"""Largest number of moving jumps by which a formula is split, since there are 2^n combinations."""
 
 
 class LawJump(NamedTuple):
@@ -29,21 +29,18 @@ class LawJump(NamedTuple):
     at: Curve
     """Speed or angle of the jump. [rad/s or rad]"""
     side: str = "+"
-    """Side to which the value right at the jump belongs."""
+    """Side (`+` or `-`) to which the value right at the jump belongs."""
     by_angle: float = 0.0
-    """Change of the speed of the jump with the angle. [1/s]"""
+    """Derivative of the speed of the jump with respect to the angle. [1/s]"""
 
     @property
     def speed(self) -> Curve:
-        """Speed of a motion that slides along the jump, without the part by the angle [rad/s]."""
+        """Speed of a motion that slides along the jump, without the term in the angle [rad/s]."""
         return self.at if self.over == "speed" else curve_slope(self.at)
 
     @property
     def change(self) -> Curve:
-        """Acceleration of a motion that slides along the jump, without the part by the angle.
-
-        [rad/s^2]
-        """
+        """Derivative of `speed` with respect to time [rad/s^2]."""
         return curve_slope(self.speed)
 
     @property
@@ -53,11 +50,11 @@ class LawJump(NamedTuple):
 
 
 class LawPiece(NamedTuple):
-    """Part of a law between two neighbouring jumps."""
+    """Part of a torque law between neighbouring jumps."""
 
     law: Points | Formula
     when: tuple[tuple[int, str], ...] = ()
-    """Numbers of the adjacent jumps, each with the side on which the piece holds."""
+    """Indices of the adjacent jumps, each with the side (`+` or `-`) on which the piece holds."""
 
 
 def split_at_jumps(law: Points | Formula) -> tuple[list[LawJump], list[LawPiece]]:
@@ -110,7 +107,7 @@ def _of_formula(law: Formula) -> tuple[list[LawJump], list[LawPiece]]:
 def _between_surfaces(
     law: Formula, sides_at_jumps: tuple[tuple[int, str], ...], jumps: list[LawJump]
 ) -> Iterator[LawPiece]:
-    """Yield the pieces of a law between its moving jumps, and append the jumps to `jumps`."""
+    """Yield the pieces of a law between its moving jumps, and append these to `jumps`."""
     surfaces = law.surfaces
     if len(surfaces) > _MOST_SURFACES:
         surfaces = {}
@@ -136,12 +133,12 @@ def _jumps(law: Formula, over: Over, places: tuple[float, ...]) -> Iterator[LawJ
 
 
 def _at(law: Formula, motion: tuple[float, float, float]) -> float:
-    """Return the value of a law, with an arbitrary value for other quantities of the scenario."""
+    """Return the value of a law, with an arbitrary value for quantities other than `motion`."""
     return law.function(*motion, *[_ANYTHING] * len(law.seen))
 
 
 def _plain(formula: Formula) -> Points | Formula:
-    """Return a formula, or the value of a constant formula."""
+    """Return a formula; a constant formula becomes a constant law."""
     if formula.variables or formula.seen:
         return formula
     return constant(formula.function(0.0, 0.0, 0.0))
@@ -164,7 +161,7 @@ def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:
 
 
 def _beside(first: int, count: int) -> list[tuple[tuple[int, str], ...]]:
-    """Return the jumps at both ends of each interval, with the side of the interval."""
+    """Return the indices of the jumps at both ends of each interval, with its side of each jump."""
     return [
         tuple(
             (first + number, side)

@@ -1,7 +1,4 @@
-"""Keys of a scenario in YAML and JSON, declared once; see `model.shape`.
-
-The values that are read from them are in `given`.
-"""
+"""Keys of a scenario in YAML and JSON, see `model.shape`; `given` has the types of their values."""
 
 from __future__ import annotations
 
@@ -55,7 +52,7 @@ _ABOVE_0 = {"exclusiveMinimum": 0}
 
 
 def _points(x: Shape, y: Shape, names: str, what: str = "points") -> ListOf:
-    """Return the shape of a list of points or other pairs; equal pairs are allowed."""
+    """Return the shape of a list of pairs such as points; equal pairs are allowed."""
     return ListOf(RowOf((x, y), names), what, unique=False)
 
 
@@ -312,7 +309,7 @@ TABLE = ByForm(
 
 
 def named_numbers() -> tuple[KeyShape, ...]:
-    """Return the keys of numbers and tables, which are read before all formulas."""
+    """Return the keys of named numbers and tables, which are read before all formulas."""
     return (
         KeyShape(
             "numbers",
@@ -446,7 +443,7 @@ _EVALUATION_KEYS = (
 
 
 def scenario_shape(words: Vocabulary) -> ByKey:
-    """Return the keys of a scenario whose formulas can use the names of a vocabulary."""
+    """Return the keys of a scenario; its formulas can use the names of a vocabulary."""
     return ByKey(
         "Scenario",
         "Events and controls of a case over time; numbers without a unit are in SI units.",

@@ -18,15 +18,15 @@ Over = Literal["time", "speed", "angle"]
 
 
 class Points(NamedTuple):
-    """Linear interpolation between points, constant before the first and after the last.
+    """Linear interpolation between points, constant before the first and after the last point.
 
-    Where an abscissa repeats, the later value holds from there.
+    Where an abscissa repeats, the value jumps to the later value.
 
     Parameters
     ----------
     x, y : sequence of float
-        Abscissas, which do not decrease, and as many values; at least one. [s, rad/s or rad; N*m
-        or Pa]
+        Abscissas [s, rad/s or rad], which do not decrease, and values [N*m or Pa] of the same
+        number, at least one.
     over : {"time", "speed", "angle"}
 
     Examples
@@ -52,18 +52,18 @@ class Points(NamedTuple):
         [20.0, 0.0, 10.0]
         """
         pieces, values = np.searchsorted(self.x, x, "right"), np.empty(len(x))
-        for number in set(pieces.tolist()):  # few, because a run pauses at each corner
+        for number in set(pieces.tolist()):  # few, as steps of a run end at corners
             value, slope = self.piece(number)
             inside = pieces == number
             values[inside] = value + slope * x[inside]
         return values
 
     def piece_at(self, x: float) -> int:
-        """Return the number of the piece that begins at an abscissa; piece 0 ends at `x[0]`."""
+        """Return the number of the piece that contains an abscissa; piece 0 ends at `x[0]`."""
         return bisect_right(self.x, x)
 
     def piece(self, number: int) -> tuple[float, float]:
-        """Return the value at 0 and the slope of the straight line of a piece."""
+        """Return the straight line of a piece: its value at abscissa 0 and its slope."""
         if number in (0, len(self.x)):
             return self.y[min(number, len(self.x) - 1)], 0.0
         left, right = self.x[number - 1 : number + 1]
@@ -85,7 +85,7 @@ def constant(value: float) -> Points:
     Returns
     -------
     Points
-        Law with this value at any time.
+        Law with this value at all times.
 
     Raises
     ------
@@ -112,7 +112,7 @@ def bends(curve: Curve, until: float) -> tuple[float, ...]:
 
 
 class Resistance(NamedTuple):
-    """Dry friction of a load, against the speed, up to the friction torque at rest.
+    """Dry friction of a load: it opposes the speed, and holds the link at rest up to its torque.
 
     Examples
     --------
@@ -131,7 +131,7 @@ class Resistance(NamedTuple):
 
 
 SpeedPoints: TypeAlias = tuple[tuple[float, float], ...]
-"""Points (speed, number) with rising speeds of 0 or more; the number is constant outside them."""
+"""Points (speed, number) with ascending speeds of 0 or more; constant outside."""
 
 
 class WheelRadius(NamedTuple):
@@ -140,11 +140,11 @@ class WheelRadius(NamedTuple):
     free: float
     """Radius without torque. [m]"""
     by_torque: float = 0.0
-    """Decrease of the radius with torque. [m/(N*m)]"""
+    """Decrease of the radius per unit of torque. [m/(N*m)]"""
 
 
 class Road(NamedTuple):
-    """Road resistances of a vehicle, on a link that rotates with the wheels.
+    """Driving resistances of a vehicle, acting on a link that rotates with the wheels.
 
     Examples
     --------
@@ -157,13 +157,13 @@ class Road(NamedTuple):
     radius: float
     """Radius of the wheels without torque. [m]"""
     rolling: float | SpeedPoints = 0.0
-    """Coefficient of rolling resistance [-]; or points over the vehicle speed [m/s, -]."""
+    """Coefficient of rolling resistance [-], or points (vehicle speed [m/s], coefficient)."""
     drag_area: float = 0.0
     """Product of frontal area and drag coefficient. [m^2]"""
     slope: float = 0.0
     """Sine of the angle of ascent. [-]"""
     by_torque: float = 0.0
-    """Decrease of the radius with torque, as of `LoadedWheel`. [m/(N*m)]"""
+    """Decrease of the radius per unit of torque; see `LoadedWheel`. [m/(N*m)]"""
 
     @property
     def wheel(self) -> LoadedWheel | None:
@@ -177,7 +177,7 @@ class Road(NamedTuple):
         return LoadedWheel(self.radius, self.by_torque, weight * self.slope, forces, air)
 
     def turning(self, velocity: float) -> float:
-        """Return the speed of the wheels at a velocity of the vehicle [rad/s].
+        """Convert a vehicle speed [m/s] to the speed of the wheels [rad/s].
 
         >>> Road(1000.0, 0.5).turning(10.0)
         20.0
@@ -188,18 +188,20 @@ class Road(NamedTuple):
 
     @property
     def weight_torque(self) -> float:
-        """Torque of the weight at the rim of the wheels [N*m]."""
+        """Weight of the vehicle times radius of the wheels [N*m]."""
         return self.radius * self.mass * GRAVITY
 
     @property
     def rolling_torque(self) -> float:
-        """Torque of rolling resistance near speed 0; the largest holding torque at rest [N*m]."""
+        """Torque of rolling resistance near speed 0, which holds the vehicle at rest [N*m]."""
         at_rest = self.rolling[0][1] if isinstance(self.rolling, tuple) else self.rolling
         return self.weight_torque * at_rest / (float(self.wheel.load(0.0)) if self.wheel else 1.0)
 
     @property
     def rolling_growth(self) -> Points | None:
-        """Difference of the rolling torque in motion from the value at rest.
+        """Outside torque by rolling resistance beyond its value at rest, over the wheel speed.
+
+        None if the rolling resistance is constant, or with a variable radius.
 
         Examples
         --------
@@ -216,14 +218,14 @@ class Road(NamedTuple):
 
     @property
     def climbing_torque(self) -> float:
-        """Torque of the ascent [N*m]."""
+        """Torque that the ascent needs [N*m]."""
         return self.weight_torque * self.slope
 
     def torque(self, speed: Any) -> Any:
-        """Return the torque at wheel speeds without dry friction [N*m].
+        """Return the outside torque at wheel speeds [rad/s], without dry friction [N*m].
 
-        It consists of ascent and air drag; with a variable radius also of the difference of the
-        rolling resistance in motion from its value at rest.
+        It is the torque of ascent and air drag. With a variable radius it includes the rolling
+        resistance beyond its value at rest.
 
         Examples
         --------
@@ -237,5 +239,5 @@ class Road(NamedTuple):
 
 
 Curve: TypeAlias = Points | Formula
-"""Number over time, or over the speed or the angle of the link."""
+"""Number over time, or over the speed or angle of a link."""
 TorqueLaw: TypeAlias = Points | Formula | Resistance | Road

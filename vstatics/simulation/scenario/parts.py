@@ -17,7 +17,7 @@ from vstatics.simulation.tolerances import LEAST_DURATION, LONGEST_DURATION
 
 
 class Start(NamedTuple):
-    """Speeds at t = 0: by a gear, or by speeds and shift elements that stick.
+    """Motion at t = 0: a gear with the input speed, or speeds and shift elements that stick.
 
     Parameters
     ----------
@@ -26,15 +26,15 @@ class Start(NamedTuple):
     speed : float
         Speed of the input, with a gear. [rad/s]
     speeds : mapping of int to float
-        Link -> its speed, instead of a gear. [rad/s]
+        Number of a link -> its speed, instead of a gear. [rad/s]
     engaged : sequence of int
-        Numbers of shift elements that do not slip at t = 0, with `speeds`.
+        Numbers of the shift elements that do not slip at t = 0, in addition to `speeds`.
     settled : bool
-        Whether springs are loaded as at rest under the torques of t = 0.
+        True if the springs are twisted as at rest under the torques of t = 0.
     twists : mapping of str to float
-        Name of a spring -> its twist, not with `settled`. [rad, m]
+        Name of a spring -> its twist [rad], or its extension if it is straight [m].
     angles : mapping of int to float
-        Link -> its angle. [rad, m]
+        Number of a link -> its angle [rad], or its position if it is a mass [m].
 
     Examples
     --------
@@ -64,13 +64,13 @@ class Capacity(NamedTuple):
     """
 
     law: Curve
-    """Torque [N*m], or a pressure where the element has `friction` [Pa]."""
+    """Torque [N*m], or pressure [Pa] if the shift element has `friction`."""
     scale: float = 1.0
     """Factor of the law. [-]"""
 
 
 class Dog(NamedTuple):
-    """Times at which a dog clutch closes or opens, at once.
+    """Times at which a dog clutch closes or opens.
 
     Examples
     --------
@@ -81,7 +81,7 @@ class Dog(NamedTuple):
     """
 
     points: tuple[tuple[float, bool], ...]
-    """Times [s] in ascending order, each with whether the clutch is closed from then on."""
+    """Ascending times [s], each with True if the clutch closes and False if it opens."""
 
 
 Control: TypeAlias = Capacity | Dog
@@ -99,24 +99,24 @@ class Shift(NamedTuple):
     at: float
     """Time at which the shift begins. [s]"""
     to: str
-    """Name of the gear."""
+    """Name of the new gear."""
     overlap: float = 0.0
-    """Duration of the shift. [s]"""
+    """Duration in which torque passes from released to engaged shift elements. [s]"""
 
 
 class ControlState(NamedTuple):
-    """State variable of the control: ``dx/dt = rate``."""
+    """State variable x of the control: ``dx/dt = rate``."""
 
     name: str
     rate: Curve
-    """Rate of change, a number or a formula. [1/s]"""
+    """Rate of change, a number or a formula. [1/s times the unit of the state]"""
     start: float = 0.0
     least: float = -math.inf
     most: float = math.inf
-    """Upper limit, where the state stays while the rate is positive."""
+    """Upper limit; the state stays there while the rate is positive."""
 
     def beyond(self, value: float) -> str:
-        """Return the message about a value beyond the limits, else an empty text."""
+        """Return the message about a value beyond the limits, or an empty text for other values."""
         if value > self.most:
             return f"read {value:g}, expected at most {self.most:g}, its max"
         if value < self.least:
@@ -125,33 +125,33 @@ class ControlState(NamedTuple):
 
 
 class SequenceStep(NamedTuple):
-    """Step of a sequence, which acts once the condition was true."""
+    """Step of a sequence: it acts after its condition becomes true."""
 
     when: StepCondition | None = None
-    """Condition of the step; None if the step needs no condition."""
+    """Condition of the step; None for a step without condition."""
     within: float = math.inf
-    """Longest time after the previous step until the condition is true. [s]"""
+    """Longest permitted time from the previous step until the condition is true. [s]"""
     wait: float = 0.0
     """Time from the condition to the action. [s]"""
     settings: Mapping[str, Curve] = MappingProxyType({})
-    """Settings and states with the new values."""
+    """Name of a setting or state -> its new value."""
     shift: Shift | None = None
-    """Shift that begins, whose time is ignored."""
+    """Shift that begins with the action; its time `at` is ignored."""
     dogs: Mapping[int, bool] = MappingProxyType({})
-    """Number of a dog clutch -> whether the clutch is closed from then on."""
+    """Number of a dog clutch -> True if the action closes it, False if it opens it."""
 
 
 class StepSequence(NamedTuple):
-    """Sequence of steps."""
+    """Sequence of steps, one after the other."""
 
     name: str
     steps: tuple[SequenceStep, ...]
     repeat: bool = False
-    """True for a sequence that begins again after the last step."""
+    """True if the sequence begins again after the last step."""
 
 
 class StaticTorque(NamedTuple):
-    """Gear and input torque of the torques of statics in dynamic factors."""
+    """Gear and input torque that determine the static torques in dynamic factors."""
 
     gear: str
     torque: float
@@ -176,13 +176,14 @@ class Scenario(NamedTuple):
     shifts : sequence of Shift, optional
         Shifts in their order; None if the document lacks the key.
     targets : mapping of int to sequence of float
-        Link -> speeds whose time and angle are reported. [rad/s]
+        Number of a link -> speeds for which time and distance are reported. [rad/s]
     settings : mapping of str to float
-        Numbers that sequences change, with their first values.
+        Name of a number that sequences set -> its initial value.
     states : sequence of ControlState
     sequences : sequence of StepSequence
     speeds : mapping of int to Curve
-        Link -> its given speed over time: points without a jump, or a formula of t. [rad/s]
+        Number of a link -> its given speed over time: points without a jump, or a formula of t.
+        [rad/s]
     speed_ratios : mapping of int to Curve
         Number of a variator -> its speed ratio over time, w_second/w_first: points without a jump,
         or a formula of t. [-]
@@ -226,12 +227,12 @@ class Scenario(NamedTuple):
 
     @property
     def span(self) -> float:
-        """Reference duration for coincident instants [s]: the duration, kept within two limits."""
+        """Time scale [s]: the duration, within two limits; near instants are compared with it."""
         return min(max(self.duration, LEAST_DURATION), LONGEST_DURATION)
 
 
 def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
-    """Yield the steps of all sequences, each with the place in the document."""
+    """Yield the steps of all sequences, each with its path in the scenario."""
     for sequence in scenario.sequences:
         for number, step in enumerate(sequence.steps, 1):
             yield ("sequences", sequence.name, number), step

@@ -24,40 +24,40 @@ from vstatics.simulation.tolerances import MADE_CAPACITY
 
 
 class Look(NamedTuple):
-    """Value of a formula as a function of the time and of all visible quantities."""
+    """Formula as a function of the time and of all quantities that formulas can read."""
 
     at: Callable[[float, Sequence[float]], float]
     along: Callable[[Floats, Floats], Floats]
-    """Values at many times, with the visible quantities as rows."""
+    """Values at many times; the quantities are the rows of the second argument."""
     places: tuple[int, ...] = ()
-    """Places of the quantities in the formula among all visible quantities."""
+    """Indices of the quantities in the formula among all quantities."""
 
 
 class Programme(NamedTuple):
-    """Capacity of a shift element over time."""
+    """Torque capacity of a contact or spring over time."""
 
     curve: Curve
-    """Capacity [N*m], or pressure [Pa]; infinite for a positive connection."""
+    """Capacity [N*m], or pressure [Pa]; infinite for a closed dog clutch."""
     factor: float = 1.0
-    """Factor of the curve, for example the torque of a pack per pressure and coefficient."""
+    """Factor of the curve, for example torque per pressure and coefficient of friction."""
     is_dog: bool = False
-    """True for an element that joins at once, with an unlimited capacity or zero."""
+    """True if the capacity is either unlimited or 0, as in a dog clutch."""
     largest: float | None = None
-    """Capacity in the case, which limits a control that depends on the motion. [N*m or Pa]"""
+    """Capacity in the case, at which feedback control is clipped. [N*m or Pa]"""
     given: Curve | None = None
-    """Control of the scenario before it is clipped at the capacity in the case."""
+    """Control over time before it is clipped at the capacity in the case."""
     look: Look | None = None
-    """Value of a curve that depends on more than the time."""
+    """Value of a feedback control, which depends on the motion; None for other controls."""
     table: LookupTable | None = None
-    """Coefficients of friction by slip and temperature, if not constant."""
+    """Coefficients of friction over slip and temperature, if given as a table."""
     rub: Look | None = None
-    """Coefficient of friction from `table`, as a function of visible quantities."""
+    """Coefficient of friction from `table`, as a function of quantities of the motion."""
     follows: SpringLimit | None = None
-    """Limit by the torque of a second spring, with the curve as the base."""
+    """Torque limit that grows with the torque of another spring; the curve is its base."""
 
     def seen_at(self, time: float, seen: Sequence[float], *, clipped: bool = True) -> float:
-        """Return the capacity of a curve that depends on the motion; 0 to `largest` if clipped."""
-        assert self.look is not None  # noqa: S101 - the curve sees something
+        """Return the capacity under feedback control, which is clipped to 0 to `largest`."""
+        assert self.look is not None  # noqa: S101 - only for feedback control
         value = self.look.at(time, seen)
         if clipped:
             value = min(max(value, 0.0), math.inf if self.largest is None else self.largest)
@@ -65,8 +65,8 @@ class Programme(NamedTuple):
         return capacity * self.rub.at(time, seen) if self.rub else capacity
 
     def seen_along(self, times: Floats, seen: Floats) -> Floats:
-        """Return the clipped capacity at many times, with the seen quantities as rows."""
-        assert self.look is not None  # noqa: S101 - the curve sees something
+        """Return the clipped capacity under feedback control at many times."""
+        assert self.look is not None  # noqa: S101 - only for feedback control
         capacity = self.factor * np.clip(self.look.along(times, seen), 0.0, self.largest)
         return capacity * self.rub.along(times, seen) if self.rub else capacity
 
@@ -76,10 +76,10 @@ HOLDS = Programme(constant(math.inf), is_dog=True)
 
 
 def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
-    """Return the programme of each shift element.
+    """Return the capacity over time of each shift element.
 
-    A freewheel has the capacity that the case gives, or an unlimited capacity. An element without a
-    control keeps the state of the start, or follows the shifts.
+    A freewheel has the capacity in the case, or an unlimited capacity. A shift element without a
+    control remains as at the start, or follows the shifts.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
     Raises
     ------
     CaseError
-        If a shift moves an element without a capacity, or if its gear is unknown.
+        If a shift gradually moves a shift element without a capacity, or if its gear is unknown.
     """
     controls = scenario.controls or {}
     result = []
@@ -121,7 +121,7 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
 def newton_metres(number: float | None, case: Transmission) -> float | None:
     """Return a capacity or a drag torque of a case [N*m].
 
-    A number without a unit is relative to the torque of `load`, or in N*m without a `load`.
+    A number without a unit is multiplied by the torque of `load`, or is in N*m without a `load`.
     """
     if number is None:
         return None
@@ -131,12 +131,12 @@ def newton_metres(number: float | None, case: Transmission) -> float | None:
 
 
 def load_torque(case: Transmission) -> float | None:
-    """Return the reference of torques without a unit, the torque of `load` [N*m], if any."""
+    """Return the torque of `load` [N*m], to which torques without a unit are relative, if any."""
     return case.load.torque if case.load else None
 
 
 def bare_capacities(case: Transmission) -> Iterator[Problem]:
-    """Yield a note on capacities without a unit, taken in N*m for lack of a load."""
+    """Yield a note about capacities without a unit if there is no load: they count as N*m."""
     bare = [
         number
         for number, element in enumerate(case.shift_elements, 1)
@@ -153,7 +153,7 @@ def bare_capacities(case: Transmission) -> Iterator[Problem]:
 
 
 def friction_at(friction: Friction | Law | None, slip: float = 0.0) -> float:
-    """Return the coefficient of friction at a slip [rad/s], or a drag [N*m]; 1 without a pack."""
+    """Return the coefficient of friction at a slip [rad/s], or a drag [N*m]; 1 without friction."""
     if friction is None:
         return 1.0
     if isinstance(friction, Law):
@@ -168,7 +168,7 @@ def friction_points(friction: Friction | Law) -> Points:
 
 
 def largest_control(element: ShiftElement, case: Transmission) -> float | None:
-    """Return the control that yields the capacity in the case [N*m]; with a pack in Pa."""
+    """Return the control that gives the capacity in the case [N*m], or [Pa] with `friction`."""
     largest, pack = newton_metres(element.capacity, case), element.pack
     if largest is None or pack is None:
         return largest
@@ -176,7 +176,7 @@ def largest_control(element: ShiftElement, case: Transmission) -> float | None:
 
 
 def cut_controls(scenario: Scenario) -> Iterator[Problem]:
-    """Yield a note on each control over time that is cut at the capacity in the case."""
+    """Yield a note about each control over time that is clipped at the capacity in the case."""
     for number, control in (scenario.controls or {}).items():
         element = scenario.case.shift_elements[number - 1]
         most = largest_control(element, scenario.case)
@@ -195,7 +195,7 @@ def cut_controls(scenario: Scenario) -> Iterator[Problem]:
 
 
 def cut_note(time: float, name: str, largest: float) -> str:
-    """Return the note on a control that is cut from a time on [s]."""
+    """Return the note about a control that is clipped from a time on [s]."""
     return (
         f"at {time:.6g} s the control of {name} is above the capacity in the case, {largest:g}: "
         "it is limited to this capacity from then on"
@@ -225,14 +225,14 @@ def within(law: Curve, largest: float) -> Curve:
 
 
 def bounded(law: Curve, factor: float = 1.0, largest: float | None = None) -> Programme:
-    """Return the programme of a clipped control or limit."""
+    """Return the capacity over time by a control or limit, clipped from 0 to `largest`."""
     if isinstance(law, Formula) and law.seen:
         return Programme(law, factor, largest=largest)
     return Programme(within(law, math.inf if largest is None else largest), factor, given=law)
 
 
 def _scaled(control: Capacity) -> Curve:
-    """Return the law of a control, multiplied by the scale."""
+    """Return the law of a control times its scale."""
     law, scale = control
     if isinstance(law, Points):
         return Points(law.x, tuple(scale * value for value in law.y))
@@ -256,7 +256,7 @@ def _controlled(control: object, element: ShiftElement, case: Transmission) -> P
 
 
 def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged: bool) -> Programme:
-    """Return the programme of an element without a control, which shifts engage and release."""
+    """Return the capacity over time of a shift element that shifts engage and release."""
     held = newton_metres(element.capacity, scenario.case)
     anything = held is None or element.kind == "dog_clutch"
     capacity = math.inf if held is None or anything else held
@@ -284,7 +284,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
         else:
             moment = moment if target else at
             points = [*earlier, (at, now), (moment, now), (moment, target)]
-    # the capacity in the case holds at the beginning of slip, with or without a pack
+    # the capacity in the case includes the coefficient of friction at zero slip
     factor = 1.0 if anything else 1 / friction_at(element.pack)
     times, capacities = zip(*points, strict=True)
     return Programme(Points(times, capacities), factor, is_dog=anything)

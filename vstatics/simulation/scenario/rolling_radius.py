@@ -1,9 +1,8 @@
 """Wheel whose rolling radius falls with its torque: Tarasik, table 1.1, r = r_0 - lambda M.
 
-M is the torque of the road at a steady speed, by rolling, ascent and air: M = X r with the force
-X(v) of the road, so r = r_0/(1 + lambda X), and the wheel turns with w = v/r =
-v (1 + lambda X(v))/r_0. Since X is known, each w has one v. The radius depends on the speed alone,
-not on its direction.
+M is the torque that rolling, ascent and air drag need at a constant vehicle speed v. With their
+force X(v), M = X r, so r = r_0/(1 + lambda X), and the wheel turns with w = v/r = v (1 + lambda
+X(v))/r_0. The radius depends on the magnitude of v alone.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.tolerances import LAST_BIT
 
 MOST_NEWTON_ITERATIONS = 60
-"""Largest number of Newton steps; fewer than ten are needed from the end of a piece."""
+"""Largest number of Newton steps; usually fewer than ten are needed."""
 
 
 class LoadedWheel(NamedTuple):
@@ -27,12 +26,12 @@ class LoadedWheel(NamedTuple):
     free : float
         Radius without torque. [m]
     by_torque : float
-        Decrease of the radius with torque, lambda. [m/(N*m)]
+        Decrease lambda of the radius per unit of torque. [m/(N*m)]
     steady : float
-        Force of the ascent. [N]
+        Force of the ascent, independent of the speed. [N]
     rolling : sequence of (float, float)
-        Force of rolling resistance over rising speeds, interpolated linearly, constant outside.
-        [m/s, N]
+        Points (vehicle speed [m/s], force of rolling resistance [N]) with ascending speeds,
+        interpolated linearly, constant outside.
     air : float
         Air drag divided by the square of the speed. [N*s^2/m^2]
 
@@ -55,18 +54,18 @@ class LoadedWheel(NamedTuple):
 
     @property
     def is_single(self) -> bool:
-        """Whether w(v) rises everywhere, so that each wheel speed has a single velocity."""
+        """True if w(v) rises everywhere, so that each wheel speed has a single vehicle speed."""
         speeds, _ = zip(*self.rolling, strict=True)
         corners = np.array([0.0, *speeds, np.inf])
         above = np.nextafter(corners[:-1], np.inf)
-        least = above  # the slope is smallest there, unless air drag outgrows a falling resistance
+        least = above  # the place of the smallest slope in each piece
         if self.air:
             least = np.clip(-self._rise(above) / (3 * self.air), above, corners[1:])
         inside = np.concatenate([above, least, np.nextafter(corners[1:-1], 0.0)])
         return bool(np.all(self.turning_slopes(inside)[0] > 0))
 
     def rolls(self, velocity: Any) -> Floats:
-        """Return the force of rolling resistance at velocities of any sign [N]."""
+        """Return the force of rolling resistance at vehicle speeds of any sign [N]."""
         speeds, forces = zip(*self.rolling, strict=True)
         force: Floats = np.interp(np.abs(velocity), speeds, forces)
         return force
@@ -79,12 +78,12 @@ class LoadedWheel(NamedTuple):
         return ratio
 
     def turning(self, velocity: Any) -> Floats:
-        """Return the speed of the wheel at velocities of the vehicle [rad/s]."""
+        """Convert vehicle speeds [m/s] to wheel speeds [rad/s]."""
         speed: Floats = velocity * self.load(velocity) / self.free
         return speed
 
     def turning_slopes(self, velocity: Any) -> tuple[Floats, Floats]:
-        """Return the first and second derivative of `turning` by velocity [1/m, s/m^2]."""
+        """Return the first and second derivative of `turning` [1/m, s/m^2]."""
         speed = np.abs(velocity)
         rise = self._rise(speed)
         first = self.load(speed) + self.by_torque * speed * (rise + 2 * self.air * speed)
@@ -92,7 +91,7 @@ class LoadedWheel(NamedTuple):
         return first / self.free, second / self.free
 
     def velocity(self, turning: Any) -> Floats:
-        """Return the velocity of the vehicle at wheel speeds [m/s], by Newton's method."""
+        """Convert wheel speeds [rad/s] to vehicle speeds [m/s], by Newton's method."""
         wanted = np.abs(np.asarray(turning, dtype=float))
         corners = np.array([0.0, *(speed for speed, _ in self.rolling if speed > 0), np.inf])
         reached = np.append(self.turning(corners[:-1]), np.inf)
@@ -100,7 +99,7 @@ class LoadedWheel(NamedTuple):
         low, high = corners[piece], corners[piece + 1]
         speed = low
         for _ in range(MOST_NEWTON_ITERATIONS):
-            inside = np.nextafter(speed, high)  # a corner belongs to the piece above it
+            inside = np.nextafter(speed, high)  # at a corner, take the slope above it
             slope, _ = self.turning_slopes(inside)
             before = speed
             speed = np.clip(speed + (wanted - self.turning(speed)) / slope, low, high)
@@ -110,14 +109,14 @@ class LoadedWheel(NamedTuple):
         return velocity
 
     def torque(self, turning: Any) -> Floats:
-        """Return the torque of the road on the wheel at wheel speeds [N*m]."""
+        """Return the outside torque of all road resistances at wheel speeds [rad/s -> N*m]."""
         velocity = self.velocity(turning)
         forces = self.steady + np.sign(velocity) * (self.rolls(velocity) + self.air * velocity**2)
         torque: Floats = -self.free / self.load(velocity) * forces
         return torque
 
     def _rise(self, speed: Floats) -> Floats:
-        """Return the slope of the rolling resistance over the speed [N*s/m]."""
+        """Return the derivative of the rolling resistance with respect to speed [N*s/m]."""
         speeds, forces = (np.array(column) for column in zip(*self.rolling, strict=True))
         slopes = np.concatenate([[0.0], np.diff(forces) / np.diff(speeds), [0.0]])
         rise: Floats = slopes[np.searchsorted(speeds, speed, side="right")]

@@ -1,6 +1,6 @@
-"""Numbers of a size that no machine has, with which a motion would consist of rounding errors.
+"""Rejection of numbers of an impossible size, for which results would be rounding errors.
 
-A mistyped exponent is refused at its place in the document, before speeds reach 1e90 rad/s.
+A mistyped exponent is rejected at its position in the document, before speeds reach 1e90 rad/s.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from vstatics.simulation.tolerances import LARGEST_NUMBER, LEAST_NUMBER, UNLIKE_
 
 
 def size_problems(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the numbers of a scenario and its case that are too large or too small.
+    """Yield a problem for each number of a scenario or its case that is too large or too small.
 
     Examples
     --------
@@ -42,7 +42,7 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
         names[link - 1]: speed for link, speed in start.speeds.items() if link <= len(names)
     }
     for key, speeds in (("speed", start.speed), ("speeds", of_links)):
-        yield from _of_numbers(speeds, ("start", key), least=0.0)  # a 0 can be 1e-16 by rounding
+        yield from _of_numbers(speeds, ("start", key), least=0.0)  # a calculated 0 can be 1e-16
     elements = case.shift_elements
     for number, control in (scenario.controls or {}).items():
         if 0 < number <= len(elements):
@@ -61,7 +61,7 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[Problem]:
-    """Yield a problem for each number of a part, with the place in the part."""
+    """Yield a problem for each number of impossible size in a part, with its path."""
     if isinstance(part, float):
         read = part.given if isinstance(part, OfLoad) else part
         size = abs(read)
@@ -89,7 +89,7 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
 
 
 def _of_unlike(case: Transmission) -> Iterator[Problem]:
-    """Yield a problem for each inertia that would be rounding error next to the largest inertia."""
+    """Yield a problem for each inertia within the rounding error of the largest inertia."""
     largest = max(case.heavy.values(), default=0.0)
     for link, inertia in case.heavy.items():
         if 0 < inertia < largest * UNLIKE_INERTIAS:

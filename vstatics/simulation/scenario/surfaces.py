@@ -1,4 +1,4 @@
-"""Surfaces in time, speed and angle on which a comparison in a formula switches.
+"""Moving jumps of formulas: surfaces in time, speed and angle on which a comparison switches.
 
 ``speed < 300 + t`` switches where the speed is 300 + t, ``sign(speed + 10*angle)`` where the speed
 is -10 angle. A motion can slide along such a surface (`jumps`).
@@ -24,17 +24,17 @@ from vstatics.simulation.scenario.corners import JUMPS
 
 
 class JumpSurface(NamedTuple):
-    """Surface in time, speed and angle on which a comparison in a formula switches."""
+    """Speed or angle, moving with time or angle, at which a comparison in a formula switches."""
 
     over: Literal["speed", "angle"]
     at: Tree
     """Speed or angle of the surface, a formula of t. [rad/s or rad]"""
     by_angle: float = 0.0
-    """Change of the speed of the surface with the angle of the link. [1/s]"""
+    """Derivative of the speed of the surface with respect to the angle of the link. [1/s]"""
 
 
 def surfaces(tree: Tree) -> dict[JumpSurface, str]:
-    """Find the surfaces that depend on time or angle, each with the side of the value on it.
+    """Find the moving jumps, each with the side (`+`, `-`) to which the value at the jump belongs.
 
     Examples
     --------
@@ -58,7 +58,7 @@ def surfaces(tree: Tree) -> dict[JumpSurface, str]:
 
 
 def on_side(tree: Any, surface: JumpSurface, side: float) -> Any:
-    """Return a formula on one side of a surface: above for +1, below for -1."""
+    """Return a formula as it is on one side of a surface: above for +1, below for -1."""
     if not isinstance(tree, Applied):
         return tree
     switch, lead = _surface(tree)
@@ -69,7 +69,7 @@ def on_side(tree: Any, surface: JumpSurface, side: float) -> Any:
 
 
 def _surface(tree: Tree) -> tuple[JumpSurface | None, float]:
-    """Return the surface of a comparison or `sign`, and the slope of the difference across it."""
+    """Return the surface of a comparison or `sign`, and its factor of the speed or angle."""
     if not isinstance(tree, Applied) or tree.name not in JUMPS:
         return None, 0.0
     first = bare(tree.operands[0])

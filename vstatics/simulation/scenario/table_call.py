@@ -1,4 +1,4 @@
-"""Name of a table in a formula that calls it."""
+"""Name of a lookup table in a formula, together with the table."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from vstatics.core.numerics.lookup_table import LookupTable
 
 
 class TableCall(str):
-    """Name of a table in a formula, together with the table itself.
+    """Name of a lookup table in a formula, with the table as an attribute.
 
     >>> first, second = (TableCall("p", LookupTable((0.0,), ((y,),))) for y in (1.0, 2.0))
     >>> first == "p", first == second
@@ -25,12 +25,12 @@ class TableCall(str):
         return call
 
     def __eq__(self, other: object) -> bool:
-        """Compare the tables too: results of formulas are cached by equality of trees."""
+        """Compare names and tables, because results of formulas are cached by equality of trees."""
         same = not isinstance(other, TableCall) or self.table == other.table
         return same and str(self) == other
 
     __hash__ = str.__hash__
 
     def __getnewargs__(self) -> tuple[Any, ...]:
-        """Return the arguments with which a second process rebuilds the name."""
+        """Return the arguments from which `pickle` rebuilds the name in another process."""
         return str(self), self.table

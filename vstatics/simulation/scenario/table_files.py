@@ -1,4 +1,4 @@
-"""Tables of formulas, read from CSV files."""
+"""Lookup tables for formulas, read from CSV files."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ MOST_TABLE_BYTES = 5_000_000
 
 
 def table_of(scenario: str, name: str) -> LookupTable:
-    """Read the table of a file, whose name is relative to the folder of a scenario.
+    """Read a table from a file, whose name is relative to the folder of a scenario.
 
     Raises
     ------
     OSError
         If the file cannot be opened.
     ValueError
-        If the text is not a table, with the text that was expected.
+        If the content is not a table; the message says what was expected.
     """
     rows = csv_rows(
         Path(scenario).parent / name, MOST_TABLE_BYTES, lambda cell: bool(with_unit(cell)[1])
@@ -32,12 +32,14 @@ def table_of(scenario: str, name: str) -> LookupTable:
 
 
 def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
-    """Build a table from numbered rows: a heading (quantity with unit, then columns), then numbers.
+    """Build a table from rows, each with its line number: a heading, then rows of numbers.
+
+    The heading contains the quantity of the first column with its unit, then the columns.
 
     Raises
     ------
     ValueError
-        If a row is not numbers, with the text that was expected.
+        If a row is not numbers; the message says what was expected.
 
     Examples
     --------
@@ -68,7 +70,7 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 
 
 def _number(text: str, line: int) -> float:
-    """Return a number, bare or with any unit, in SI."""
+    """Read a number, bare or with any unit, and return it in SI units."""
     for measure in get_args(Measure):
         try:
             return measured(text.strip(), measure)

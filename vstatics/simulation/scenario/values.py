@@ -1,6 +1,6 @@
-"""Conversion of the values of a document to parts of a scenario, with plain floats in SI.
+"""Conversion of the values in a document to parts of a scenario, with plain floats in SI units.
 
-The place of a value decides which unit belongs to it.
+The key of a value, and the case, determine which units are allowed.
 """
 
 from __future__ import annotations
@@ -45,18 +45,18 @@ from vstatics.simulation.scenario.words import elastic_names
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 Turning = Callable[[float], float]
-"""Speed of a link as a function of the vehicle speed. [m/s -> rad/s]"""
+"""Function from vehicle speed [m/s] to the speed of a link [rad/s]."""
 _STRAIGHT = ", since the link moves straight"
 
 
 class ScenarioValues:
-    """Builder of the parts of a scenario; reports units that do not fit the quantity.
+    """Builder of the parts of a scenario, which reports units that do not fit.
 
     Parameters
     ----------
     case : Transmission
     spots : Spots
-        Places in the document of the scenario.
+        Positions in the document of the scenario, which also collect problems.
     """
 
     def __init__(self, case: Transmission, spots: Spots) -> None:
@@ -65,7 +65,7 @@ class ScenarioValues:
         self.turning: dict[int, Turning] = dict.fromkeys(case.masses, float)
 
     def scenario(self, values: Mapping[str, Any]) -> Scenario:
-        """Return the scenario of a document's values."""
+        """Return the scenario described by the values of a document."""
         torques = tuple(self._torques(values.get("torques", {})))
         self.turning |= {link: law.turning for link, law in torques if isinstance(law, Road)}
         controls, shifts = values.get("controls"), values.get("shifts")
@@ -99,7 +99,7 @@ class ScenarioValues:
         )
 
     def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, LookupTable]]:
-        """Yield the readable tables of a document."""
+        """Yield the lookup tables of a document by name; unreadable tables become zeros."""
         for number, (name, table) in enumerate(given.items(), 1):
             if isinstance(table, GivenTable) and table.file:
                 yield name, self._table_file(table.file, ("tables", number, "file"))
@@ -114,7 +114,7 @@ class ScenarioValues:
     def _table(
         self, columns: tuple[float, ...], rows: Sequence[Sequence[float]], path: Path
     ) -> LookupTable:
-        """Return a table from rows, each an x and a value per column; if unreadable, zeros."""
+        """Return a table from rows of x and a value for each column; if unreadable, zeros."""
         unreadable = {*self.spots.unreadable}
         if not rows and path[:2] not in unreadable:
             self.spots.tell(path, "read no rows, expected at least one")
@@ -166,7 +166,7 @@ class ScenarioValues:
         )
 
     def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
-        """Return distributions by the paths of the numbers."""
+        """Return the distributions of random numbers by the paths of these numbers."""
         given = values.get("samples", {})
         return {
             path: Distribution(*map(_plain, distribution)) for path, distribution in given.items()
@@ -203,7 +203,7 @@ class ScenarioValues:
         )
 
     def _speed(self, given: Any, link: int, path: Path) -> float:
-        """Return a speed of a link [rad/s]; a velocity is converted to the speed of the wheels."""
+        """Return a speed of a link [rad/s]; a vehicle speed is converted to a wheel speed."""
         if getattr(given, "measure", None) == "velocity":
             if turning := self.turning.get(link):
                 return turning(float(given))
@@ -223,7 +223,7 @@ class ScenarioValues:
         return tuple(self._speed(speed, link, (*path, number)) for number, speed in speeds)
 
     def _given_speed(self, given: Any, link: int) -> Curve:
-        """Return a speed over time [rad/s]; velocities are converted to speeds of the wheels."""
+        """Return a speed over time [rad/s]; vehicle speeds are converted to wheel speeds."""
         path = ("speeds", link)
         if isinstance(given, Formula):
             return given
@@ -246,7 +246,7 @@ class ScenarioValues:
                 yield number, Capacity(law, float(control.scale))
 
     def _capacity(self, given: Any, element: ShiftElement, path: Path) -> Points | Formula:
-        """Return a capacity over time; a pressure where the element has friction."""
+        """Return a torque capacity over time, or a pressure if the shift element has friction."""
         measure: Measure = "pressure" if element.pack else "si_torque"
         return self._curve(
             given,
@@ -262,7 +262,7 @@ class ScenarioValues:
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
-            return constant(self._number(given, measure, path, why) or 0.0)  # no -0.0
+            return constant(self._number(given, measure, path, why) or 0.0)  # avoids -0.0
         over = STRAIGHT.get(_OVER[along], "time") if measure == "force" else _OVER[along]
         points = [
             (
@@ -279,7 +279,7 @@ class ScenarioValues:
         return "force" if any(map(self.case.is_straight, springs)) else "si_torque"
 
     def _number(self, value: Any, measure: Measure, path: Path, why: str = "") -> float:
-        """Return a number, and report a unit that does not belong."""
+        """Return a number, and report a unit that does not fit."""
         if isinstance(value, InUnit) and value.measure not in (None, measure):
             read, unit = UNIT_OF[value.measure], UNIT_OF[measure]
             self.spots.tell(path, f"read a number in {read}, expected a number in {unit}{why}")
@@ -311,7 +311,7 @@ class ScenarioValues:
 
 
 def _road(given: Road) -> Road:
-    """Return a road in plain numbers."""
+    """Return a road with plain floats."""
     radius = given.radius
     wheel = WheelRadius(*map(float, radius if isinstance(radius, WheelRadius) else (radius,)))
     rolling = given.rolling

@@ -1,4 +1,4 @@
-"""Vocabulary of the formulas of a scenario: names of parts of the case and of the scenario."""
+"""Names that formulas of a scenario can use: of links and components, numbers, states, tables."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.simulation.scenario.formula import OF_EVENTS, OF_MOTION, OF_TORQUE
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
 
 _TRUTH = ("on", "off", "yes", "no", "true", "false")
-"""Names that YAML readers can take for true or false."""
+"""Names that YAML readers can interpret as true or false."""
 _TAKEN = {*VARIABLES, *OF_MOTION, *OF_TORQUES, *OF_EVENTS, *FUNCTIONS, *PYTHON, PI}
 _TAKEN |= {"and", "or", "not"}
 _NO_TABLES: Mapping[str, LookupTable] = MappingProxyType({})
@@ -28,14 +28,14 @@ def vocabulary(
     tables: Mapping[str, LookupTable] = _NO_TABLES,
     converters: Collection[str] = (),
 ) -> Vocabulary:
-    """Return the vocabulary of the formulas of a scenario.
+    """Return the names that formulas of a scenario can use.
 
     Parameters
     ----------
     case : Transmission
     numbers : mapping of str to float
     values : collection of str
-        Names of states, and of numbers that sequences change.
+        Names of control states, and of numbers that sequences set.
     tables : mapping of str to LookupTable
     converters : collection of str
         Names of the converters of the scenario.
@@ -76,7 +76,7 @@ def name_problems(key: str, names: Collection[str], before: Collection[str]) -> 
     key : str
         Key of the scenario under which the names are given.
     before : collection of str
-        Names that are taken already.
+        Names that are already in use.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Values and slopes of capacities and other curves over time."""
+"""Values and slopes, over time, of capacities and other curves."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from vstatics.simulation.system.matrices import Contact
 
 Slopes = TypeVar("Slopes", float, Floats)
 Torque = Callable[[float, float, float], float]
-"""Torque as a function of time [s], rate [rad/s] and angle [rad]."""
+"""Torque as a function of time [s], speed [rad/s] and angle [rad]."""
 TorqueAlong = Callable[[Floats, Floats, Floats], Floats]
-"""Torques as a function of arrays of times, rates and angles."""
+"""Torques as a function of arrays of times, speeds and angles."""
 
 
 def one_by_one(torque: Torque) -> TorqueAlong:
-    """Return a torque as a function of arrays, by a call for each instant."""
+    """Return a torque as a function of arrays, which calls `torque` for each instant."""
 
     def along(times: Floats, rates: Floats, angles: Floats) -> Floats:
         known = (values.tolist() for values in (times, rates, angles))
@@ -34,13 +34,13 @@ def one_by_one(torque: Torque) -> TorqueAlong:
 def capacity_at(
     contact: Contact, time: float, slip: float = 0.0, seen: Sequence[float] = ()
 ) -> float:
-    """Return the kinetic capacity of a contact right after a time [N*m]."""
+    """Return the kinetic capacity of a contact at a time and slip [N*m]."""
     value = programme_at(contact.programme, time, seen)
     return value if contact.friction is None else value * friction_at(contact.friction, slip)
 
 
 def programme_at(programme: Programme, time: float, seen: Sequence[float] = ()) -> float:
-    """Return the value of a programme right after a time, given all seen quantities."""
+    """Return the capacity at a time [N*m]; `seen` are the quantities that formulas read."""
     if programme.look is not None:
         return programme.seen_at(time, seen)
     at = programme.curve.at(time)
@@ -50,7 +50,7 @@ def programme_at(programme: Programme, time: float, seen: Sequence[float] = ()) 
 
 
 def programme_along(programme: Programme, times: Floats, seen: Floats | None = None) -> Floats:
-    """Return the values of a programme at several times, given all seen quantities."""
+    """Return the capacities at several times [N*m]; `seen` has a row for each quantity."""
     if programme.look is not None and seen is not None:
         return programme.seen_along(times, seen)
     return programme.factor * curve_along(programme.curve, times)
@@ -60,7 +60,7 @@ _LAST: deque[tuple[Formula, Floats, Floats]] = deque(maxlen=16)
 
 
 def curve_along(curve: Curve, times: Floats) -> Floats:
-    """Return the values of a curve at several times, with a cache of recent formulas."""
+    """Return the values of a curve at several times; recent results of formulas are cached."""
     if isinstance(curve, Points):
         return np.full(len(times), curve.y[0]) if len(set(curve.y)) == 1 else curve.along(times)
     for known, at, values in _LAST:
@@ -74,13 +74,13 @@ def curve_along(curve: Curve, times: Floats) -> Floats:
 def slope_of(
     function: Torque, time: float, within: float, rate: float = 0.0, angle: float = 0.0
 ) -> float:
-    """Return the forward slope of a torque with time."""
+    """Return the derivative of a torque with respect to time, from values ahead."""
     now, middle, later = (function(time + part * within, rate, angle) for part in (0.0, 0.5, 1.0))
     return slope_ahead(now, middle, later, within)
 
 
 def slope_ahead(now: Slopes, middle: Slopes, later: Slopes, step: float) -> Slopes:
-    """Return the forward slope from values now, after half a step and after a full step.
+    """Return the derivative from values now, after half a step and after a full step.
 
     >>> slope_ahead(0.0, 0.25, 1.0, 1.0), slope_ahead(1.0, 2.0, 3.0, 2.0)  # t^2, 1 + t
     (0.0, 1.0)

@@ -1,4 +1,7 @@
-"""Devices of a scenario along speed rows: bodies, constraints, contacts, springs and loads."""
+"""Mechanical model of a scenario: bodies, constraints, contacts, springs and outside torques.
+
+A speed row contains the coefficients of the speeds of links in a speed such as a slip.
+"""
 
 from __future__ import annotations
 
@@ -48,7 +51,7 @@ from vstatics.simulation.system.sight import with_settings
 def motion_system(
     scenario: Scenario, capacities: list[Programme], gear: Gear | None
 ) -> MotionSystem:
-    """Build the system of a scenario.
+    """Build the mechanical model of a scenario.
 
     Parameters
     ----------
@@ -56,7 +59,7 @@ def motion_system(
     capacities : sequence of Programme
         Capacities of the shift elements.
     gear : Gear, optional
-        Gear of the start, for the drag of its links.
+        Gear at the start, which determines drags.
 
     Raises
     ------
@@ -102,7 +105,7 @@ def motion_system(
 
 
 def with_programmes(system: MotionSystem, capacities: list[Programme]) -> MotionSystem:
-    """Return the system with new programmes of shift elements."""
+    """Return the system with new capacities of shift elements over time."""
     elements = system.case.shift_elements
     contacts = tuple(
         contact
@@ -159,10 +162,11 @@ def _back(mechanism: Mechanism) -> float:
 
 
 def _taken_by_planets(case: Transmission) -> Floats:
-    """Return torques that planets take from first links of mechanisms, by link accelerations.
+    """Return the torques that accelerate planets, per acceleration of links.
 
-    ``d(J w_p^2/2)/dw_1`` changes with time as ``J (dw_p/dw_1) dw_p/dt``: the teeth pass this torque
-    to planets that are not links of the case. Shape (mechanisms, links) [kg*m^2].
+    The teeth transmit ``J (dw_p/dw_1) dw_p/dt`` from the first link of a mechanism, with speed w_1,
+    to planets with speed w_p that are not links of the case. The result has the shape (mechanisms,
+    links) [kg*m^2].
     """
     inertias = np.zeros((len(case.mechanisms), case.links))
     drawing = drawing_of(case)
@@ -204,7 +208,7 @@ def _elements(
 
 
 def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats) -> list[Contact]:
-    """Return drag contacts, except overrunning freewheels."""
+    """Return contacts for drags, except those of overrunning freewheels."""
     contacts = []
     for is_element, number, torque in dragging:
         name, row, while_open = case.link_name(number), unit(number - 1, case.links), None
@@ -273,9 +277,9 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
 
 
 def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideTorque]]:
-    """Return outside torques: contacts for dry friction and jumps, and loads for all other laws.
+    """Return contacts for dry friction and jumps of outside torques, and all other outside torques.
 
-    Contacts are numbered from `first`.
+    The indices of the contacts begin with `first`.
     """
     contacts: list[Contact] = []
     outside = []
@@ -314,7 +318,7 @@ def _given_speed_contacts(scenario: Scenario) -> Iterator[Contact]:
 
 
 def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact, MovingVariator]]:
-    """Yield contacts and records of moving variators, with contact indices from `first`."""
+    """Yield the contact and the data of each moving variator; `first` is the first index."""
     case = scenario.case
     for place, (number, ratio) in enumerate(scenario.speed_ratios.items()):
         mechanism = case.mechanisms[number - 1]
@@ -337,27 +341,27 @@ def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact,
 
 
 class DragTorque(NamedTuple):
-    """Drag torque on a shift element or link."""
+    """Drag torque in a shift element or on a link."""
 
     is_element: bool
     """True if the drag acts in a shift element, not on a link."""
     number: int
     """Number of the shift element or link."""
     torque: float
-    """Torque [N*m], or a law over speed."""
+    """Torque [N*m], or a law over speed [rad/s]."""
 
 
 def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
-    r"""Yield the drag torques in a gear, or without a gear.
+    r"""Yield the drag torques in a gear; without a gear, those that are equal in all gears.
 
     Raises
     ------
     CaseError
-        If a drag has no unit.
+        If a drag has no unit and no load, or if a drag or loss cannot be simulated.
 
     Examples
     --------
-    A drag of the case holds without a gear, too:
+    A drag given for the whole case also acts without a gear:
 
     >>> from vstatics.core.readers import loads
     >>> case = loads("links: [a]\ninertias: {a: 1}\ndrag: {a: 0.1}\nload: {torque: 20 N*m}")
@@ -437,5 +441,5 @@ def _of_all_gears(by_gear: Sequence[Mapping[int, float]]) -> dict[int, float]:
 
 
 def _given(torque: float) -> float:
-    """Return a drag torque as the case gives it, before it is multiplied by the load."""
+    """Return a drag torque as written in the case, before multiplication by the load."""
     return torque.given if isinstance(torque, OfLoad) else torque

@@ -1,15 +1,16 @@
 """Equations of motion between two events, as a system of first-order differential equations.
 
-The state is ``[q, e, phi, v, W]``:
+A port is a place at which a torque acts, such as a spring; its rate is the speed there [rad/s]. The
+state is ``[q, e, phi, v, W]``:
 
 - q: speeds of the motions with inertia; ``dq/dt`` is linear in the torques of the ports;
 - e: twists of springs; ``de/dt`` is the rate of the port, unless the spring slips;
-- phi: recorded angles;
+- phi: recorded angles of links;
 - v: values, which are control states and temperatures;
-- W: works of ports, losses of dampers, slip work of springs, and losses of meshes.
+- W: works of ports, losses of dampers, slip work of springs, and losses of mechanisms.
 
-`Equations.derivative` is the right-hand side. Motions without inertia are not part of the state:
-their speeds follow from the balance of torques along them.
+`Equations.derivative` returns the derivative of the state. Motions without inertia are not part of
+the state: their speeds follow from the balance of torques along them.
 """
 
 from __future__ import annotations
@@ -43,15 +44,15 @@ from vstatics.simulation.tolerances import (
 
 _NONE = np.zeros(0)
 _MOST_CONVERTER_STEPS = 100
-"""Number of steps into which a run is divided at least if a torque is a formula of time."""
+"""Smallest number of time steps of a run if a torque is a formula of time."""
 _NEWTON = 30
-"""Largest number of Newton steps for the speeds of motions without inertia."""
+"""Largest number of Newton iterations for the speeds of motions without inertia."""
 _LIMIT_ROUNDS = 8
 """Largest number of iterations for slopes of spring limits that depend on the motion."""
 
 
 class Equations:
-    """Equations of motion between two events, on a piece of time with smooth inputs.
+    """Equations of motion between two events, while inputs over time are smooth.
 
     Parameters
     ----------
@@ -59,11 +60,11 @@ class Equations:
     structure : MotionStructure
     states : States
     time : float
-        Beginning of the piece. [s]
+        Time of the first event. [s]
     rounding : float
         Largest slip that counts as 0, because it can be rounding error. [rad/s]
     carried : sequence of float
-        Torques on first links in `VaryingLosses` right before; empty at the start. [N*m]
+        Last torques on first links of mechanisms with varying efficiency; empty at the start. [N*m]
 
     Raises
     ------
@@ -83,7 +84,7 @@ class Equations:
         layout = self.layout = system.layout
         self.system, self.structure, self.states = system, structure, states
         self.time = time
-        """Beginning of the piece. [s]"""
+        """Time of the first event. [s]"""
         self.ports = Ports(system, states, time, rounding)
         self.motions = structure.free.shape[1]
         self.springs = len(system.springs)
@@ -102,22 +103,22 @@ class Equations:
         self.creeps = slips & (self.viscous > 0)
         self.limited = slips & (self.viscous == 0)
         self.seen_limits = [limit for limit in self.ports.limits if self.limited[limit[0]]]
-        """Springs that slip at a feedback limit: index, sign, limit."""
+        """Springs that slip at a limit under feedback control: index, sign of the torque, limit."""
         limits = {layout.springs + index for index, *_ in self.seen_limits}
         self.seeing = [port for port, _ in self.ports.looks if port not in limits]
-        """Ports with feedback torques, except springs at feedback limits, which enter by slope."""
+        """Ports with torques under feedback control, except springs in `seen_limits`."""
         self.coupled = [*self.seeing, *range(layout.losses, layout.ports)]
-        """Ports with torques that depend on other quantities than the rate of the port."""
+        """Ports with torques that depend on quantities other than the rate of the port."""
         self.driving = [
             (layout.contacts + index, row)
             for index, row in structure.contact_rows.items()
             if system.contacts[index].drives
         ]
-        """Drivers (contacts that stick at a speed other than 0): port and row of multiplier."""
+        """Drivers (contacts that stick at a speed other than 0): port, row of constraint torque."""
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
         self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS
-        """Longest step where a torque is a formula of time, which can contain a pulse. [s]"""
+        """Longest time step if a torque is a formula of time, since it can contain a pulse. [s]"""
         self.within = AHEAD * system.scenario.span
         if self.light:
             self.last_light = np.zeros(self.light)
@@ -125,17 +126,17 @@ class Equations:
         self.variators = VariatorTorques(self) if system.variators else None
         self.losses = VaryingLosses(self, carried) if system.varying else None
         self.changes = ValueChanges(self)
-        """Rates of change of states and temperatures."""
+        """Rates of change of control states and temperatures."""
 
     def _split_light(self) -> None:
         """Separate balances of torques that depend on speeds from balances that do not.
 
-        The balances along motions without inertia determine the speeds of these motions. Balances
-        that do not depend on speeds do so by the slopes of their torques with time.
+        The balances along motions without inertia determine the speeds of these motions. If a
+        balance does not depend on speeds, its derivative with respect to time does.
         """
         structure, ports = self.structure, self.ports
         self.unsensed: list[tuple[int, Look]] = []
-        """Ports with feedback torques that do not depend on a motion without inertia."""
+        """Ports with feedback torques independent of motions without inertia, and their torques."""
         for port, look in ports.looks:
             rates = [place for place in look.places if place < self.layout.ports]
             ports.senses_rate[port] = structure.light_rates[rates].any()
@@ -146,7 +147,7 @@ class Equations:
         sensed = np.where(ports.senses_rate, np.maximum(sensed / scale, LEAST_SENSE), 0.0)
         by_speed = structure.balances @ (sensed[:, None] * structure.light_rates)
         self.by_slope = null(by_speed.T)
-        """Combinations of balances that do not depend on any speed, as columns."""
+        """Combinations of balances that do not depend on speeds, as columns."""
         self.by_torque = null(self.by_slope.T) if self.by_slope.size else np.eye(self.light)
         if self.by_slope.shape[1]:
             self.along = null(by_speed)
@@ -180,14 +181,14 @@ class Equations:
             )
 
     def carried(self, time: float, state: Floats) -> Sequence[float]:
-        """Return the torques on first links in `losses` [N*m]; empty without such losses."""
+        """Return the torques on first links of mechanisms with varying efficiency [N*m]."""
         if not self.losses:
             return ()
         self.acting(time, state)
         return self.losses.latest
 
     def lacking(self, time: float, state: Floats) -> Problem | None:
-        """Return the reason why no efficiencies agree with the torques in a state, if any."""
+        """Return a problem if no efficiencies agree with the torques in a state."""
         if not (self.losses or self.variators):
             return None
         self.acting(time, state)
@@ -206,7 +207,7 @@ class Equations:
         return self.system.names[int(np.abs(self.structure.light @ motions).max(axis=1).argmax())]
 
     def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
-        """Solve for the speeds of motions without inertia, given the rates of other motions."""
+        """Solve for the speeds of motions without inertia; `rates` are due to the other motions."""
         structure, ports = self.structure, self.ports
         angles = state[self.angles]
 
@@ -238,7 +239,7 @@ class Equations:
             least = NEWTON_STEP * max(1.0, largest(speeds))
             bends = largest(change) > finest
             while bends and not largest(after) <= (1 - share / 2) * largest(left):
-                share /= 2  # a law that is steep at rest overshoots to the other side
+                share /= 2  # a steep law near rest makes the step too long
                 if share * largest(change) <= least:
                     break
                 after = unbalanced(speeds - share * change)
@@ -251,7 +252,7 @@ class Equations:
     def _see_ahead(
         self, time: float, state: Floats, known: tuple[Floats, Floats], slopes: Floats
     ) -> None:
-        """Fill in the slopes of feedback torques for known rates and motions."""
+        """Fill in the derivatives of feedback torques with respect to time."""
         (rates, _), moving = known, slice(self.works.start)
         change = self._change(time, state, known, slopes[self.layout.spring_ports])[moving]
         torques = self.torques(time, state, rates)
@@ -279,7 +280,7 @@ class Equations:
             slopes[self.losses.places] = slope_ahead(lost[0], lost[1], lost[2], ahead)
 
     def rates(self, time: float, state: Floats) -> tuple[Floats, Floats]:
-        """Return the rates of ports, and the speeds of motions without inertia."""
+        """Return the rates of ports, and the speeds of motions without inertia [rad/s]."""
         rates = self.structure.rates @ state[: self.motions]
         if not self.light:
             return rates, _NONE
@@ -316,7 +317,7 @@ class Equations:
         return rates, self.torques_at(times, states, rates)
 
     def seen_at(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
-        """Return all quantities seen by formulas at several times, as rows."""
+        """Return all quantities that formulas can read, shape (quantities, times)."""
         seen = np.vstack([rates, states[self.motions : self.values.stop]])
         if not self.layout.derived:
             return seen
@@ -326,7 +327,7 @@ class Equations:
         )
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
-        """Return the rates of works and losses at several times, for linear equations."""
+        """Return the powers of works and losses at several times [W], for closed-form solutions."""
         structure = self.structure
         rates, torques = self.acting_at(times, states)
         powers = np.zeros((self.size - self.works.start, len(times)))
@@ -354,7 +355,7 @@ class Equations:
         return powers
 
     def _with_driving(self, torques: Floats) -> Floats:
-        """Return the torques of ports with those of driving contacts, shape (ports[, times])."""
+        """Return the torques of ports, including those of drivers, shape (ports[, times])."""
         if not self.driving:
             return torques
         with_drivers = torques.copy()
@@ -384,19 +385,19 @@ class Equations:
 
     @cached_property
     def light_is_straight(self) -> bool:
-        """True if no nonlinear torque acts along motions without inertia."""
+        """True if all torques along motions without inertia are linear."""
         along = np.abs(self.structure.balances[:, self.ports.bending])
         return bool((along <= STRAIGHT_BALANCE).all())
 
     @property
     def _bends_otherwise(self) -> bool:
-        """True if torques along motions without inertia bend with more than their own rates."""
+        """True if torques are nonlinear in more than their own rates."""
         by_slope = self.system.varying and self.by_slope.shape[1]
         return bool(self.ports.looks or self.ports.struts or by_slope)
 
     @property
     def has_closed_form(self) -> bool:
-        """True if matrix exponentials can describe the motion, at least between corners."""
+        """True if matrix exponentials can describe the motion."""
         if self.system.variators:
             return False
         if self.light and not self.light_is_straight and self._bends_otherwise:
@@ -404,7 +405,7 @@ class Equations:
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
-        """Return the derivatives of torques by rates, in a state [N*m*s/rad].
+        """Return the derivative of each torque with respect to the rate of its port [N*m*s/rad].
 
         Feedback torques are left out; `slopes_by_state` contains their derivatives.
         """
@@ -421,7 +422,7 @@ class Equations:
         return np.where(np.isfinite(slopes), slopes, 0.0)
 
     def slopes_by_state(self, time: float, state: Floats) -> Floats:
-        """Return the derivatives by the state of feedback torques and of rates of values.
+        """Return derivatives with respect to the state: of feedback torques and rates of values.
 
         Returns
         -------
@@ -458,7 +459,7 @@ class Equations:
     def value_rates_at(
         self, times: Floats, states: Floats, rates: Floats, torques: Floats
     ) -> Floats:
-        """Return the rates of states and temperatures at several times, shape (values, times)."""
+        """Return the rates of control states and temperatures, shape (values, times)."""
         if self.layout.hot:
             at = zip(times.tolist(), states.T, strict=True)
             return np.array([self.derivative(*columns_at)[self.values] for columns_at in at]).T
@@ -466,14 +467,14 @@ class Equations:
 
     @cached_property
     def by_planets(self) -> Floats:
-        """Matrix from torques of ports to torques that planets take from first links of meshes."""
+        """Matrix from torques of ports to torques that accelerate planets, by mechanism."""
         planets = self.system.rows(mesh.planets for mesh in self.system.meshes)
         by_planets: Floats = planets @ self.structure.free @ self.structure.accelerations
         return by_planets
 
     @cached_property
     def affine(self) -> Affine:
-        """Linear form of the equations, if all torques are linear."""
+        """Matrices of the equations, valid if all torques are linear."""
         return Affine(self)
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
@@ -486,7 +487,7 @@ class Equations:
         return torques
 
     def _couple(self, time: float, rates: Floats, torques: Floats) -> None:
-        """Fill in the torques that depend on the torques of constraints."""
+        """Fill in the torques that depend on constraint torques."""
         moving = partial(self.variators.fill, time, rates, torques) if self.variators else None
         if self.losses:
             self.losses.fill(rates, torques, moving)
@@ -503,7 +504,10 @@ class Equations:
         return state + length / 6 * (first + 2 * (second + third) + fourth)
 
     def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
-        """Return the derivative of the state by time; slopes of spring limits can be given."""
+        """Return the derivative of the state with respect to time.
+
+        `slopes` are known derivatives of spring limits [N*m/s].
+        """
         return self._change(time, state, self.rates(time, state), slopes)
 
     def _change(
@@ -547,7 +551,7 @@ class Equations:
         return change
 
     def limit_slopes(self, time: float, rates: Floats, state: Floats) -> Floats:
-        """Return the slopes of spring limits with time [N*m/s]."""
+        """Return the derivatives of spring limits with respect to time [N*m/s]."""
         slopes = self.ports.c1
         if self.ports.timed:
             parts = (state[self.twists], state[self.angles])
@@ -556,7 +560,7 @@ class Equations:
         return self._seen_slopes(time, state, slopes) if self.seen_limits else slopes
 
     def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
-        """Return the slopes including feedback limits, extrapolated along the resulting motion."""
+        """Return the derivatives including limits under feedback control, by iteration."""
         slopes, moving = slopes.copy(), slice(self.works.start)
         step, at = self._sight(time), self.changes.seen_at(time, state[moving])
         for _ in range(_LIMIT_ROUNDS):
@@ -579,7 +583,7 @@ class Equations:
         return slopes
 
     def _sight(self, time: float) -> float:
-        """Return the time step for finite differences of quantities that formulas see [s].
+        """Return the time step for finite differences of quantities that formulas read [s].
 
         It is negative if possible, because a step backward cannot cross a corner that is ahead.
         """
@@ -587,7 +591,7 @@ class Equations:
         return -step if time - step > self.time else step
 
     def _damped(self, growing: Floats, twists: Floats) -> Floats:
-        """Return the powers of spring dampers for given rates of twists.
+        """Return the power loss of spring dampers for given rates of twists [W].
 
         The last axis of all arrays is the axis of springs.
         """
@@ -596,7 +600,7 @@ class Equations:
         return powers
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
-        """Return the rates of twists; the twist of a slipping spring follows its damper or limit.
+        """Return the rates of twists; a slipping spring twists by its damper or with its limit.
 
         The last axis of all arrays is the axis of springs.
         """
@@ -609,7 +613,7 @@ class Equations:
 
 
 class Map(NamedTuple):
-    """Linear function of the vectors x, c and dc/dt of `Affine`."""
+    """Linear function of the vectors x, c and dc/dt of `Affine`, as three matrices."""
 
     by_state: Floats
     by_given: Floats
@@ -620,24 +624,25 @@ class Map(NamedTuple):
         return Map(*(mine + theirs for mine, theirs in zip(self, other, strict=True)))
 
     def times(self, matrix: Floats) -> Map:
-        """Return a matrix applied to the map."""
+        """Return the product of a matrix and the map."""
         return Map(*(matrix @ part for part in self))
 
 
 class Affine:
-    """Linear form of equations whose torques are linear in rates, twists and angles.
+    """Matrices of equations whose torques are linear in rates, twists and angles.
 
-    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, values]. The vector c contains the parts of
-    port torques and of rates of values that depend on time alone. Rates of ports and speeds of
-    motions without inertia are maps of this kind, too.
+    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, v]. The vector c contains the terms of port
+    torques, and of rates of values, that depend on time alone. Rates of ports and speeds of motions
+    without inertia are linear functions of x, c and dc/dt, too.
 
     Parameters
     ----------
     equations : Equations
     by_rate : ndarray, shape (ports,), optional
-        Slopes of torques with the rates of their ports, if laws are linearised. [N*m*s/rad]
+        Derivatives of torques with respect to the rates of their ports, if laws are linearised.
+        [N*m*s/rad]
     by_state : ndarray, shape (ports + values, size), optional
-        Slopes of torques, and of rates of values, with the state.
+        Derivatives of torques, and of rates of values, with respect to the state.
     """
 
     def __init__(
@@ -682,7 +687,7 @@ class Affine:
         self.change = Map(*(np.vstack(rows) for rows in zip(*parts, strict=True)))
         has_slopes = bool(equations.light) or self.change.by_slope.any()
         self.within = equations.within if has_slopes else None
-        """Interval of the slopes that are given over time; None if they have no effect. [s]"""
+        """Interval for derivatives of c; None if they have no effect. [s]"""
 
     def _light(self, rates: Map, given: Map) -> Map:
         """Return the speeds of motions without inertia, from the balance of torques."""
@@ -726,16 +731,16 @@ class Affine:
         return speeds + self.light.by_given @ given + self.light.by_slope @ slopes
 
     def given_at(self, times: Floats) -> tuple[Floats, Floats]:
-        """Return the torques given by time alone, and the slopes where needed."""
+        """Return c and dc/dt at several times; dc/dt is calculated only if needed."""
         more = np.zeros((len(self.equations.layout.values), len(times)))
         given, slopes = self.equations.ports.given_at(times, self.within)
         return np.vstack([given, more]), np.vstack([slopes, more])
 
 
 def _slope_beside_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
-    """Return the slopes of functions at 0, from a single side next to a jump.
+    """Return the derivatives of functions at 0; next to a jump, from the side without it.
 
-    A difference across a jump grows as its step shrinks, and does not belong to any motion.
+    A difference quotient across a jump grows as its step shrinks.
 
     >>> def function(x):
     ...     return np.array([3 * x + (x > 0), abs(x)])

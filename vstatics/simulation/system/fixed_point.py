@@ -1,4 +1,4 @@
-"""Fixed points of functions that change little from call to call."""
+"""Fixed points ``x = f(x)`` of functions that change little from call to call."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 
 _MOST_SECANTS = 40
-"""Largest number of secant steps from one beginning."""
+"""Largest number of secant steps from a starting point."""
 
 Vector = Sequence[float]
 
@@ -14,7 +14,7 @@ Vector = Sequence[float]
 class FixedPoints:
     """Fixed points of functions of a few unknowns, by the secant method of Broyden (1965).
 
-    The slopes of the last function are used again, so the next fixed point needs few evaluations.
+    The slopes found for a function are used again for the next, which then needs few evaluations.
 
     Parameters
     ----------
@@ -43,9 +43,9 @@ class FixedPoints:
     def near(
         self, begin: Vector, function: Callable[[Vector], Vector], least: Vector
     ) -> Vector | None:
-        """Return a fixed point, with errors of the function up to `least`; None if none is found.
+        """Return a fixed point whose residual is at most `least`; None if the search fails.
 
-        Of several fixed points, it is usually the nearest to the beginning.
+        Of several fixed points, it is usually the nearest to `begin`.
         """
         same = self._by_secants(begin, function, least)
         if same is None:
@@ -80,7 +80,7 @@ class FixedPoints:
         return None
 
     def _update(self, change: Vector, moved: Vector) -> None:
-        """Update the slopes, so that the change of the residual in the last step gives the step."""
+        """Update the slopes, so that they map the change of the residual to the last step."""
         along = _dot(change, moved)
         if not along:
             return

@@ -1,4 +1,4 @@
-"""Interface of the equations of motion for the modules that calculate parts of them."""
+"""Interface through which modules that calculate parts of the equations of motion use them."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure
 
 DISTANCES = (1.0, 16.0, 256.0)
-"""Times of the look-ahead for a number that is 0 now, as multiples of `within`."""
+"""Times ahead at which a number that is 0 now is evaluated, as multiples of `within`."""
 
 
 class KnownMotion(Protocol):
-    """Motion between two events, as needed to calculate parts of the equations."""
+    """Equations of motion between two events, as far as their parts use them; see `Equations`."""
 
     system: MotionSystem
     layout: PortLayout
@@ -39,4 +39,4 @@ class KnownMotion(Protocol):
         """Return the derivative of a state with respect to time."""
 
     def moved(self, time: float, state: Floats, length: float) -> Floats:
-        """Return the state after a short time [s]."""
+        """Return the state after a short time `length` [s]."""

@@ -1,9 +1,10 @@
-"""A case in motion as matrices: inertias, constraints, and speed rows of torques.
+"""Mechanical model of a scenario: inertias, constraints, and rows of ports.
 
-``M dw/dt = T - A M_devices``; A is the structural-distribution matrix of statics and M has the
-inertias of the links. The columns of mechanisms are constraints, the columns of shift elements
-carry friction, and the columns of springs carry elastic torques. A port is a torque that depends on
-the motion: a row that gives a rate, and a torque along this row.
+``M dw/dt = T - A m`` for speeds w, inertia matrix M, outside torques T and torques m of components;
+A is the structural-distribution matrix of statics. The columns of mechanisms are constraints, the
+columns of shift elements carry friction, and the columns of springs carry elastic torques. A port
+is a place at which a torque acts that is known from the motion: the product of its speed row and
+the speeds of links is its rate, and the torque acts along this row.
 """
 
 from __future__ import annotations
@@ -40,37 +41,37 @@ class Switch(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """Dry friction along a speed row: slips with kinetic capacity, or sticks within the limit."""
+    """Contact with dry friction: slips with a kinetic torque, sticks up to a static torque."""
 
     name: str
     row: Floats
     programme: Programme
     friction: Friction | Law | None = None
-    """Friction coefficient that multiplies the programme, or the law of a speed-dependent drag."""
+    """Coefficient of friction that multiplies the programme, or the law of a drag over speed."""
     static: float = 1.0
     one_way: bool = False
-    """True for a freewheel, which carries no torque while the slip is above 0."""
+    """True for a freewheel, which overruns while its slip is positive."""
     overrun_drag: float = 0.0
-    """Overrunning drag of a freewheel. [N*m]"""
+    """Drag torque of an overrunning freewheel. [N*m]"""
     element: int | None = None
-    """Index of the shift element that the contact belongs to, if any."""
+    """Index of the shift element to which the contact belongs, if any."""
     is_drag: bool = False
-    """True for a drag: it causes no events, and its heat is a loss unless `beside` is given."""
+    """True for a drag, which has no events; its energy is a loss unless `beside` is given."""
     while_open: int | None = None
-    """Index of a shift element; the contact acts only while the capacity of the element is 0."""
+    """Index of a shift element, for a drag that acts only while its capacity is 0."""
     beside: int | None = None
-    """Index of the spring, among devices, in parallel with the contact."""
+    """Index, among components, of a spring to which the contact is parallel."""
     switch: Switch | None = None
-    """Jump of the outside torque that the contact represents.
+    """Jump of an outside torque, for a contact that represents this jump and not friction.
 
-    The contact is on a side of the jump, or sticks where the motion slides along the jump with a
-    torque between both sides (Filippov). No part of it is friction. A link with a given speed is
+    Its slip is the distance of the motion from the jump. While the contact sticks, the motion
+    slides along the jump, with a torque between both sides (Filippov). A link with a given speed is
     treated as always sliding.
     """
     is_given: bool = False
     """True if the speed of the link is given."""
     is_variator: bool = False
-    """True for the row of a moving variator."""
+    """True for the constraint of a moving variator."""
 
     @property
     def drives(self) -> bool:
@@ -79,37 +80,37 @@ class Contact(NamedTuple):
 
     @property
     def device(self) -> int | None:
-        """Index of the device to whose torque the contact contributes."""
+        """Index of the component to whose torque the contact contributes."""
         of = (self.element, self.while_open, self.beside)
         return next((index for index in of if index is not None), None)
 
     @property
     def corners(self) -> tuple[float, ...]:
-        """Slips at the corners of the friction coefficient [rad/s]; empty for a constant."""
+        """Slips at which the coefficient of friction has corners [rad/s]; empty for a constant."""
         points = self.friction.points if self.friction else ()
         return tuple(slip for slip, _ in points) if len(points) > 1 else ()
 
 
 class RigidMechanism(NamedTuple):
-    """Rigid mechanism with basic ratio u and efficiencies."""
+    """Rigid mechanism with basic ratio u and basic efficiencies."""
 
     name: str
     device: int
-    """Index of the mechanism among the devices."""
+    """Index of the mechanism among components: shift elements, mechanisms, springs."""
     row: Floats
-    """Speed row (1, -u, u - 1)."""
+    """Constraint row: 1, -u and u - 1 for the first, second and third link."""
     slip: Floats
-    """Speed row of the first link relative to the third."""
+    """Speed row of the first link relative to the third: 1, 0, -1."""
     friction: Floats
-    """Column of the friction torque: second link relative to the third, (0, -u, u)."""
+    """Row along which the friction torque acts: 0, -u and u."""
     efficiency: float
-    """Efficiency, or the value at 0 of an efficiency that depends on speed or torque. [-]"""
+    """Efficiency with power entering at the first link; of a law, the value at 0. [-]"""
     back: float
-    """Efficiency with power entering at the second link, as `efficiency`. [-]"""
+    """Efficiency with power entering at the second link; of a law, the value at 0. [-]"""
     planets: Floats
-    """Torque taken by planets from the first link, per acceleration of links. [kg*m^2]"""
+    """Torque on the first link that accelerates planets, per acceleration of links. [kg*m^2]"""
     laws: tuple[float, float] | None = None
-    """Both efficiencies, at least one of them a law; None if both are numbers."""
+    """Both efficiencies if at least one is a law over speed or torque, otherwise None."""
 
     @property
     def lossless(self) -> bool:
@@ -117,7 +118,7 @@ class RigidMechanism(NamedTuple):
         return self.efficiency == 1.0 and self.back == 1.0 and self.laws is None
 
     def friction_at_rest(self, torques: Floats) -> tuple[Floats | float, Floats | float]:
-        """Return the largest friction to both sides, relative to the torque on the first link.
+        """Return the limits of friction at rest, in both directions, per torque on the first link.
 
         Parameters
         ----------
@@ -147,7 +148,7 @@ class Elastic(NamedTuple):
     """Viscous damping. [N*m*s/rad]"""
     loss_factor: float
     programme: Programme
-    """Limit of the torque over time. [N*m]"""
+    """Limit of the torque over time, at which the spring slips. [N*m]"""
     element: int | None = None
 
     @property
@@ -157,15 +158,15 @@ class Elastic(NamedTuple):
 
     @property
     def can_part(self) -> bool:
-        """True if the spring has play; the damper then acts in contact only, and never pulls."""
+        """True if the spring has play and a damper; the damper acts in contact and never pulls."""
         return self.viscous > 0 and isinstance(self.curve, TwistCurve) and self.curve.has_gap
 
     def side(self, piece: int) -> float:
-        """Return the sign of the torque on a piece of a curve with play; 0 within the play."""
+        """Return the sign of the torque on a linear piece of the curve; 0 within play."""
         return self.curve.side(piece) if isinstance(self.curve, TwistCurve) else 0.0
 
     def carried(self, twist: float, rate: float) -> float:
-        """Return the torque without a limit, including the damper [N*m].
+        """Return the torque of spring and damper if it had no limit [N*m].
 
         Examples
         --------
@@ -182,7 +183,7 @@ class Elastic(NamedTuple):
 
     @property
     def may_slip(self) -> bool:
-        """True if the torque of the spring has a limit, now or later."""
+        """True if the torque of the spring has a limit at any time."""
         curve = self.programme.curve
         limited = not isinstance(curve, Points) or {*curve.y} != {math.inf}
         return limited or self.element is not None
@@ -206,7 +207,7 @@ class MovingVariator(NamedTuple):
     change: Curve
     """Derivative of the ratio with respect to time. [1/s]"""
     reference: float
-    """Constant ratio x0 in the constraint row."""
+    """Constant ratio x0 in the row of its contact."""
     contact: int
     """Index of the contact that enforces the ratio, in `MotionSystem.contacts`."""
     efficiency: float
@@ -215,16 +216,16 @@ class MovingVariator(NamedTuple):
 
 
 class OutsideTorque(NamedTuple):
-    """Outside torque on a link, except dry friction."""
+    """Outside torque on a link, other than dry friction."""
 
     link: int
     """Index of the link on which the torque acts."""
     law: Points | Formula | Road
     when: tuple[tuple[int, str], ...] = ()
-    """Indices of the contacts at jumps of the law, and the side of each on which the law acts."""
+    """Indices of contacts that represent jumps, each with the side on which the law acts."""
 
     def acts(self, contacts: Sequence[str]) -> bool:
-        """Return whether the torque acts; at a sticking contact the torques of both sides act."""
+        """Return whether the torque acts; while a jump contact sticks, both its sides act."""
         return all(contacts[index] in (side, "stick") for index, side in self.when)
 
     @property
@@ -236,7 +237,7 @@ class OutsideTorque(NamedTuple):
 
 
 SIGNS = {"+": 1.0, "-": -1.0}
-"""Signs of slips, and of torques at a limit."""
+"""Values of the signs of slips, and of torques at a limit."""
 
 
 def sign(value: float) -> str:
@@ -245,7 +246,11 @@ def sign(value: float) -> str:
 
 
 class PortLayout:
-    """Layout of the ports, and of the integrated quantities other than speeds."""
+    """Order of the ports, and of the recorded angles and values.
+
+    Ports: outside torques, contacts, springs, pumps and turbines of converters, links whose speeds
+    formulas read, variators, mechanisms with varying efficiency.
+    """
 
     def __init__(self, system: MotionSystem) -> None:
         self.outside = self.contacts = len(system.outside)
@@ -258,14 +263,14 @@ class PortLayout:
         seen = {quantity for formula in formulas(system.scenario) for quantity in formula.seen}
         of_links = {quantity for quantity in seen if quantity.word == "speed"}
         self.sensed = tuple(sorted(system.names.index(quantity.of) for quantity in of_links))
-        """Indices of the links whose speeds occur in formulas; their ports have no torque."""
+        """Indices of the links whose speeds formulas read; their ports have no torque."""
         self.variators = self.sensors + len(self.sensed)
         self.losses = self.variators + len(system.variators)
         self.ports = self.losses + len(system.varying)
         self.frictions = self.outside + self.converters
-        """Index of the first contact in `States.pieces`, after loads and converters."""
+        """Index of the first contact in `States.pieces`, after outside torques and converters."""
         self.curves = self.frictions + len(system.contacts)
-        """Index of the first spring in `States.pieces`, after loads, converters and contacts."""
+        """Index of the first spring in `States.pieces`, after the contacts."""
         angles = {load.link for load in system.outside if load.needs_angle}
         angles |= {contact.switch.link for contact in system.contacts if contact.switch}
         angles |= {system.names.index(quantity.of) for quantity in seen if quantity.word == "angle"}
@@ -273,22 +278,22 @@ class PortLayout:
         """Indices of the links with recorded angles."""
         elements = system.case.shift_elements
         self.hot = tuple(n for n, element in enumerate(elements) if element.heat_store)
-        """Indices of the shift elements with known temperatures."""
+        """Indices of the shift elements whose temperatures are calculated."""
         self.values = (
             *(Seen("value", state.name) for state in system.scenario.states),
             *(Seen("temperature", elements[index].name) for index in self.hot),
         )
         self.derived = tuple(sorted(quantity for quantity in seen if quantity.word in OF_TORQUES))
-        """Quantities in formulas that follow from torques."""
+        """Quantities that formulas read and that follow from torques."""
         self.seen_angles = self.ports + len(system.springs)
-        """Place of the first angle among all seen quantities, after ports and twists."""
+        """Index of the first angle among the quantities that formulas read; see `sight`."""
         self.seen_values = self.seen_angles + len(self.angles)
         self.seen_derived = self.seen_values + len(self.values)
 
 
 @dataclass(frozen=True)
 class MotionSystem:
-    """Part of a scenario that is constant between steps of sequences."""
+    """Mechanical model of a scenario, constant between steps of sequences."""
 
     scenario: Scenario
     names: tuple[str, ...]
@@ -313,7 +318,7 @@ class MotionSystem:
 
     @property
     def may_slip(self) -> tuple[Contact | Elastic, ...]:
-        """All contacts, then all springs; each has a programme of capacity."""
+        """All contacts, then all springs: the parts with a programme of capacity."""
         return (*self.contacts, *self.springs)
 
     @cached_property
@@ -328,7 +333,7 @@ class MotionSystem:
 
     @cached_property
     def layout(self) -> PortLayout:
-        """Layout of the ports."""
+        """Order of the ports."""
         return PortLayout(self)
 
     @cached_property
@@ -338,7 +343,7 @@ class MotionSystem:
 
     @cached_property
     def straight(self) -> Floats:
-        """Stiffnesses of the linear springs, 0 for nonlinear springs [N*m/rad]."""
+        """Stiffnesses of the springs, with 0 for nonlinear springs [N*m/rad]."""
         return np.array(
             [0.0 if spring.curve.bends else spring.stiffness for spring in self.springs]
         )
@@ -350,7 +355,7 @@ class MotionSystem:
         return float(self.straight @ twists**2) / 2 + stored
 
     def rows(self, rows: Iterable[Floats]) -> Floats:
-        """Return rows as a matrix, shape (rows, links)."""
+        """Return rows as a matrix, which can be empty, shape (rows, links)."""
         return np.array([*rows]).reshape(-1, len(self.names))
 
     @cached_property
@@ -368,7 +373,7 @@ class MotionSystem:
 
 
 def efficiency_at(number: float, speed: float, torque: float) -> float:
-    """Return an efficiency, a number or a law of the magnitudes of speed and torque.
+    """Return an efficiency at a speed and torque; it is a number or a law of their magnitudes.
 
     >>> efficiency_at(0.95, -3.0, 20.0)
     0.95
@@ -379,12 +384,12 @@ def efficiency_at(number: float, speed: float, torque: float) -> float:
 
 
 def unit(index: int, links: int) -> Floats:
-    """Return the speed row of a link, given by index."""
+    """Return the speed row of a link with an index."""
     return combination([(index + 1, 1.0)], links)
 
 
 def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
-    """Return a speed row from link numbers with coefficients; the housing is left out.
+    """Return a speed row from pairs of link number and coefficient, without the housing.
 
     Examples
     --------
@@ -399,7 +404,7 @@ def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
 
 
 def between(first: int, second: int, links: int) -> Floats:
-    """Return the speed row of the first link relative to the second, both given by number.
+    """Return the speed row of a link relative to another link, both given by number.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """Torques of ports and converters at an instant, from time, rates, twists and angles.
 
-Torques linear in time and rate are arrays, ``u = c0 + c1 t + s rate``. Springs add ``k e`` with k
-and c0 of the active piece of the curve. All other torques are functions, evaluated separately.
+Torques linear in time t and rate r of the port are arrays, ``c0 + c1 t + s r``. Springs add ``k e``
+for the twist e, with k and c0 of the active linear piece. All other torques are functions.
 """
 
 from __future__ import annotations
@@ -33,49 +33,48 @@ from vstatics.simulation.system.sight import following, looking
 from vstatics.simulation.tolerances import STANDING
 
 _FINE = 0.1
-"""Relative change of a slip over which a torque that depends on the slip is nearly linear."""
+"""Relative change of a slip within which a torque that depends on it is nearly linear."""
 _FAR = 1e6
-"""Multiple of the rounding error of slips above which a slip counts as far from 0."""
+"""Slip above which it counts as far from 0, as a multiple of the rounding error of slips."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
-"""States of moving mechanisms with losses."""
+"""States of moving mechanisms with losses; see `MeshStates`."""
 
 
 class States(NamedTuple):
-    """States of contacts, mechanisms, springs and laws between two events."""
+    """States of all contacts, mechanisms, springs and laws between two events."""
 
     contacts: tuple[str, ...]
-    """States of contacts: `open`, `stick`, `rigid`, or the sign of the slip."""
+    """States of contacts: `open`, `stick`, `rigid` (without limit), or the sign of the slip."""
     meshes: tuple[str, ...]
-    """States of mechanisms, as `MeshStates`."""
+    """States of mechanisms; see `MeshStates`."""
     springs: tuple[str, ...]
     """States of springs.
 
-    `stick`: elastic; `parted`: without torque, because the damper would pull; `open`; else the sign
+    `stick`: elastic; `parted`: without torque, because the damper would pull; `open`; or the sign
     of the torque limit at which the spring slips.
     """
     pieces: tuple[int, ...]
-    """Active pieces of laws.
+    """Index of the active linear piece of each law.
 
-    The order is: for each outside torque the piece over speed or angle (0 for other laws); for each
-    converter; for the friction coefficient of each contact, over slip; for the curve of each
-    spring, over twist.
+    In this order: each outside torque over speed or angle (0 for other laws); each converter over
+    speed ratio; the friction of each contact over slip; the curve of each spring over twist.
     """
 
     @property
     def held(self) -> tuple[bool, ...]:
-        """State of each contact: True if sticking."""
+        """Flag of each contact: True if sticking."""
         return tuple(state in ("stick", "rigid") for state in self.contacts)
 
 
 class Ports:
-    """Torques of all ports between two events, on a piece of time with smooth inputs.
+    """Torques of all ports between two events, while inputs over time are smooth.
 
     Parameters
     ----------
     system : MotionSystem
     states : States
     time : float
-        Beginning of the piece of time. [s]
+        Time of the first event. [s]
     rounding : float
         Largest slip that counts as 0, because it can be rounding error. [rad/s]
     """
@@ -88,31 +87,31 @@ class Ports:
         self.c0 = np.zeros(layout.ports)
         self.c1 = np.zeros(layout.ports)
         self.by_rate = np.zeros(layout.ports)
-        """Slope by the rate of the port. [N*m*s/rad]"""
+        """Derivative of the torque with respect to the rate of the port. [N*m*s/rad]"""
         self.by_angle: list[tuple[int, int, float]] = []
-        """Torques linear in an angle: port, place of the angle, slope. [N*m/rad]"""
+        """Torques linear in an angle: port, index of the angle, slope. [N*m/rad]"""
         self.special: list[tuple[int, int, Torque, TorqueAlong]] = []
-        """Other torques: port, place of the angle or -1, torque function, and for arrays."""
+        """Other torques: port, index of the angle or -1, function, and function for arrays."""
         self.roads: list[tuple[int, Callable[[Any], Any]]] = []
-        """Torques of roads: port, and torque as a function of the rate, a number or an array."""
+        """Torques of roads: port, and torque as a function of the rate or of an array of rates."""
         self.timed: list[tuple[int, Formula, float]] = []
-        """Torques given over time: port, torque as a function of time alone, and factor."""
+        """Torques given over time: port, formula of time, and factor."""
         self.looks: list[tuple[int, Look]] = []
-        """Feedback torques: port, torque as a function of time and all seen quantities."""
+        """Feedback torques: port, and torque as a function of all quantities that formulas read."""
         self.ending: list[int] = []
         """Ports of slipping contacts with feedback torques, whose slip can end at 0."""
         self.limits: list[tuple[int, float, Programme]] = []
-        """Springs at feedback limits: index, sign of the torque, programme."""
+        """Springs that slip at a limit under feedback control: index, sign, programme."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
-        """Interval in which formulas are evaluated, so that jumps at the ends stay outside."""
+        """Interval of time in which formulas are evaluated; jumps at its ends are outside. [s]"""
         self.converters = tuple(
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
         )
         self.switching: list[int] = []
-        """Loads whose formulas can switch at unknown places."""
+        """Indices of outside torques whose formulas can jump at unknown speeds or angles."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
-        """Ports with a torque that depends on the rate."""
+        """Flags of ports with a torque that depends on the rate."""
         self._springs(system, states)
         self._laws(system, states, time)
         self.senses_rate[layout.pumps : layout.sensors] = True
@@ -126,9 +125,9 @@ class Ports:
         )
         """Ports with torques that are nonlinear in rates, twists or angles."""
         self.is_rising = bool(self.c1.any())
-        """Whether a torque is linear in time."""
+        """True if a torque changes linearly with time."""
         self.is_affine = not self.bending
-        """Whether all torques are linear in rates, twists and angles."""
+        """True if all torques are linear in rates, twists and angles."""
 
     def _springs(self, system: MotionSystem, states: States) -> None:
         layout = self.layout
@@ -141,7 +140,7 @@ class Ports:
         lines = np.array([spring.curve.piece(piece) for spring, piece in pieces]).reshape(-1, 2).T
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends & ~parted, lines, 0.0)
         self.taken = np.where(parted, lines, 0.0)
-        """Damper share of the torques of parted springs: value at twist 0, and slope."""
+        """Elastic torque of parted springs, taken by dampers: value at twist 0, and slope."""
         self.all_elastic = np.zeros(layout.ports)
         """Stiffness of each port, 0 if the port is not a spring. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
@@ -150,12 +149,12 @@ class Ports:
             for index, spring in enumerate(system.springs)
             if isinstance(spring.curve, StrutCurve)
         ]
-        """Springs with torques that are nonlinear in the twist."""
+        """Springs with torques nonlinear in the twist, each with its index."""
         for index, curve in self.struts:
             self.all_elastic[layout.springs + index] = curve.steepest
 
     def _laws(self, system: MotionSystem, states: States, time: float) -> None:
-        """Set up the torques of all ports except converters."""
+        """Set up the torques of all ports except springs and converters."""
         layout = self.layout
         for index, load in enumerate(system.outside):
             if not load.acts(states.contacts):
@@ -182,7 +181,7 @@ class Ports:
                 self._limited(index, SIGNS[state], states, time)
 
     def finest(self, rates: Floats) -> float:
-        """Return a change of rates within which torques near an end are almost linear [rad/s]."""
+        """Return a change of rates for which torques near the end of a slip are linear [rad/s]."""
         nearest = min((abs(float(rates[port])) for port in self.ending), default=math.inf)
         return _FINE * math.hypot(nearest, self.rounding)
 
@@ -216,7 +215,7 @@ class Ports:
     def torques_at(
         self, times: Floats, rates: Floats, twists: Floats, angles: Floats, values: Floats
     ) -> Floats:
-        """Return the torques at several times; all shapes end with the time axis."""
+        """Return the torques of all ports at several times; time is the last axis of all arrays."""
         times = self.inside(times)
         torques = self.by_rate[:, None] * rates
         torques += self.c0[:, None]
@@ -240,7 +239,7 @@ class Ports:
         return torques
 
     def _add_motion(self, torques: Floats, rates: Floats, twists: Floats, angles: Floats) -> None:
-        """Add the torques of springs, roads and laws over an angle; a time axis can follow."""
+        """Add the torques of springs, roads and laws over an angle; arrays can have a time axis."""
         if len(twists):
             stiff = self.elastic if twists.ndim == 1 else self.elastic[:, None]
             torques[self.layout.spring_ports] += stiff * twists
@@ -252,15 +251,15 @@ class Ports:
             torques[port] = on_road(rates[port])
 
     def inside(self, times: Floats) -> Floats:
-        """Return times clipped to the interval of the formulas."""
+        """Return times clipped to the interval in which formulas are evaluated."""
         if len(times) and (times[0] < self.after or times[-1] > self.until):
             return np.minimum(np.maximum(times, self.after), self.until)
         return times
 
     def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
-        """Return the torques given by time alone, and the slopes, shape (ports, times).
+        """Return the terms that depend on time alone, and their derivatives, shape (ports, times).
 
-        Slopes of formulas are differences over `within` [s], and are left out if it is None.
+        Derivatives of formulas are differences over `within` [s]; without it, they are 0.
         """
         times = self.inside(times)
         given = self.c0[:, None] + self.c1[:, None] * times
@@ -275,7 +274,7 @@ class Ports:
     def slopes(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, within: float
     ) -> Floats:
-        """Return the derivatives of torques by time, including springs via rates [N*m/s]."""
+        """Return the derivatives of torques with respect to time at constant rates [N*m/s]."""
         slopes = self.c1.copy()
         springs = self.layout.spring_ports
         slopes[springs] += self.elastic * rates[springs]
@@ -318,7 +317,7 @@ class Ports:
 
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
         if contact.switch:
-            # derivative of the speed at which the contact sticks, see `structure`
+            # instead of a torque: derivative of the speed at which the contact sticks
             if state in ("stick", "rigid"):
                 jump = contact.switch.jump
                 self._programme(port, Programme(jump.change), 1.0, time)
@@ -356,7 +355,7 @@ class Ports:
         self.special.append((port, -1, torque, one_by_one(torque)))
 
     def _limited(self, index: int, sign: float, states: States, time: float) -> None:
-        """Set up a spring at a limit, constant or following another spring."""
+        """Set up a spring at its torque limit, which can follow another spring."""
         programme = self.system.springs[index].programme
         if programme.follows:
             pieces = states.pieces[self.layout.curves :]
@@ -383,11 +382,11 @@ class Ports:
     def _controlled(
         self, port: int, programme: Programme, side: float, friction: tuple[float, float]
     ) -> None:
-        """Set up a slipping contact with feedback capacity and slip-dependent friction.
+        """Set up a slipping contact under feedback control, with friction that depends on slip.
 
-        At slips near rounding, the torque approaches its value at 0 linearly, as a damper torque.
-        The line continues beyond zero slip, where only trial points of the search are, so that the
-        search returns. No law is too steep then for floating-point numbers, as a root is at 0.
+        At slips near rounding errors, the torque approaches its value at 0 linearly, like the
+        torque of a damper. The line continues beyond zero slip, where Newton iterations can be, so
+        that they return; their result is a slip of 0 even for very steep laws.
         """
         value, slope = friction
         looks = [look for look in (programme.look, programme.rub) if look]
@@ -420,7 +419,7 @@ class Ports:
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor
         if programme.look is not None:
-            is_contact = port < self.layout.springs  # the slip of a spring ends at its limit
+            is_contact = port < self.layout.springs  # springs do not stick at zero slip
             self._controlled(port, programme, sign * is_contact, (sign, 0.0))
             return
         if isinstance(curve, Points):
@@ -434,10 +433,10 @@ class Ports:
 def converter_torques(
     converter: Converter, piece: int, pump: float, turbine: float
 ) -> tuple[float, float]:
-    """Return the torques of a converter on pump and turbine, by the speeds.
+    """Return the torques of a converter at pump and turbine for given speeds [N*m].
 
-    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda on the
-    line of a piece; both torques are 0 with the pump at rest.
+    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda linear
+    in the speed ratio on a piece; both torques are 0 while the pump is at rest.
     """
     if pump == 0:
         return 0.0, 0.0
@@ -449,7 +448,7 @@ def converter_torques(
 def converter_torques_at(
     converter: Converter, piece: int, pumps: Floats, turbines: Floats
 ) -> tuple[Floats, Floats]:
-    """Return the torques of a converter at several instants."""
+    """Return the torques of a converter at several instants; see `converter_torques`."""
     turns = pumps != 0
     ratios = np.divide(turbines, pumps, out=np.zeros_like(pumps), where=turns)
     factor, coefficient = _on_piece(converter, piece, ratios)
@@ -458,7 +457,7 @@ def converter_torques_at(
 
 
 def _on_piece(converter: Converter, piece: int, ratio: Any) -> tuple[Any, Any]:
-    """Return torque ratio K and coefficient lambda on a piece."""
+    """Return torque ratio K and coefficient lambda at a speed ratio, on a linear piece."""
     points = converter.points
     if piece in (0, len(points)):
         _, *outside = points[min(piece, len(points) - 1)]

@@ -1,7 +1,7 @@
-"""Quantities visible to formulas, and their places in the row of all seen quantities.
+"""Quantities of the motion that formulas read, in a fixed order (the *seen* quantities).
 
-The row contains the rates of ports, twists, angles, values (control states and temperatures), and
-quantities derived from torques (`derived`).
+The order is: rates of ports, twists, angles, values (control states and temperatures), and
+quantities derived from torques (`PortLayout.derived`).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
-    """Return the place of a quantity in the row of all seen quantities."""
+    """Return the index of a quantity among all seen quantities."""
     layout, names = system.layout, system.names
     match seen.word:
         case "speed":
@@ -48,7 +48,7 @@ def place_of(system: MotionSystem, seen: Seen) -> int:
 
 
 def _slip(system: MotionSystem, name: str) -> int:
-    """Return the port of a shift element; the ports of springs follow the ports of contacts."""
+    """Return the port of a shift element, which is a contact or a spring."""
     [place] = (
         place
         for place, device in enumerate(system.may_slip, system.layout.contacts)
@@ -58,14 +58,14 @@ def _slip(system: MotionSystem, name: str) -> int:
 
 
 def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = -1) -> Look:
-    """Return a formula as a function of time and all seen quantities, with current settings.
+    """Return a formula as a function of time and seen quantities, with the current settings.
 
     Parameters
     ----------
     rate : int
         Port of the link on which the formula acts.
     angle : int
-        Place of the angle of this link among the recorded angles, or -1.
+        Index of the angle of this link among the recorded angles, or -1.
     """
     function, along = formula.function, formula.along
     inputs = [
@@ -89,7 +89,7 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
 
 
 class Compared(NamedTuple):
-    """Pair of numbers that a formula, or the check of a limit, compares."""
+    """Two numbers that a formula, or the check of a limit, compares."""
 
     first: Look
     second: Look
@@ -100,20 +100,20 @@ class Compared(NamedTuple):
 
 
 class Corner(NamedTuple):
-    """Place at which a formula, or a limit, bends or jumps."""
+    """Corner of a formula or limit: a number at which it bends or jumps."""
 
     path: Path
-    """Path of the key in the scenario."""
+    """Path of the formula in the scenario."""
     text: str
     """Text of the formula."""
     compared: Sequence[Compared]
-    """Comparisons of a number with ascending numbers; only the nearest are watched."""
+    """Comparisons of a number with ascending numbers, of which only the nearest matter."""
     jumps: Sequence[bool]
-    """Flags of the compared numbers at which the formula can jump."""
+    """For each comparison, True if the formula can jump there."""
 
 
 def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: int = -1) -> Compared:
-    """Return the two sides of a difference, with current settings."""
+    """Return the two operands of a difference, with the current settings."""
     tree = difference.whole
     assert isinstance(tree, Applied)  # noqa: S101 - a difference is an operation
     first, second = (
@@ -123,9 +123,9 @@ def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: in
 
 
 def corners(system: MotionSystem) -> list[Corner]:
-    """Return the comparisons at which feedback formulas bend or jump.
+    """Return the corners of formulas that depend on the motion.
 
-    The argument of a table is compared with all corners of the table.
+    The argument of a lookup table is compared with all breakpoints of the table.
     """
     layout = system.layout
     candidates: list[tuple[Path, Formula, Iterable[Pairs], int, int]] = []
@@ -138,7 +138,7 @@ def corners(system: MotionSystem) -> list[Corner]:
             bounds = [[MeetingParts(whole, Constant(bound))] for bound in (0.0, *most)]
             candidates.append((path, programme.curve, [*bounds, *met(whole)], 0, -1))
     for port, load in enumerate(system.outside):
-        if isinstance(load.law, Formula):  # jumps by its own motion are switches
+        if isinstance(load.law, Formula):  # contacts represent jumps over speed or angle
             path = ("torques", system.names[load.link])
             place = layout.angles.index(load.link) if load.link in layout.angles else -1
             compares = met if load.law.seen else asked
@@ -168,7 +168,7 @@ def corners(system: MotionSystem) -> list[Corner]:
 
 
 def control_path(device: Contact | Elastic) -> tuple[str, str]:
-    """Return the path of the key with the capacity of a device."""
+    """Return the path, in the scenario, of the capacity of a contact or spring."""
     return "limits" if device.element is None else "controls", device.name
 
 
@@ -180,7 +180,7 @@ def conditions(system: MotionSystem) -> Iterator[tuple[Path, StepCondition]]:
 
 
 def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
-    """Yield corners of friction coefficients that are tables over slip and temperature."""
+    """Yield the corners of coefficients of friction that are tables over slip and temperature."""
     for device in system.may_slip:
         if device.programme.table is not None:
             slip, temperature = _rubbing_places(system, device)
@@ -208,12 +208,12 @@ def _place_seen(place: int) -> Look:
 
 
 def fixed(value: float) -> Look:
-    """Return a constant as a `Look`."""
+    """Return a constant as a function of time and seen quantities."""
     return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
-    """Return the system with settings, and with controls that use the settings."""
+    """Return the system with new settings, which its controls use."""
     system = replace(system, settings=settings)
     contacts = tuple(
         contact._replace(programme=_seeing(system, contact)) for contact in system.contacts
@@ -243,12 +243,12 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
 
 
 def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = ()) -> Look:
-    """Return a limit that follows the torques of a spring and damper.
+    """Return a torque limit that grows with the torque of a spring and damper.
 
     Parameters
     ----------
     pieces : sequence of int
-        Active pieces of the springs, if the limit holds on these pieces only.
+        Active linear pieces of the springs, if the limit is needed on these pieces only.
     """
     [index] = (n for n, spring in enumerate(system.springs) if spring.name == limit.of)
     spring = system.springs[index]
@@ -267,5 +267,5 @@ def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = 
 
 
 def _rubbing_places(system: MotionSystem, device: Contact | Elastic) -> tuple[int, int]:
-    """Return the places of slip and temperature of a shift element among all seen quantities."""
+    """Return the indices of slip and temperature of a shift element among all seen quantities."""
     return _slip(system, device.name), place_of(system, Seen("temperature", device.name))

@@ -1,9 +1,10 @@
 """Constant matrices of the equations of motion while a set of contacts sticks.
 
-``M dw/dt = F - B x`` and ``C' w = 0``. The columns of C belong to rigid mechanisms and sticking
-contacts; B is C with ``u eta^x`` instead of u. With bases N and L of the motions that C and B leave
-free, ``(L' M N) dq/dt = L' F`` and ``w = N q``. Motions without inertia are separate: the torques
-along them balance, ``L0' F = 0``.
+``M dw/dt = F - B m`` and ``C' w = 0``, with inertia matrix M, torques F of ports and constraint
+torques m. The columns of C belong to rigid mechanisms and sticking contacts; B is C with losses:
+``u eta^x`` instead of u. With bases N and L of the motions that C and B leave free, ``(L' M N)
+dq/dt = L' F`` and ``w = N q``. Motions without inertia are separate: the torques along them
+balance, ``L0' F = 0``.
 """
 
 from __future__ import annotations
@@ -29,23 +30,24 @@ Held = tuple[bool, ...]
 MeshStates = tuple[str, ...]
 """States of the rigid mechanisms.
 
-`""`: lossless; `stick`; else two signs as `+-`, of the speed of the first link relative to the
-third and of the torque on the first link.
+`""`: lossless; `stick`: at rest by friction; otherwise two signs such as `+-`: of the speed of the
+first link relative to the third, and of the torque on the first link.
 """
 
 _LAST_PREFERENCE = 1e2
 _FIRST = 1e-2
-"""Weights in the norm of redundant torques.
+"""Small and large weight in the norm of redundant torques.
 
-Redundant torques go to the constraints of mechanisms first, to drags and sticking meshes last.
+Redundant torques go to the constraints of mechanisms first, and to drags and the friction of
+mechanisms at rest last.
 """
 
 
 class Multiplier(NamedTuple):
-    """Identity of a constraint torque: its kind and the part that it acts in."""
+    """Identity of a constraint torque: its kind, and the index of mechanism or contact."""
 
     kind: str
-    """`mesh` (on the first link of a mechanism), `friction` (of a sticking mesh) or `contact`."""
+    """`mesh` (on the first link of a mechanism), `friction` (in one at rest), or `contact`."""
     of: int
 
 
@@ -60,9 +62,9 @@ class MotionStructure:
     light : ndarray, shape (links, massless motions)
         Matrix from motions without inertia to speeds of links.
     drivers : sequence of int
-        Contacts that stick at speeds other than 0, one per speed.
+        Indices of contacts that stick at speeds other than 0 (drivers), one for each such speed.
     projection : ndarray, shape (motions, links)
-        Matrix from speeds of links to the motions with inertia of equal momentum. The speeds can
+        Matrix from speeds of links to the motions with inertia of the same momentum. The speeds can
         violate constraints, for example at links without inertia.
     rates, light_rates : ndarray
         Matrices from motions with and without inertia to rates of ports.
@@ -70,17 +72,17 @@ class MotionStructure:
         Matrix from torques of ports to dq/dt. Instead of the torque of a driver, it takes the
         derivative of the speed at which the driver sticks.
     balances : ndarray, shape (massless motions, ports)
-        Matrix from torques of ports to sums of torques that must be 0.
+        Matrix from torques of ports to sums of torques along massless motions, which must be 0.
     multipliers : sequence of Multiplier
-        Meshes first, in the order of the system.
+        Mechanisms first, in the order of the system.
     contact_rows : dict of int to int
-        Index of each sticking contact -> row of its multiplier.
+        Index of each sticking contact -> row of its constraint torque in `torques`.
     torques : ndarray, shape (multipliers, ports)
         Matrix from torques of ports to constraint torques; redundant torques have least norm.
     redundant : ndarray, shape (multipliers, directions)
         Directions of redundant torques, orthonormal in the weighted norm.
     mesh_rates, mesh_light_rates : ndarray
-        Matrices from motions to the power loss of each mesh per torque on its first link.
+        Matrices from motions to the power loss of each mechanism per torque on its first link.
     """
 
     def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
@@ -127,9 +129,10 @@ class MotionStructure:
         self.loses = any(state not in ("", "stick") for state in meshes)
 
     def motions(self, speeds: Floats, driven: Floats) -> Floats:
-        """Return the motions with inertia for link speeds, by momentum if inconsistent.
+        """Return the coordinates of motions with inertia for given speeds of links.
 
-        The last motions have the speeds of the drivers.
+        Inconsistent speeds are replaced by a motion of the same momentum. The last motions have the
+        speeds `driven` of the drivers.
         """
         count = self.free.shape[1] - len(driven)
         free = self.free[:, :count]
@@ -142,9 +145,9 @@ class MotionStructure:
 def _driven(
     system: MotionSystem, contact_rows: Mapping[int, int], rows: Floats
 ) -> tuple[tuple[int, ...], Floats]:
-    """Return contacts that stick at speeds other than 0, and the resulting speeds of links.
+    """Return the drivers, and the speeds of links per unit speed of each driver.
 
-    Contacts at one place count once.
+    Several drivers at the same jump count once.
     """
     places: dict[Switch | int, list[int]] = {}
     for index in contact_rows:
@@ -170,7 +173,7 @@ def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
 
 
 def mesh_factor(efficiency: float, back: float, state: str) -> float:
-    """Return ``eta^x`` of a mesh; x is +1 if power enters at the first link, relative to the third.
+    """Return ``eta^x`` of a mechanism; x is 1 if power enters at the first link, otherwise -1.
 
     >>> mesh_factor(0.98, 0.98, "+-"), mesh_factor(0.98, 0.98, "--"), mesh_factor(1, 1, "")
     (1.0204081632653061, 0.98, 1.0)
@@ -183,9 +186,9 @@ def mesh_factor(efficiency: float, back: float, state: str) -> float:
 def _constraints(
     system: MotionSystem, held: Held, meshes: MeshStates
 ) -> tuple[Floats, Floats, list[Multiplier]]:
-    """Return the columns of C, the columns of B, and the constraint torques that they belong to.
+    """Return the matrices C and B, and the identity of the constraint torque of each column.
 
-    C and B are equal if no mesh has losses.
+    C and B are equal if no mechanism has losses.
     """
     mesh_states = list(zip(system.meshes, meshes, strict=True))
     held_rows = {
@@ -219,7 +222,7 @@ def null(matrix: Floats) -> Floats:
 
 
 def solved(matrix: Floats, values: Floats) -> Floats:
-    """Return the least-squares solution of least norm."""
+    """Return the least-squares solution of ``matrix @ x = values`` with least norm."""
     return np.asarray(np.linalg.lstsq(matrix, values, rcond=DEPENDENT)[0], float)
 
 
@@ -228,7 +231,7 @@ def _counting(sizes: Floats, large: float) -> int:
 
 
 def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
-    """Split motions into motions with inertia and motions without inertia.
+    """Split a basis of motions into motions with inertia and motions without inertia.
 
     Examples
     --------
@@ -244,22 +247,22 @@ def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
         return free, free[:, :0]
     right = np.linalg.svd(moved)[2]
     light = free @ right[rank:].T
-    light[np.abs(light) < ROUNDED_MOTION] = 0.0  # otherwise heavy links would depend on it
+    light[np.abs(light) < ROUNDED_MOTION] = 0.0  # so that links with inertia do not depend on it
     return free @ right[:rank].T, light
 
 
 def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Floats, Floats]:
-    """Return multipliers that lose power without changing speeds, as in parallel gear paths.
+    """Return combinations of constraint torques that circulate power in parallel paths.
 
-    The equations do not determine their size. As in statics, the friction of sticking meshes is
-    minimised (usually to zero), and then the norm of the multipliers.
+    The equations do not determine their size. As in statics, the friction of mechanisms at rest is
+    minimised (usually to zero), and then the norm of the constraint torques.
 
     Returns
     -------
     directions : ndarray, shape (multipliers, directions)
-        Multipliers, as columns.
+        Combinations of constraint torques, as columns.
     conditions : ndarray, shape (multipliers, directions)
-        Linear conditions for multipliers, as columns; biorthogonal to `directions`.
+        Linear conditions for the constraint torques, as columns; biorthogonal to `directions`.
     """
     spare = null(rows) if rows.shape[1] else np.zeros((0, 0))
     if not spare.shape[1]:
@@ -269,7 +272,7 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
     circulating, redundant = spare @ right[:count].T, spare @ right[count:].T
     if not friction.any():
         return circulating, circulating
-    irreducible = null(redundant[friction].T)  # friction that redundant torques cannot carry
+    irreducible = null(redundant[friction].T)  # friction that cannot be redundant
     _, sizes, right = np.linalg.svd(irreducible.T @ circulating[friction])
     count = _counting(sizes, 1.0)
     directions = circulating @ right.T
@@ -281,10 +284,10 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
 
 
 def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:
-    """Return the multipliers by ports, and the redundant directions.
+    """Return the matrix from torques of ports to constraint torques, and the redundant directions.
 
-    Redundant multipliers have least weighted norm. Drags and the friction of sticking meshes take
-    a torque only if no other constraint can carry it.
+    Redundant torques have least weighted norm. Drags and the friction of mechanisms at rest carry a
+    torque only if no other constraint can.
     """
     count = columns.shape[1]
     if not count:
@@ -309,7 +312,7 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
     if rank == count:
         return multipliers, np.zeros((count, 0))
     spare = null(columns) * weights[:, None]
-    basis, _ = np.linalg.qr(spare)  # orthonormal in the weighted norm
+    basis, _ = np.linalg.qr(spare)  # basis in the weighted norm
     return multipliers, basis / weights[:, None]
 
 

@@ -1,4 +1,4 @@
-"""Rates of control states and temperatures, and quantities derived from torques."""
+"""Rates of control states and temperatures, and quantities that follow from torques."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ class ValueChanges:
             for state in states
         ]
         self.held = np.zeros(len(states), dtype=int)
-        """1 for a state held at its upper limit, -1 at the lower limit, else 0."""
+        """For each control state: 1 if held at its upper limit, -1 at its lower limit, else 0."""
         self.derived = [_derived(equations, quantity) for quantity in system.layout.derived]
 
     def at(
         self, time: float, state: Floats, rates: Floats, torques: Floats, change: Floats
     ) -> Floats:
-        """Return the rates in a state; `change` contains the rates of works."""
+        """Return the rates of control states and temperatures; `change` contains the powers."""
         value_rates = self.unheld(time, state, rates, torques)
         value_rates[: len(self.held)][self.held != 0] = 0.0
         equations = self.equations
@@ -55,7 +55,7 @@ class ValueChanges:
         return value_rates
 
     def unheld(self, time: float, state: Floats, rates: Floats, torques: Floats) -> Floats:
-        """Return the rates that states would have without limits, then 0 for temperatures."""
+        """Return the rates of control states if they had no limits, then 0 for temperatures."""
         value_rates = np.zeros(len(self.equations.layout.values))
         if self.rates:
             seen, ports = self.seen(time, state, rates, torques), self.equations.ports
@@ -64,24 +64,24 @@ class ValueChanges:
         return value_rates
 
     def along(self, times: Floats, seen: Floats) -> Floats:
-        """Return the rates of states at several times, with seen quantities as rows."""
+        """Return the rates of control states at several times, shape (states, times)."""
         times = self.equations.ports.inside(times)
         value_rates = np.array([look.along(times, seen) for look in self.rates])
         value_rates[self.held != 0] = 0.0
         return value_rates
 
     def seen(self, time: float, state: Floats, rates: Floats, torques: Floats) -> list[float]:
-        """Return all seen quantities in a state."""
+        """Return all quantities that formulas read, in a state."""
         equations = self.equations
         seen = [*rates.tolist(), *state[equations.motions : equations.values.stop].tolist()]
         return seen + [derived(time, state, rates, torques) for derived in self.derived]
 
     def seen_at(self, time: float, state: Floats) -> list[float]:
-        """Return all seen quantities if rates and torques are not known yet."""
+        """Return all quantities that formulas read, and calculate the rates and torques first."""
         return self.seen(time, state, *self.equations.acting(time, state))
 
     def hold_limits(self, time: float, state: Floats) -> None:
-        """Hold states at a limit while the rates point outward, or are 0 and turn outward."""
+        """Hold control states at a limit if their rates point outward now or soon."""
         states = self.equations.system.scenario.states
         if not states:
             return
@@ -107,10 +107,10 @@ class ValueChanges:
             inward = self.held * self._next_changes(time, state)[: len(sides)] < 0
             if not inward.any():
                 return
-            self.held[inward] = 0  # a released state can change other rates
+            self.held[inward] = 0  # this can change other rates
 
     def _next_changes(self, time: float, state: Floats) -> Floats:
-        """Return the rates that states would have without limits.
+        """Return the rates of control states if they had no limits.
 
         A rate that is 0, or soon changes its sign, is replaced by the rate a little later.
         """
@@ -130,7 +130,7 @@ class ValueChanges:
 
 
 def _side(state: ControlState, value: float, near: float) -> int:
-    """Return 1 at the upper limit of a state, -1 at the lower limit, else 0."""
+    """Return 1 at the upper limit of a control state, -1 at the lower limit, otherwise 0."""
     for side, limit in ((1, state.most), (-1, state.least)):
         if math.isfinite(limit) and side * (value - limit) >= -max(near, EQUAL_SIDES * abs(limit)):
             return side
@@ -147,7 +147,7 @@ def _friction_power(equations: KnownMotion, element: int, change: Floats) -> flo
 
 
 Derived = Callable[[float, Floats, Floats, Floats], float]
-"""Quantity as a function of time, state, rates and torques of ports."""
+"""Quantity as a function of time, state, rates of ports and torques of ports."""
 
 
 def _derived(equations: KnownMotion, seen: Seen) -> Derived:
@@ -172,7 +172,7 @@ def _derived(equations: KnownMotion, seen: Seen) -> Derived:
 def outside_torques(equations: KnownMotion) -> Floats:
     """Return the matrix from torques of ports to outside torques, shape (links, ports).
 
-    Loads, torques at jumps and torques of links with given speeds are included.
+    Torques at jumps, and torques that enforce given speeds, are included.
     """
     system, structure = equations.system, equations.structure
     by_link = np.zeros((len(system.names), system.layout.ports))
@@ -219,7 +219,7 @@ def _ports_of(equations: KnownMotion, name: str) -> list[int]:
 
 
 def _torque(equations: KnownMotion, name: str) -> Derived:
-    """Return the torque on the first link of a device, over all contacts and constraints."""
+    """Return the torque that the first link of a component gives to it."""
     system, structure, layout = equations.system, equations.structure, equations.layout
     ports = _ports_of(equations, name)
     by_ports = np.zeros(layout.ports)

@@ -1,13 +1,14 @@
 """Variators with a moving speed ratio: ``w_second = x(t) w_first``, torques (x m eta^-s, -m).
 
-The constraint row has the constant ratio `reference`, ``x0 w_first - w_second``. Two ports describe
-the motion of the ratio. The speed of the row is ``(x0 - x) w_first``, as of a driver with the
-derivative
+Here m is the torque of the second link, and s the direction of power. The constraint row has the
+constant ratio `reference`: ``x0 w_first - w_second``. Two ports describe the motion of the ratio.
+The speed of the row is ``(x0 - x) w_first``, as of a driver with the derivative
 
     u = -x' w_first - (x - x0) a_first,
 
-and the first link gives ``tau = (x eta^-s - x0) m`` in addition to the m of the row. Both depend on
-the torques, which depend on both: a linear system, solved at each instant.
+and the first link gives ``tau = (x eta^-s - x0) m`` in addition to the torque m of the row. Both u
+and tau depend on the torques of all ports, which depend on u and tau: a linear system, solved at
+each instant.
 """
 
 from __future__ import annotations
@@ -24,11 +25,11 @@ from vstatics.simulation.system.matrices import MotionSystem, efficiency_at
 from vstatics.simulation.tolerances import MOVING_LINK, SAME_TORQUE
 
 _MOST_ROUNDS = 100
-"""Largest number of rounds if an efficiency depends on the torque."""
+"""Largest number of iterations if an efficiency depends on the torque."""
 
 
 class VariatorTorques:
-    """Torques of the ports of variators between two events.
+    """Torques of the ports of moving variators between two events.
 
     Parameters
     ----------
@@ -37,7 +38,7 @@ class VariatorTorques:
     Raises
     ------
     CaseError
-        If the first link has no inertia and is not moved by a link with inertia.
+        If the speed of the first link does not follow from links with inertia.
     """
 
     def __init__(self, equations: KnownMotion) -> None:
@@ -46,14 +47,14 @@ class VariatorTorques:
         self.variators = system.variators
         contacts = [variator.contact for variator in self.variators]
         self.rows = [structure.contact_rows[index] for index in contacts]
-        """Rows of the multipliers of variators."""
+        """Rows of the constraint torques of variators."""
         self.changes = [layout.contacts + index for index in contacts]
         self.extras = [layout.variators + number for number in range(len(contacts))]
         self.places = [*self.changes, *self.extras]
         first = [variator.first for variator in self.variators]
         self.references = np.array([variator.reference for variator in self.variators])
         self.lacks = False
-        """True if the last evaluation found no torques that agree with the efficiencies."""
+        """True if no torques agreed with the efficiencies in the last evaluation."""
         self.is_lawful = any(
             isinstance(number, Law)
             for variator in self.variators
@@ -77,7 +78,7 @@ class VariatorTorques:
         Parameters
         ----------
         time : float
-            The instant. [s]
+            Time. [s]
         rates, torques : ndarray, shape (ports,)
             Rates and torques of ports; `torques` is changed in place.
         """
@@ -115,7 +116,7 @@ class VariatorTorques:
         self.lacks = self.is_lawful and not np.isfinite(solution).all()
 
     def _factors(self, torques: Floats, speeds: Floats) -> Floats:
-        """Return ``eta^-s`` of each variator for the torque on its first link and its speed."""
+        """Return ``eta^-s`` of each variator for the torque and speed of its first link."""
         factors = np.ones(len(torques))
         for n, (variator, torque, speed) in enumerate(
             zip(self.variators, torques.tolist(), speeds.tolist(), strict=True)
@@ -130,7 +131,7 @@ class VariatorTorques:
 
 
 def variator_rows(system: MotionSystem, time: float) -> list[Floats]:
-    """Return constraint rows with the current ratios, shape (variators, links)."""
+    """Return the constraint rows of variators with the ratios at a time [s]."""
     rows = []
     for variator in system.variators:
         row = system.contacts[variator.contact].row.copy()

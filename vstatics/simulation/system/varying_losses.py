@@ -1,9 +1,9 @@
 """Torques of mechanisms whose efficiency depends on speed, torque or both.
 
-The column of such a mechanism has the factor ``f0 = eta^x`` of a constant efficiency. With the
-factor f of the present efficiency, a port adds ``(f - f0) m`` along the column of the friction. The
-torque m on the first link depends on the torques of the ports, and f depends on m. The search for
-this fixed point begins at the last solution.
+The constraint of such a mechanism contains the factor ``f0 = eta^x`` of a constant efficiency. With
+the factor f of the present efficiency, a port adds the torque ``(f - f0) m`` along the row of the
+friction. The torque m on the first link depends on the torques of the ports, and f depends on m.
+The search for this fixed point begins at the last solution.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from vstatics.simulation.system.structure import mesh_factor
 from vstatics.simulation.tolerances import LEAST_EFFICIENCY, SAME_TORQUE
 
 _MOST_LOSS_ROUNDS = 12
-"""Largest number of rounds for several instants at once, before each is calculated alone."""
+"""Largest number of iterations for several instants at once; unsolved instants follow alone."""
 
 
 class LosingMesh:
-    """Mechanism with an efficiency over speed or torque, in a state of its speed and torque.
+    """Mechanism with an efficiency over speed or torque, for fixed signs of its speed and torque.
 
     Parameters
     ----------
@@ -42,18 +42,18 @@ class LosingMesh:
         self.law = mesh.laws[0 if self.drives else 1]
         self.sign = SIGNS[state[1]] if self.moves else 0.0
         self.given = mesh_factor(mesh.efficiency, mesh.back, state)
-        """Factor in the column of the mechanism."""
+        """Factor f0 in the constraint of the mechanism."""
 
     def torque(self, speed: float, on_first: float) -> float:
-        """Return the torque of the port, with a possible efficiency if the law gives none."""
+        """Return the torque of the port [N*m]; an impossible efficiency is replaced."""
         if not self.moves:
             return 0.0
         value = min(self.efficiency(speed, on_first), 1.0)
-        value = max(LEAST_EFFICIENCY, value)  # NaN, too
+        value = max(LEAST_EFFICIENCY, value)  # replaces NaN, too
         return ((value if self.drives else 1 / value) - self.given) * on_first
 
     def torques(self, speeds: Floats, on_first: Floats) -> Floats:
-        """Return the torques of the port at several instants; NaN where the law gives none."""
+        """Return the torques of the port at several instants; NaN for an impossible efficiency."""
         if not (self.moves and isinstance(self.law, Law)):
             return np.array([self.torque(0.0, torque) for torque in on_first.tolist()])
         sizes = self.law.sizes_of(np.abs(speeds), np.maximum(self.sign * on_first, 0.0))
@@ -62,18 +62,18 @@ class LosingMesh:
         return ((values if self.drives else 1 / values) - self.given) * on_first
 
     def efficiency(self, speed: float, on_first: float) -> float:
-        """Return the efficiency; torques of the wrong sign, only in trials, count as 0."""
+        """Return the efficiency; torques of the wrong sign, which occur in trials, count as 0."""
         return efficiency_at(self.law, speed, max(self.sign * on_first, 0.0))
 
 
 class VaryingLosses:
-    """Torques of the ports of mechanisms with an efficiency over speed or torque, between events.
+    """Torques of the ports of mechanisms with varying efficiency, between two events.
 
     Parameters
     ----------
     equations : KnownMotion
     before : sequence of float
-        Torques on the first links at the last instant, empty at the start. [N*m]
+        Torques on the first links before the first event, empty at the start. [N*m]
     """
 
     def __init__(self, equations: KnownMotion, before: Vector) -> None:
@@ -84,7 +84,7 @@ class VaryingLosses:
         self.sizes = np.abs(self.by_torques)
         self.by_losses = self.by_torques[:, self.places].tolist()
         self.latest: Vector = [*before] or [0.0] * len(self.meshes)
-        """Torques on the first links at the last solution. [N*m]"""
+        """Torques on the first links in the last solution. [N*m]"""
         self.has_formulas = any(isinstance(mesh.law, Law) and mesh.law.text for mesh in self.meshes)
         self.latest_of_all = np.zeros((0, 0))
         self.fixed_points = FixedPoints(len(self.meshes))
@@ -99,7 +99,7 @@ class VaryingLosses:
         rates, torques : ndarray, shape (ports,)
             Rates and torques of ports; `torques` is changed in place.
         others : callable, optional
-            Function that fills in other torques that depend on these.
+            Function that fills in other torques that depend on these torques.
         """
         torques[self.places] = 0.0
         speeds = rates[self.places].tolist()
@@ -132,12 +132,12 @@ class VaryingLosses:
             self.latest, torques[self.places] = agreed, losses
 
     def fill_all(self, rates: Floats, torques: Floats) -> Booleans:
-        """Fill in the torques at several instants at once, if no other torques depend on them.
+        """Fill in the torques at several instants; other torques must not depend on them.
 
         Returns
         -------
         ndarray, shape (times,)
-            True at instants without a solution yet, because the slopes are too different.
+            True for instants that remain without a solution.
         """
         speeds, slopes = rates[self.places], np.array(self.fixed_points.slopes)
         torques[self.places] = 0.0
@@ -161,7 +161,7 @@ class VaryingLosses:
         return missing
 
     def _failure(self, speeds: Vector, agreed: Vector | None) -> tuple[RigidMechanism, str] | None:
-        """Return a mechanism whose torque and efficiency do not agree, with the reason."""
+        """Return a mechanism whose torque and efficiency do not agree, with the message, if any."""
         if agreed is not None and not self.has_formulas:
             return None
         at = self.latest if agreed is None else agreed

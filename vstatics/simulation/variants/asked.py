@@ -28,12 +28,12 @@ _LANGUAGE = LANGUAGE._replace(operands="a column such as accelerations[out]", ex
 
 
 def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
-    """Read the tables and rows in a list, such as ``accelerations[out], heat[C]``.
+    """Read a list of tables and rows such as ``accelerations[out], heat[C]``.
 
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If a table or row is unknown, with every problem and its position.
     """
     asked: list[tuple[str, str]] = []
     problems: list[Problem] = []
@@ -59,6 +59,6 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
 
 
 def asked_rows(part: Selection, rows: Sequence[str]) -> list[tuple[str, str]]:
-    """Return a table with each of the selected rows; the row of a number has an empty name."""
+    """Return pairs of table and selected row; a table of a single number has an empty row name."""
     names = rows or [""] if part.row is None else [rows[part.row]]
     return [(part.table, row) for row in names]

@@ -1,4 +1,4 @@
-"""Names in the expressions of a swept scenario: tables of runs, and numbers of the scenario."""
+"""Names in expressions of a sweep over runs: tables of runs, and numbers of the scenario."""
 
 from __future__ import annotations
 
@@ -28,25 +28,25 @@ LANGUAGE = Language(
 
 
 class RunNames:
-    """Resolver of the tables of a run in a text.
+    """Resolver of table names in an expression over a run.
 
     Parameters
     ----------
     source : Excerpt
     rows_of : callable
-        Function that returns the names of the rows of a kind.
+        Function from a kind of rows to their names.
     """
 
     language = LANGUAGE
     gears: Sequence[str] = ()
-    """Names of gears; empty, because the tables of a run have no axis of gears."""
+    """Names of gears; empty, because tables of a run have no axis of gears."""
 
     def __init__(self, source: Excerpt, rows_of: Callable[[Kind], Sequence[str]]) -> None:
         self.source = source
         self.rows_of = rows_of
 
     def selection(self, read: TableName) -> Selection:
-        """Return the selected table, or the selected part of a table.
+        """Return the table, or the part of a table, that a name selects.
 
         Raises
         ------
@@ -66,7 +66,7 @@ class RunNames:
         rows = self.rows(read.name)
         if not rows:
             raise self.source.error(f"there is no {known.kind}, so `{read.name}` is empty", read.at)
-        if known.kind == "step" and len(subscripts) == 2:  # its row has both names
+        if known.kind == "step" and len(subscripts) == 2:  # both are the name of a row
             (sequence, at), (step, _) = subscripts
             subscripts = [Subscript(f"{_bare(sequence)},{step}", at)]
         row = self._row(subscripts.pop(0), rows, known.kind) if subscripts else None
@@ -81,28 +81,28 @@ class RunNames:
         return self.rows_of(TABLES[table].kind)
 
     def written_rows(self, table: str) -> Sequence[str]:
-        """Return the names of the rows of a table, which are the same in all variants."""
+        """Return the names of the rows of a table, equal in all variants."""
         return self.rows(table)
 
     def row(self, table: str) -> str:
-        """Return the noun for a row of a table."""
+        """Return the noun for the rows of a table, such as `link`."""
         return TABLES[table].kind
 
     def key(self, index: int, rows: Sequence[str]) -> str:
-        """Return a row as written between brackets; a step is written as sequence and number."""
+        """Return a row as it is written in brackets; a step is written as sequence and number."""
         if tuple(rows) != self.rows_of("step"):
             return written(index, rows)
         sequence, _, number = rows[index].rpartition(",")
         return f"{written(0, [sequence])},{number}"
 
     def _row(self, subscript: Subscript, rows: Sequence[str], kind: str) -> int | None:
-        """Return the row of a subscript, by name first, then by number; None for all rows."""
+        """Return the index of the row in a subscript, by name or by number; None for all rows."""
         written = subscript.written
         if written == ":":
             return None
         name = _bare(written)
         rows_of_name = [] if written[0] == "#" else [n for n, row in enumerate(rows) if row == name]
-        if not rows_of_name and kind == "target":  # a link means its only target speed
+        if not rows_of_name and kind == "target":  # a link with a single target speed
             rows_of_name = [n for n, row in enumerate(rows) if row.rpartition(" ")[0] == name]
         number = None if rows_of_name else typed_number(written.removeprefix("#"), len(rows))
         if number is not None:
@@ -117,7 +117,7 @@ class RunNames:
         )
 
     def _no_table(self, name: str) -> str:
-        """Return the message about a name that is not a table."""
+        """Return the error message for a name that is not a table."""
         hint = ""
         for table in ("speeds", "heat", "torques"):
             if not hint and name in self.rows(table):
@@ -128,7 +128,7 @@ class RunNames:
 
 
 class MotionNames(RunNames):
-    """Resolver of the names in a text for a scenario with varied numbers."""
+    """Resolver of all names in an expression: of numbers in the documents, and of tables."""
 
     def __init__(
         self, source: Excerpt, subject: ScenarioNumbers, targets: Sequence[Varied]
@@ -138,7 +138,7 @@ class MotionNames(RunNames):
         self.targets = targets
 
     def number(self, name: DottedName) -> VariedNumber | Constant | Selection:
-        """Return the number that a name means: varied, as in the document, or from teeth."""
+        """Return the number with a name: varied, as written, or a result of teeth."""
         return self._number(name.written, self.source.place(name.at))
 
     def _number(self, written: str, place: Place) -> VariedNumber | Constant | Selection:
@@ -158,7 +158,7 @@ class MotionNames(RunNames):
         return [] if table in PART_NUMBERS.values() else super().rows(table)
 
     def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """Return a table, a part of a table, or the duration."""
+        """Return the table, the part of a table, or the duration that a name means."""
         if read.name == "duration" and not read.subscripts:
             return self._number(read.name, self.source.place(read.at))
         return self.selection(read)

@@ -1,4 +1,4 @@
-"""Tables of a run of a scenario, under the names in expressions of a sweep.
+"""Tables of a run, under their names in expressions of a sweep.
 
 >>> [name for name in TABLES if along_time(name)][:5]
 ['time', 'speeds', 'slips', 'torques', 'accelerations']
@@ -20,15 +20,15 @@ from vstatics.simulation.record.row_names import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
-"""Function that returns a number from a motion, the name of a row and the index of the row."""
+"""Function of a motion, the name of a row and its index, which returns the number in the row."""
 
 
 class MotionTable(NamedTuple):
-    """Table of a run: along time, or with a number for each row."""
+    """Table of a run: columns over time, or a number for each row."""
 
     kind: Kind
     unit: str
-    """Unit as in `AskedTable`."""
+    """Unit of the values; see `AskedTable`."""
     of_row: OfRow | None = None
 
 
@@ -41,7 +41,7 @@ def _energy(field: str, otherwise: float, motion: Motion, row: str, _: int) -> f
 
 
 def _event_time(kind: EventKind, place: Literal[0, -1], motion: Motion, row: str, _: int) -> float:
-    """Return the time of the first or the last event of a kind."""
+    """Return the time of the first (`place` = 0) or last (-1) event of a kind [s]."""
     times = [event.time for event in motion.events if (event.element, event.event) == (row, kind)]
     return times[place] if times else math.nan
 
@@ -60,7 +60,7 @@ def _dynamic_factor(motion: Motion, row: str, _: int) -> float:
 
 
 def _step(motion: Motion, row: str, _: int) -> float:
-    """Return the time at which a step was done for the first time."""
+    """Return the time at which a sequence step was first done [s]."""
     done = (event.time for event in motion.events if f"{event.element},{event.step}" == row)
     return next(done, math.nan)
 
@@ -70,7 +70,7 @@ def _target(field: Literal["time", "distance"], motion: Motion, _: str, place: i
 
 
 TIME = "time"
-"""Name of the table of the times of all instants."""
+"""Name of the table with the times of all instants."""
 TABLES = {
     TIME: MotionTable("number", "s"),
     "speeds": MotionTable("link", "rad/s"),
@@ -105,13 +105,13 @@ TABLES = {
 
 
 def along_time(name: str) -> bool:
-    """Return whether a table has values at each instant."""
+    """Return whether a table has a value for each instant."""
     table = TABLES[name]
     return name == TIME or (table.of_row is None and (table.kind != "number" or name in ASKED))
 
 
 class MotionTables:
-    """Tables of a run, of shape (1, instants or 1[, rows]).
+    """Tables of a run with the shape (1, instants or 1[, rows]).
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ class MotionTables:
         self.mechanisms = mechanisms
 
     def existing(self, name: str) -> Floats:
-        """Return a table by name, with NaN for missing values."""
+        """Return the table with a name; missing values are NaN."""
         if name in PART_NUMBERS.values():
             [quantity] = (key for key, table in PART_NUMBERS.items() if table == name)
             parts = self.motion.case.mechanisms if self.motion and self.motion.case else ()
@@ -153,7 +153,7 @@ class MotionTables:
 
 
 def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:
-    """Return a table of shape (instants, rows), with NaN for a row that the run lacks."""
+    """Return a table over time, shape (instants, rows), with NaN for missing rows."""
     if name in ASKED:
         known = motion.asked.get(name, {})
     else:

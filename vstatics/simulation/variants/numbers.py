@@ -1,7 +1,7 @@
 """Numbers of a scenario and its case that variants replace.
 
-A variant consists of the documents with replaced numbers, read again. So every number of the
-documents can vary, and their reader reports impossible numbers.
+A variant is read from the documents with replaced numbers. So every number in the documents can
+vary, and their reader reports impossible numbers.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ _PLAIN = (1.0, 0.5, 0.0, 100.0)
 
 
 def number_paths(varied: Sequence[Varied]) -> list[NumberPath]:
-    """Return the varied numbers that belong to documents, as all do in a sweep of a scenario."""
+    """Return the varied numbers as paths in documents, as a sweep of a scenario requires."""
     return [path for path in varied if isinstance(path, NumberPath)]
 
 
 @dataclass(frozen=True)
 class ScenarioNumbers:
-    """Scenario and case, as documents with numbers.
+    """Scenario and case as documents in which numbers can be replaced.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ class ScenarioNumbers:
     limit : float, optional
         Wall-clock time after which a run ends and its variant is `stopped`. [s]
     case_format : {"deck", "yaml", "json"}, optional
-        Format of the case; by default found from the suffix, else from the content.
+        Format of the case; by default according to its suffix, or its content.
     """
 
     scenario: Document
@@ -69,12 +69,12 @@ class ScenarioNumbers:
     case_format: Format | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the fields for other processes, which read the trees anew."""
+        """Return the fields for other processes, which read the documents again."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @cached_property
     def trees(self) -> Trees:
-        """Trees of both documents, read once.
+        """Syntax trees of scenario and case.
 
         Raises
         ------
@@ -123,7 +123,7 @@ class ScenarioNumbers:
         return self._read(trees.scenario, reading)
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
-        """Return the row names of a kind of table."""
+        """Return the row names of tables with a kind of rows."""
         from vstatics.simulation.record.row_names import rows_of_kind
 
         return rows_of_kind(kind, self.own.scenario)
@@ -139,16 +139,16 @@ class ScenarioNumbers:
 
     @property
     def base_case(self) -> Transmission:
-        """Case as in the documents, without varied numbers."""
+        """Case as written, without varied numbers."""
         return self.own.scenario.case
 
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> NumberPath:
-        """Return a varied number together with the unit in which its values are given.
+        """Return a varied number with the unit of its given values.
 
         Raises
         ------
         ReadError
-            If the values are bare, or in two units, where the document has a unit.
+            If the values have two different units, or no unit although the document has a unit.
         """
         [path] = number_paths([varied])
         if unit and path.unit and unit != path.unit:
@@ -164,9 +164,9 @@ class ScenarioNumbers:
         return path
 
     def sampled(self, text: str) -> NumberPath:
-        """Return the number that a distribution under `samples` belongs to, with its SI unit.
+        """Return the number to which a distribution under `samples` belongs, with its SI unit.
 
-        The values are bare if neither the number nor the distribution has a unit.
+        The unit is empty if neither the number nor the distribution has a unit.
 
         Raises
         ------
@@ -178,12 +178,12 @@ class ScenarioNumbers:
         return path._replace(unit=in_si(unit)) if unit else path
 
     def written_number(self, path: NumberPath, place: Place | None) -> float:
-        """Return a number as written in the document, in the unit there.
+        """Return a number as written in the document, in its unit there.
 
         Raises
         ------
         ReadError
-            If the document lacks the number.
+            If the document does not contain the number.
         """
         known = written_number(path, self.trees)
         if known is None:
@@ -191,13 +191,13 @@ class ScenarioNumbers:
         return known.value
 
     def follows_teeth(self, path: NumberPath) -> bool:
-        """Return whether a number is a ratio or efficiency that the document leaves to teeth."""
+        """Return whether a number is a ratio or efficiency that follows from tooth numbers."""
         of_element = path.of_case and path.keys[0] == "elements" and len(path.keys) == 3
         is_such = of_element and path.keys[2] in OF_MECHANISM
         return is_such and written_number(path, self.trees) is None
 
     def check_new(self, paths: Sequence[NumberPath], values: Sequence[float]) -> None:
-        """Check that numbers missing in the documents are allowed at the given places.
+        """Check that numbers that the documents do not contain are allowed at their paths.
 
         Parameters
         ----------
@@ -208,13 +208,13 @@ class ScenarioNumbers:
         Raises
         ------
         ReadError
-            The error of the reader of the documents.
+            If no number is allowed at a path; the error is that of the reader for the given value.
         """
         for path, value in zip(paths, values, strict=True):
             if written_number(path, self.trees) is not None:
                 continue
             first: ReadError | None = None
-            for tried in (value, *_PLAIN):  # the number can be one of several at its place
+            for tried in (value, *_PLAIN):  # another value can be valid there
                 try:
                     self.variant([path], [tried])
                 except ReadError as error:
@@ -233,7 +233,7 @@ class ScenarioNumbers:
 
 
 def sampled_numbers(subject: ScenarioNumbers) -> list[Variation]:
-    """Return the numbers under `samples` in a scenario, with the distributions.
+    """Return the numbers under `samples` in a scenario, with their distributions.
 
     Raises
     ------

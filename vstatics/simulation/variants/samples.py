@@ -15,7 +15,7 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.samples import Method, Sample
 
 OF_SAMPLES = ("peaks", "heat", "losses", "locks", "damage", "work", "kinetic", "elastic", "impact")
-"""Tables that are reported of samples by default, if not empty."""
+"""Tables of results of samples by default, if not empty."""
 
 
 def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
@@ -25,12 +25,12 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     ----------
     subject : VariedScenario
     options : SweepOptions
-        Options of the plan, among which `sample` is the number of variants.
+        Options of the plan; `sample` is the number of variants.
 
     Raises
     ------
     ReadError
-        If the scenario has no distributions, or a distribution of an unknown number.
+        If the scenario has no distributions, or a distribution for an unknown number.
     CaseError
         If the options contradict each other.
     """
@@ -49,7 +49,7 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
     kinds = {name: TABLES[name].kind for name in OF_SAMPLES}
     names = [name for name, kind in kinds.items() if kind == "number" or subject.rows(kind)]
-    # The mean of peaks is a mean of magnitudes, so their signs are removed.
+    # Peaks are averaged as magnitudes.
     columns = ["abs(peaks)" if name == "peaks" else name for name in names]
     out = options.out or Text(",".join(columns))
     return with_expressions(subject, replace(options, out=out), drawn)

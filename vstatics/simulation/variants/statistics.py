@@ -1,4 +1,4 @@
-"""Statistics of drawn runs: of the drawn numbers and of the results."""
+"""Statistics of samples: of the random numbers, and of the results of all runs."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 @document("vstatics-samples")
 class SamplesAnswer(NamedTuple):
-    """Statistics of the drawn numbers and of the results."""
+    """Statistics of the random numbers, and of the results."""
 
     drawn: Mapping[str, Statistics]
     results: Mapping[str, Statistics]
 
 
 def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
-    """Return the statistics of columns, without columns that are 0 or missing in all variants."""
+    """Return the statistics of columns, except columns that are 0 or missing in all runs."""
     return {
         name: statistics(numbers)
         for name, numbers in columns.items()
@@ -32,7 +32,7 @@ def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
 
 
 def samples_answer(varied: Sequence[str], columns: Mapping[str, Statistics]) -> SamplesAnswer:
-    """Separate the statistics of drawn numbers from the statistics of results."""
+    """Separate the statistics of random numbers from the statistics of results."""
     drawn = {name: numbers for name, numbers in columns.items() if name in varied}
     return SamplesAnswer(
         drawn, {name: numbers for name, numbers in columns.items() if name not in varied}
@@ -40,9 +40,9 @@ def samples_answer(varied: Sequence[str], columns: Mapping[str, Statistics]) -> 
 
 
 def statistics_grids(samples: SamplesAnswer) -> Iterator[Grid]:
-    """Yield a table of the drawn numbers and a table of the results, with a row for each column.
+    """Yield a table of random numbers and a table of results, with a row for each quantity.
 
-    The number of runs is in the title, or in a column if it varies.
+    The number of runs is in the title, or in a column if it differs between rows.
     """
     heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS))
     for title, columns in zip(("Drawn", "Results"), samples, strict=True):

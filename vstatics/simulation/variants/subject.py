@@ -1,4 +1,4 @@
-"""Scenario as the subject of a sweep, in which each variant is a run."""
+"""Scenario as the subject of a sweep: each variant is a run."""
 
 from __future__ import annotations
 
@@ -50,23 +50,23 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
     limit : float, optional
         Wall-clock time after which a run ends and its variant is `stopped`. [s]
     case_format : {"deck", "yaml", "json"}, optional
-        Format of the case; by default found from the suffix, else from the content.
+        Format of the case; by default according to its suffix, or its content.
     """
 
     default_columns = "heat,work"
 
     @property
     def file(self) -> str:
-        """Name of the file of the scenario."""
+        """File name of the scenario."""
         return self.scenario.file
 
     @property
     def case_file(self) -> str:
-        """Name of the file of the case."""
+        """File name of the case."""
         return self.case.file
 
     def limited(self, seconds: float) -> VariedScenario:
-        """Return the subject with a limit of the wall-clock time of each run."""
+        """Return the subject with a limit of the wall-clock time of each run [s]."""
         return replace(self, limit=seconds)
 
     def run(
@@ -75,7 +75,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         values: Sequence[float],
         columns: Sequence[tuple[str, str]] = (),
     ) -> Motion:
-        """Run a variant, with additional columns; see `simulate`.
+        """Run a variant with given numbers; see `simulate` for `columns`.
 
         Raises
         ------
@@ -89,7 +89,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return simulate(scenario, rtol=self.rtol, watch=watch, columns=columns)
 
     def check_targets(self, targets: Sequence[Varied], places: Sequence[Place | None]) -> None:
-        """Refuse ratios that follow from teeth, which determine the planets of a run too."""
+        """Reject varied ratios that follow from teeth, because teeth also determine the planets."""
         paths = number_paths(targets)
         toothed = {
             path_of_case.keys[1]
@@ -108,20 +108,20 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
                 )
 
     def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
-        """Check that scipy is installed, and that the documents allow the new numbers."""
+        """Check that scipy is installed, and that the documents allow the varied numbers."""
         require("simulation", "a sweep of a scenario")
         self.check_new(number_paths(targets), values)
 
     def names(self, source: Excerpt, targets: Sequence[Varied]) -> MotionNames:
-        """Return the resolver of the names in an expression."""
+        """Return the resolver of names in an expression."""
         return MotionNames(source, self, targets)
 
     def unit_of(self, table: str) -> str:
-        """Return the unit of a table; empty in a case with links that move straight."""
+        """Return the unit of a table; empty for a case that contains masses in straight motion."""
         return "" if self.base_case.masses else TABLES[table].unit
 
     def asked(self, selections: Iterable[Selection]) -> list[tuple[str, str]]:
-        """Return the additional columns of a run that expressions need."""
+        """Return the additional columns, as (table, row), that expressions need."""
         asked = {
             row
             for part in selections
@@ -133,7 +133,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
     def outcome(
         self, targets: Sequence[Varied], values: Floats, asked: Sequence[tuple[str, str]]
     ) -> RunOutcome:
-        """Run a variant."""
+        """Run a variant, and return its status, tables and messages."""
         paths, motion, status = number_paths(targets), None, INVALID
         if np.isfinite(values).all():
             with suppress(ReadError, CaseError):
@@ -149,7 +149,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return RunOutcome(status, tables, unknown, motion.messages if motion else ())
 
     def reason(self, targets: Sequence[Varied], values: Sequence[float]) -> list[Problem]:
-        """Return the problems of a variant without results; empty for a complete run."""
+        """Return the problems for which a variant has no results; empty for a complete run."""
         try:
             motion = self.run(number_paths(targets), values)
         except (ReadError, CaseError) as error:
@@ -157,9 +157,9 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return [motion.stopped] if motion.stopped else []
 
     def seconds(self, tried: float) -> float:
-        """Return the estimated time of a run [s]; 0 if a trial of `tried` seconds completes it."""
+        """Return the estimated processor time of a run [s]; 0 if it ends within `tried` seconds."""
         pace = Pace(self.own.scenario.duration, tried)
-        with suppress(CaseError):  # even if this run cannot begin, variants can
+        with suppress(CaseError):  # variants can start even if this run cannot
             simulate(self.own.scenario, rtol=self.rtol, watch=pace)
         return min(pace.needed, self.limit or math.inf)
 
@@ -168,7 +168,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
 def load_varied(
     file: str | os.PathLike[str], case: str | os.PathLike[str] | None = None
 ) -> VariedScenario:
-    """Read a scenario whose numbers are to vary, for `vstatics.sweep`.
+    """Read a scenario with its case for a sweep of their numbers by `vstatics.sweep`.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def load_varied(
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If a document cannot be read, with every problem and its position.
     OSError
         If a file cannot be opened.
 

@@ -1,4 +1,4 @@
-"""Common parts of the commands of `vstatics torsion`: options, gears, links and messages."""
+"""Common code of the commands `vstatics torsion ...`: options, gears, links and messages."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ static_torque = click.option(
 
 
 def _ratios(texts: Sequence[str]) -> dict[str, float]:
-    """Read texts such as ``TC=.6``; return speed ratios by the names of converters."""
+    """Read texts such as ``TC=.6``, and return speed ratios by the names of converters."""
     ratios = {}
     for text in texts:
         name, _, ratio = text.rpartition("=")
@@ -71,11 +71,11 @@ CASE_OPTIONS = (
     arguments.telling,
 )
 elastic_case = gathered("request", OneCase, *CASE_OPTIONS, static_torque)
-"""Case and options of a command of this group, passed to the command as `request`."""
+"""Decorator with the case and the common options, which a command receives as `request`."""
 
 
 def gear_names(case: Transmission, chosen: Sequence[str]) -> list[str]:
-    """Return the names of chosen gears without repetitions, by default of all gears.
+    """Return the names of the chosen gears without repetitions, or of all gears if none is chosen.
 
     Raises
     ------
@@ -86,13 +86,13 @@ def gear_names(case: Transmission, chosen: Sequence[str]) -> list[str]:
 
 
 class WorkingGears(NamedTuple):
-    """Gears and speed ratios of converters that the user chose by options."""
+    """Gears, and speed ratios of converters, that options choose."""
 
     gears: tuple[str, ...]
     ratios: Mapping[str, float]
 
     def of(self, case: Transmission) -> list[WorkingGear]:
-        """Return the chosen gears of a case, with converters linearised at working points."""
+        """Return the chosen gears of a case, with converters linearised at operating points."""
         from vstatics.torsion.system.working_points import working_gear
 
         gears = [case.gears[index] for index in arguments.gear_indices(case, self.gears)]
@@ -101,7 +101,7 @@ class WorkingGears(NamedTuple):
 
 
 def working_options(*between: Option) -> Callable[[Command], Command]:
-    """Add options that choose gears and speed ratios, gathered in the parameter `chosen`."""
+    """Add the options of `WorkingGears`, which a command receives as `chosen`."""
     return gathered("chosen", WorkingGears, arguments.some_gears, *between, _speed_ratios)
 
 
@@ -118,7 +118,7 @@ def gear_of(case: Transmission, chosen: str | None) -> Gear:
     Raises
     ------
     UsageError
-        If the gear does not exist, or no gear is chosen and the case has several.
+        If the gear does not exist, or if no gear is chosen and the case has several gears.
     """
     if chosen is not None:
         return case.gears[arguments.gear_number(case, chosen) - 1]
@@ -129,12 +129,12 @@ def gear_of(case: Transmission, chosen: str | None) -> Gear:
 
 
 def link_name(case: Transmission, link: str, option: str) -> str:
-    """Return the name of a link that an option gives by number or name.
+    """Return the name of a link, which an option gives by number or name.
 
     Raises
     ------
     BadParameter
-        If the link does not exist, with the nearest name.
+        If the link does not exist; the message suggests the nearest name.
     """
     with wrong_value(option):
         return case.link_name(case.link_number(link))
@@ -143,13 +143,13 @@ def link_name(case: Transmission, link: str, option: str) -> str:
 def located(
     reading: Reading, texts_by_gear: Iterable[tuple[str, str]], identity: str
 ) -> list[Problem]:
-    """Return messages as problems at the places of gears.
+    """Return messages about gears as problems at the positions of these gears.
 
     Parameters
     ----------
     reading : Reading
     texts_by_gear : iterable of tuple
-        Name of a gear, and a message; empty messages are skipped.
+        Pairs of gear name and message; empty messages are skipped.
     identity : str
         Identity of the problems, such as E519.
     """
@@ -169,16 +169,16 @@ def gears_answer(
     answer: Answer,
     problems: Iterable[Problem],
 ) -> CaseAnswer:
-    """Return an answer about gears, which fails if gears have errors.
+    """Return an answer about gears, which fails if a gear has an error.
 
-    The errors are reported before other problems.
+    Errors are reported before other problems.
     """
     faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
     return CaseAnswer(grids, answer, [*faults, *problems], failed=bool(faults))
 
 
 def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
-    """Return notes on the slopes of springs with points, and warnings about converters."""
+    """Return notes about the slopes of nonlinear springs, and warnings about converters."""
     from vstatics.torsion.system.working_points import mean_gear
 
     by_name = {gear.name: gear for gear in reading.case.gears}
@@ -188,7 +188,7 @@ def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
 def working_notes(
     reading: Reading, gears: Iterable[WorkingGear], *, linearised: bool = False
 ) -> list[Problem]:
-    """Return notes about slopes of springs, and about friction, omitted or linearised."""
+    """Return notes about slopes of springs, and about friction that is omitted or linearised."""
     notes = _friction_notes(reading, linearised=linearised)
     return [*_slope_notes(reading, list(gears)), *notes]
 

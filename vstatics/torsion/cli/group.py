@@ -9,7 +9,7 @@ from vstatics.torsion.annex import ANNEX
 
 
 class TorsionCommands(LazyGroup):
-    """Commands of `vstatics torsion`, loaded when called."""
+    """Commands of `vstatics torsion`, imported only when called."""
 
     modules = ANNEX.groups["torsion"]
 

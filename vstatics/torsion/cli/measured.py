@@ -18,7 +18,7 @@ from vstatics.torsion.cli.observed import Observed, observed
 
 
 def _of_one_mode(command: Command) -> Command:
-    """Add the options of a case, a gear and a mode to a command."""
+    """Add to a command the options that choose a case, a gear and a mode."""
     for option in (
         elastic_case,
         click.option(
@@ -148,7 +148,7 @@ def _answer(
     of_gear: Callable[[Transmission, str], CaseAnswer],
     to: Destination | None = None,
 ) -> int:
-    """Answer about a gear; unknown modes or devices are reported as wrong use."""
+    """Answer about a gear; report an unknown mode or component as wrong use."""
 
     def calculate(reading: Reading) -> CaseAnswer:
         case = reading.case

@@ -1,4 +1,4 @@
-"""Options of an observed mode: frequency and decrement, extremes, or a record."""
+"""Options of a measured mode: frequency and decrement, extremes, or a record."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TIME = "time"
 
 
 class Observed(NamedTuple):
-    """Observation of a mode: a frequency, extremes with a period, or a column of a record."""
+    """Measurement of a mode: a frequency, extremes with a period, or a column of a record."""
 
     omega: float | None = None
     """Natural frequency. [rad/s]"""
@@ -30,13 +30,13 @@ class Observed(NamedTuple):
     peaks: list[float] | None = None
     """Successive maxima and minima of a recorded free vibration."""
     period: float | None = None
-    """Time between successive extremes of the same kind. [s]"""
+    """Time between successive maxima, or between successive minima. [s]"""
     record: str | None = None
     """Name of a file with a recorded vibration."""
     column: str | None = None
 
     def measured(self) -> tuple[float, float | None, Decay | None]:
-        """Return the frequency [rad/s], the decrement, and the decay of a record; None if unknown.
+        """Return the frequency [rad/s], the decrement [-] and the decay; None for unknown values.
 
         Raises
         ------
@@ -129,4 +129,4 @@ observed = gathered(
         ),
     ),
 )
-"""Options of an observation, passed to the command as `observation`."""
+"""Decorator with the options of a measurement, which a command receives as `observation`."""

@@ -36,7 +36,7 @@ MOST_SPEEDS = 100_000
 
 
 def speeds_of(text: str) -> Floats:
-    """Read a range A:B:N or a list of numbers."""
+    """Read numbers as a range A:B:N (N numbers from A to B) or as a list."""
     import numpy as np
 
     from vstatics.core.numerics.steps import Steps
@@ -52,7 +52,7 @@ def speeds_of(text: str) -> Floats:
 
 
 def _rpm(text: str) -> Floats:
-    """Read speeds [rpm] as a range or list, with or without units."""
+    """Read speeds as a range or list, with or without units, and return them in rpm."""
     from vstatics.core.readers.named.units import common_unit, quantity
 
     bare, unit = common_unit(text)
@@ -64,19 +64,19 @@ def _rpm(text: str) -> Floats:
 
 
 class Exciting(NamedTuple):
-    """Exciting torques, given by orders, by a table, or by orders chosen from a table."""
+    """Exciting torques: orders of 1 N*m, a table, or chosen orders of a table."""
 
     orders: Sequence[float] | None = None
     torque: str | None = None
-    """File with a table of torques."""
+    """Name of a file with a table of torques."""
 
     def harmonics(self) -> list[Harmonic]:
-        """Return the harmonics of the table, or given orders of 1 N*m.
+        """Return the harmonics of the table, or the given orders with 1 N*m.
 
         Raises
         ------
         BadParameter
-            If the table does not have a given order.
+            If the table does not contain a given order.
         """
         from vstatics.torsion.forced.harmonic_torques import Harmonic
         from vstatics.torsion.forced.torque_table import read_torque_table
@@ -96,7 +96,7 @@ class Exciting(NamedTuple):
 
 
 def drawn_torques(asked: PictureFiles) -> list[Harmonic]:
-    """Read the harmonics of the torque of a picture; empty without a file.
+    """Read the harmonics of the torque for a picture; return none without a file.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def drawn_torques(asked: PictureFiles) -> list[Harmonic]:
 
 
 def _input_of(gears: Sequence[WorkingGear]) -> str:
-    """Return the name of the common input of gears.
+    """Return the name of the input link that all gears have in common.
 
     Raises
     ------
@@ -121,7 +121,7 @@ def _input_of(gears: Sequence[WorkingGear]) -> str:
 
 
 def _unbounded(gear: GearResponse) -> str:
-    """Return a note about resonances without damping, or an empty text."""
+    """Return a note about undamped resonances, or an empty text."""
     speeds = [f"{r.speed:.6g}" for r in gear.resonances if not r.damped]
     if not speeds:
         return ""
@@ -133,9 +133,9 @@ def _unbounded(gear: GearResponse) -> str:
 
 
 def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
-    """Return a note about springs that are stuck in a response, or an empty text.
+    """Return a note about springs that dry friction keeps from twisting, or an empty text.
 
-    The torque of a spring that slides is at least the torque of its friction, ``4 M/pi``.
+    The torque of a sliding spring is at least ``4 M/pi`` for friction M.
     """
     import numpy as np
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 RULES = ("partial", "r", "b", "u")
 FORMS = [form for form in TABLES if form != "xlsx"]
-"""Formats of the printed steps."""
+"""Output formats of the steps of a simplification."""
 
 
 def _of_steps(
@@ -41,7 +41,7 @@ def _of_steps(
     telling: Telling,
     static_torque: float | None,
 ) -> OneCase:
-    """Return the request for one case; the answer, a table of the steps, is printed."""
+    """Return the request for a case; the answer, a table of the steps, is printed."""
     return OneCase(
         case,
         OutputOptions(FORMS, form, None, TextStyle()),
@@ -57,14 +57,14 @@ def _names(text: str) -> list[str]:
 
 
 class Reducing(NamedTuple):
-    """Rule of a simplification, and masses to remove or merge first."""
+    """Rule of a simplification, and the masses that are removed or merged first."""
 
     rule: SimplificationRule | None
     remove: Sequence[str] | None
     merge: Sequence[str] | None
 
     def simplified(self, scheme: TorsionScheme, frequencies: int) -> Simplification:
-        """Simplify a scheme down to a number of natural frequencies."""
+        """Simplify a scheme until it has a number of natural frequencies."""
         from vstatics.torsion.reduction.merging import simplify_merging
         from vstatics.torsion.reduction.simplification import simplify
 
@@ -196,7 +196,7 @@ def simplify_command(
 
 
 def _format_of(output: str | None, case: str) -> str:
-    """Return the format of the file of the scheme, from the suffix of the file."""
+    """Return the format of the output file with the scheme, according to its suffix."""
     if output is None:
         return ""
     files.spare([case], output)
@@ -207,7 +207,7 @@ def _format_of(output: str | None, case: str) -> str:
 
 
 def _lost_dampings(case: Transmission) -> list[str]:
-    """Warn of loss factors, which are not part of a scheme."""
+    """Return a warning about loss factors, which a scheme cannot contain."""
     devices: list[Spring | Mechanism | ShiftElement]
     devices = [*case.springs, *case.mechanisms, *case.shift_elements]
     names = [device.name for device in devices if damping(device.damping).loss_factor]

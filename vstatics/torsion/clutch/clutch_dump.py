@@ -1,4 +1,4 @@
-"""Clutch dump of a case: the links of each mass, and the given numbers."""
+"""Clutch dump of a case: the links that form each mass, and given numbers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NUMBERS = ("M_C0", "omega1", "M_phi", "E")
 
 
 class ClutchDump(NamedTuple):
-    """Clutch dump: the links that form the masses, and numbers that refer to links of the case.
+    """Clutch dump of a case: the links that form each mass, and numbers that refer to links.
 
     Parameters
     ----------
@@ -33,8 +33,8 @@ class ClutchDump(NamedTuple):
         Torque at which the tyres lose their grip, on the first link of J4, or of J5 if J4 is
         empty; infinite for tyres that always grip. [N*m]
     E : float, optional
-        Compliance from J2 to J5, on the link `to`. By default calculated from the elastic devices.
-        [rad/(N*m)]
+        Compliance from J2 to J5, reduced to the link `to`. By default calculated from the elastic
+        components. [rad/(N*m)]
     to : int, optional
         Link to which all values are reduced, and on which torques are reported. By default the
         first link of J2.

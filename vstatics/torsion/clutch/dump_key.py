@@ -76,7 +76,7 @@ DUMP = ByKey(
 
 
 def of_dump(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield problems of missing, unknown or repeated links, and of numbers out of range."""
+    """Yield problems of a dump: missing, unknown or repeated links, and numbers out of range."""
     dump = ClutchDump.of(case)
     if dump is None:
         return

@@ -1,13 +1,13 @@
 """Largest torque of a transmission after its clutch is dumped, in closed form.
 
 All inertias are reduced to a single shaft with a spring of compliance E. The clutch and the tyres
-stick or slip; a slipping clutch has 0.8 of its breakaway torque:
+stick or slip; the torque of a slipping clutch is 0.8 of its breakaway torque:
 
     J1 engine --clutch-- J2 disc, J3 transmission --E-- J4 wheels --grip-- J5 vehicle
 
-Between two events the torque oscillates about a level, so the largest torque follows from the
-torque and the rate of twist at the last event. If the torque reaches the limit at which the clutch
-or the tyres break away, the next oscillation begins.
+Between two events the torque of the spring oscillates about a mean, so its largest value follows
+from the torque and the rate of twist at the first event. If the torque reaches the limit at which
+the clutch or the tyres break away, the next oscillation begins.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3, table 3.6, figure 3.3, with the
 equation numbers of the book. Its cases A, Б, В are A, B, V here.
@@ -36,7 +36,7 @@ V1: the tyres grip. V2: the tyres break away after the clutch. V3: the tyres bre
 Contact = Literal["grip", "clutch"]
 """Contact that sticks or slips: the tyres on the road, or the clutch."""
 Slips = tuple[Contact, ...]
-"""Slipping contacts, in the order in which slip began."""
+"""Slipping contacts, in the order in which they began to slip."""
 
 _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
     (False, ("clutch",)): ("A2", "A1"),
@@ -47,24 +47,20 @@ _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
     (True, ("clutch", "grip")): ("V2", "V2"),
     (True, ("grip", "clutch")): ("V3", "V3"),
 }
-"""Cases for rolling and for clamped wheels, by (whether the clutch grabs, slipping contacts)."""
+"""(True if the clutch grabs, slipping contacts) -> case for rolling wheels, for clamped wheels."""
 
 DUMP_FORM = "vstatics-dump"
-"""Name of the format of answers about clutch dumps."""
+"""Name of the JSON format of answers about clutch dumps."""
 FIRST_APPROXIMATION = 1.5
-"""Initial speed divided by the rate of twist at an event, in the simplified forms. [-]
-
-Table 3.6 of the source uses this ratio.
-"""
+"""Initial speed divided by the rate of twist at an event, as in table 3.6 of the source. [-]"""
 
 MARGINS: Mapping[DumpCase, str] = {"B3": "2 to 4", "V2": "17 to 23", "V3": "2 to 4"}
-"""Excess of the closed form over a time integration of the scheme, for the vehicles of table 3.8.
-[%]
+"""Excess of the closed form over a numerical integration, for the vehicles of table 3.8. [%]
 """
 
 
 class DumpTorque(NamedTuple):
-    """Largest torques of a clutch dump, on the shaft of the scheme."""
+    """Largest torques of a clutch dump, reduced to the shaft of the spring."""
 
     case: DumpCase
     max_torque: float
@@ -72,9 +68,9 @@ class DumpTorque(NamedTuple):
     max_torque_simplified: float
     """Largest torque of the spring by the first approximation of table 3.6. [N*m]"""
     input_shaft_torque: float
-    """Torque between disc and transmission at `max_torque`, (3.16). [N*m]"""
+    """Torque between disc J2 and transmission J3 at `max_torque`, (3.16). [N*m]"""
     input_shaft_torque_simplified: float
-    """Torque between disc and transmission at `max_torque_simplified`. [N*m]"""
+    """Torque between disc J2 and transmission J3 at `max_torque_simplified`. [N*m]"""
     dynamic_factor: float
     """Ratio of `max_torque` to the torque of the slipping clutch, as in table 3.16. [-]"""
     dynamic_factor_of_least: float
@@ -86,15 +82,15 @@ class DumpTorque(NamedTuple):
     tyres_break_at: float
     """Torque of the spring above which the tyres slip; infinite if the tyres always grip. [N*m]"""
     grabs_below: float
-    """Engine speed below which the clutch grabs. [rad/s]"""
+    """Engine speed below which the clutch grabs, so that it sticks at once. [rad/s]"""
     engagement: Sometimes[Engagement] = None
-    """Dynamic factor of a gradual engagement, if a rate was given."""
+    """Dynamic factor of a gradual engagement; None without a rate."""
     messages: tuple[Message, ...] = ()
 
 
 @document(DUMP_FORM)
 class DumpAnswer(NamedTuple):
-    """Answer about the largest torques, for a file of numbers."""
+    """JSON document of the largest torques, for a file of numbers."""
 
     made: Flat[DumpTorque]
 
@@ -107,15 +103,15 @@ class Swing(NamedTuple):
     torque_by_speed: float
     """Amplitude of the torque divided by the amplitude of the rate of twist. [N*m*s/rad]
 
-    With the natural frequency K this is 1/(K E).
+    It is 1/(K E) for the natural frequency K.
     """
 
     def largest(self, torque: float, speed: float) -> float:
-        """Return the largest torque for an initial torque and rate of twist [N*m]."""
+        """Return the largest torque [N*m] for an initial torque and rate of twist."""
         return self.level + self._amplitude(torque, speed)
 
     def speed_at(self, limit: float, torque: float, speed: float) -> float | None:
-        """Return the rate of twist [rad/s] at a limit of the torque; None if not reached."""
+        """Return the rate of twist [rad/s] when the torque reaches a limit; None if it does not."""
         rise, amplitude = limit - self.level, self._amplitude(torque, speed)
         radicand = (amplitude - rise) * (amplitude + rise)
         if radicand < 0 or not self.torque_by_speed:
@@ -140,7 +136,7 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
     Returns
     -------
     DumpTorque
-        Largest torques [N*m], case of the table, and dynamic factors [-].
+        Largest torques [N*m], case of table 3.6, and dynamic factors [-].
 
     Raises
     ------
@@ -187,13 +183,13 @@ class _Course(NamedTuple):
     torque: float
     """Largest torque. [N*m]"""
     missed: DumpCase | None = None
-    """Case that would follow, but whose closed form has a negative radicand."""
+    """Case that would follow, but whose torque in closed form does not reach `limit`."""
     limit: float = math.inf
     """Torque at which the missed case would begin. [N*m]"""
 
 
 def _followed(given: Dump) -> _Course:
-    """Follow the events up to the oscillation in which no contact breaks away."""
+    """Follow the events until an oscillation in which neither clutch nor tyres break away."""
     grabs = given.boundary_speed > given.omega1
     slips: Slips = () if grabs else ("clutch",)
     torque, speed = 0.0, given.omega1 if grabs else 0.0
@@ -205,7 +201,7 @@ def _followed(given: Dump) -> _Course:
         breaks = min(sticking, key=limits.__getitem__, default=None)
         if breaks is None or not largest > limits[breaks]:
             return _Course(case, largest)
-        # (3.52), (3.61): an oscillation after an event is assumed to begin at its level
+        # By (3.52) and (3.61), a later oscillation is assumed to begin at its mean torque.
         at_limit = swing.speed_at(limits[breaks], swing.level if torque else 0.0, speed)
         if at_limit is None:
             return _Course(case, largest, _CASES[grabs, (*slips, breaks)][0], limits[breaks])
@@ -213,7 +209,7 @@ def _followed(given: Dump) -> _Course:
 
 
 def _swing(given: Dump, slips: Slips, clutch_torque: float) -> Swing:
-    """Return the oscillation of the torque while some contacts slip."""
+    """Return the oscillation of the torque while given contacts slip."""
     near, far = given.J2 + given.J3, given.J4
     near += given.J1 * ("clutch" not in slips)
     far += given.J5 if "grip" not in slips else 0.0
@@ -223,7 +219,7 @@ def _swing(given: Dump, slips: Slips, clutch_torque: float) -> Swing:
 
 
 def _part(inertia: float, other: float) -> float:
-    """Return the share of an inertia, which may be infinite, in a sum of two inertias [-]."""
+    """Return the share of an inertia, which can be infinite, in the sum of two inertias [-]."""
     return 1.0 if math.isinf(inertia) else inertia / (inertia + other)
 
 
@@ -248,7 +244,7 @@ def _simplified(given: Dump, case: DumpCase) -> float:
 
 
 def _input_shaft_torque(given: Dump, case: DumpCase, torque: float) -> float:
-    if case.startswith("B"):  # for a sticking clutch table 3.6 replaces (3.16)
+    if case.startswith("B"):  # table 3.6, instead of (3.16) for a slipping clutch
         return torque * (given.J1 + given.J2) / (given.J1 + given.J2 + given.J3)
     clutch_torque = given.slipping_torque if case.startswith("A") else given.M_C0
     return (clutch_torque * given.J3 + torque * given.J2) / (given.J2 + given.J3)
@@ -256,7 +252,7 @@ def _input_shaft_torque(given: Dump, case: DumpCase, torque: float) -> float:
 
 def _messages(given: Dump, result: DumpTorque, course: _Course) -> Iterator[Message]:
     case = result.case
-    if not case.startswith("A"):  # in B and V the clutch is assumed to grab at once
+    if not case.startswith("A"):  # B, V: the clutch grabs at once
         margin = ""
         if case in MARGINS:
             of_integration = f"{MARGINS[case]} % of an integration in time"

@@ -2,7 +2,9 @@
 
     J23 phi'' + phi/E = M_C (1 - exp(-K t))                                          (3.69)
 
-The twist phi and its rate are 0 at t = 0. The clutch always slips, and the wheels are at rest.
+J23 is the inertia between clutch and spring, E the compliance of the spring, M_C the final torque
+of the clutch. The twist phi and its rate are 0 at t = 0. The clutch always slips, and the wheels
+are at rest.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3.2.
 """
@@ -17,7 +19,7 @@ from vstatics.core.errors import CaseError, Problem
 from vstatics.torsion.tolerances import LEAST_RATE, SAME_ANGLE
 
 GROWN = 3.0
-"""Value of K t from which the clutch is assumed to have reached its torque. [-]"""
+"""Value of K t at which the clutch counts as engaged with its final torque. [-]"""
 
 
 class Engagement(NamedTuple):
@@ -30,12 +32,12 @@ class Engagement(NamedTuple):
 
 
 def engagement(rate: float, inertia: float, compliance: float) -> Engagement:
-    """Calculate the dynamic factor by (3.70), the solution of (3.69).
+    """Calculate the dynamic factor of a gradual engagement by (3.70), the solution of (3.69).
 
     Parameters
     ----------
     rate : float
-        Rate K. [1/s]
+        Rate K of the torque of the clutch. [1/s]
     inertia : float
         Inertia J23 between clutch and spring. [kg*m^2]
     compliance : float
@@ -68,9 +70,9 @@ def rate_problems(rate: float | None) -> Iterator[Problem]:
 def _factor(k: float) -> float:
     """Return the first maximum of (3.70) after t = 3/K, for k = K/K_c with K_c = 1/sqrt(J23 E).
 
-    In terms of the angle x = K_c t, its slope is 0 if ``sin(x - a) = -exp(-k x)/sqrt(1 + k^2)``
-    with a = atan(1/k), and (3.70) is then ``1 - cos x``. For x > 3/k the right-hand side is smaller
-    than 0.05 in magnitude, so each turn has one maximum, slightly after ``x - a = pi``.
+    With the angle x = K_c t, the derivative of (3.70) is 0 if ``sin(x - a) = -exp(-k x)/sqrt(1 +
+    k^2)`` with a = atan(1/k), and (3.70) is then ``1 - cos x``. For x > 3/k the right-hand side is
+    smaller than 0.05 in magnitude, so each turn has one maximum, slightly after ``x - a = pi``.
     """
     k = min(max(k, LEAST_RATE), 1e99)  # the factor is constant outside these limits
     a, size = math.atan2(1, k), math.hypot(1, k)

@@ -40,19 +40,19 @@ EXPECTED = (
 
 
 class DumpFile(NamedTuple):
-    """Clutch dump of a file."""
+    """Clutch dump read from a file."""
 
     given: Dump
     spots: Spots
-    """Places of the numbers in the file."""
+    """Positions of the numbers in the file."""
 
     def torque(self, rate: float | None = None) -> DumpTorque:
-        """Calculate the largest torques.
+        """Calculate the largest torques; see `dump` for the rate.
 
         Raises
         ------
         ReadError
-            If `dump` raises an error, with the places of the numbers.
+            If the torques cannot be calculated, with the positions of the numbers.
         """
         try:
             return dump(self.given, rate)
@@ -61,7 +61,7 @@ class DumpFile(NamedTuple):
 
 
 def is_of_case(data: bytes, file: str) -> bool:
-    """Return whether a document is a case, rather than a file of numbers.
+    """Return whether a document is a case and not a file of numbers.
 
     Examples
     --------
@@ -69,7 +69,7 @@ def is_of_case(data: bytes, file: str) -> bool:
     (True, False)
     """
     from vstatics.core.readers import format_of
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # importing yaml takes time
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # slow import
 
     file_format = format_of(file, data)
     if file_format in ("deck", "xlsx"):
@@ -95,7 +95,7 @@ def read_dump(data: bytes, file: str) -> DumpFile:
     Raises
     ------
     ReadError
-        If the file is not valid, with all problems and their places.
+        If the file is not valid, with all problems and their positions.
 
     Examples
     --------

@@ -1,10 +1,10 @@
-"""Largest torques after a clutch dump in the gears of a case, by reduction to a single link.
+"""Largest torques after a clutch dump in the gears of a case, reduced to a single link.
 
 The best reference link is the shaft whose torque is of interest, such as the propshaft or the
 half-shafts (I. S. Tsitovich, V. B. Algin, Vehicle dynamics, 1981, 3.3).
 
 The compliance E is the angle by which the disc turns under a torque of 1 N*m while the vehicle is
-held. All elastic devices in the path of the power contribute: shafts, parallel shafts, and the
+held. All elastic components in the path of the power contribute: shafts, parallel shafts, and the
 mounting of a casing that takes a reaction.
 """
 
@@ -38,7 +38,7 @@ class GearDump(NamedTuple):
     to: str
     """Name of the reference link."""
     given: Unfailed[Dump] = None
-    """Numbers reduced to the reference link."""
+    """Numbers of the dump, reduced to the reference link."""
     made: Flat[DumpTorque | None] = None
     """Largest torques on the reference link."""
     error: Failure = ""
@@ -47,14 +47,14 @@ class GearDump(NamedTuple):
 
 @document(DUMP_FORM)
 class GearDumpAnswer(NamedTuple):
-    """Answer about the largest torques in a gear."""
+    """JSON document of the largest torques in a gear."""
 
     gear: Flat[GearDump]
 
 
 @document(DUMP_FORM)
 class GearsDumpAnswer(NamedTuple):
-    """Answer about the largest torques in several gears."""
+    """JSON document of the largest torques in several gears."""
 
     gears: Sequence[GearDump]
 
@@ -63,7 +63,7 @@ class GearsDumpAnswer(NamedTuple):
 def gear_dumps(
     case: Transmission, gears: Sequence[int | str] | None = None, rate: float | None = None
 ) -> list[GearDump]:
-    """Calculate the largest torques after the clutch of a case is dumped, gear by gear.
+    """Calculate the largest torques after the clutch of a case is dumped, in each gear.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def gear_dumps(
     Returns
     -------
     list of GearDump
-        Numbers reduced to the reference link, and largest torques [N*m].
+        For each gear: numbers reduced to the reference link, and largest torques [N*m].
 
     Raises
     ------
@@ -153,7 +153,7 @@ def _reduced(
     inertias: Mapping[str, float],
     speeds: Sequence[float | None],
 ) -> Dump | str:
-    """Reduce the numbers of a dump to the reference link, or return a reason for failure."""
+    """Reduce the numbers of a dump to the reference link, or return why this is impossible."""
     by_link: dict[int, float] = {}
     for name, links in clutch.masses.items():
         for link in links:
@@ -185,9 +185,9 @@ def _reduced(
 def _masses(
     case: Transmission, system: TorsionalSystem, clutch: ClutchDump, speeds: Sequence[float | None]
 ) -> tuple[dict[str, float], list[str]]:
-    """Return the reduced inertias of J1 to J5, and the names of rotating bodies not in them.
+    """Return the reduced inertias of J1 to J5, and the names of other rotating bodies.
 
-    Planets belong to the mass of a link of their gear set, preferably the carrier.
+    Planets belong to the same mass as a link of their gear set, preferably the carrier.
     """
     owners = {link: name for name, links in clutch.masses.items() for link in links}
     totals = dict.fromkeys(clutch.masses, 0.0)
@@ -214,9 +214,9 @@ def _links_of_set(case: Transmission, planet: str) -> list[int]:
 def path_compliance(
     system: TorsionalSystem, near: Sequence[int], speeds: Sequence[float], far: Sequence[int]
 ) -> float | None:
-    """Calculate the compliance between near links and held links, on the reference link.
+    """Calculate the compliance between near links and held links, reduced to the reference link.
 
-    Of all elastic torques M that balance a torque of 1 N*m on the reference link, the actual
+    Among all elastic torques M that balance a torque of 1 N*m on the reference link, the actual
     torques have the smallest ``sum E M^2``, which is the compliance (Castigliano). For a chain the
     result is the sum of the reduced compliances.
 
@@ -233,7 +233,7 @@ def path_compliance(
     Returns
     -------
     float or None
-        Compliance [rad/(N*m)], or None if no device resists the torque.
+        Compliance [rad/(N*m)], 0 if the connection is rigid, None if nothing resists the torque.
 
     Examples
     --------

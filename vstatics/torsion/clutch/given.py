@@ -1,4 +1,4 @@
-"""Given numbers of a clutch dump, and the torque and speed limits that follow from them.
+"""Numbers of a clutch dump, and the limits of torque and speed that follow from them.
 
 Numbers of equations refer to I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3.
 """
@@ -12,15 +12,15 @@ from typing import NamedTuple
 from vstatics.core.errors import Problem
 
 UNBOUNDED = ("J4", "J5", "M_phi")
-"""Names of numbers that may be infinite."""
+"""Names of numbers that can be infinite."""
 FROM_0 = ("J3", "J4")
-"""Names of numbers that may be 0."""
+"""Names of numbers that can be 0."""
 SLIPPING = 0.8
-"""Torque of a slipping clutch divided by the breakaway torque, (3.9). [-]"""
+"""Torque of a slipping clutch, relative to its breakaway torque, (3.9). [-]"""
 
 
 class Dump(NamedTuple):
-    """Numbers of a clutch dump on a single shaft, in SI units or in consistent relative units.
+    """Numbers of a clutch dump on a single shaft, in SI units or consistent relative units.
 
     Examples
     --------
@@ -30,7 +30,7 @@ class Dump(NamedTuple):
     """
 
     J1: float
-    """Inertia of the engine and of the driving parts of the clutch. [kg*m^2]"""
+    """Inertia of the engine and the driving parts of the clutch. [kg*m^2]"""
     J2: float
     """Inertia of the driven disc. [kg*m^2]"""
     J3: float
@@ -57,7 +57,7 @@ class Dump(NamedTuple):
     def boundary_speed(self) -> float:
         """Engine speed below which the clutch grabs, (3.14) [rad/s].
 
-        Because of free play, the clutch accelerates only the disc.
+        Because of backlash, the clutch at first accelerates only the disc J2.
         """
         return self.slipping_torque * math.sqrt(self.E / self.J2)
 
@@ -78,7 +78,7 @@ class Dump(NamedTuple):
 
 
 def dump_problems(given: Dump) -> Iterator[Problem]:
-    """Yield problems of numbers that are out of range."""
+    """Yield a problem for each number out of its range."""
     for name, value in given._asdict().items():
         must_be_finite, can_be_zero = name not in UNBOUNDED, name in FROM_0
         if not (value > 0 or (can_be_zero and value == 0)) or (

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from vstatics.core.tables.grid import Grid, Values, grid_of
 from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
 
-if TYPE_CHECKING:  # gear_dump needs scipy, which a file of numbers does not need
+if TYPE_CHECKING:  # a file of numbers needs no scipy, unlike gear_dump
     from vstatics.torsion.clutch.gear_dump import GearDump
 
 HAPPENS: Mapping[DumpCase, str] = {
@@ -22,7 +22,7 @@ HAPPENS: Mapping[DumpCase, str] = {
     "V2": "the clutch grabs and breaks away, then the wheels",
     "V3": "the clutch grabs, the wheels break away, then the clutch",
 }
-"""Course of events in each case of a dump, in words for titles."""
+"""Course of events in each case of a dump, as the title of a table."""
 
 
 def grids(result: DumpTorque) -> Iterator[Grid]:
@@ -78,7 +78,7 @@ _LABELS = {
 
 
 def gear_grids(gear: GearDump) -> Iterator[Grid]:
-    """Yield the tables of `grids` and of reduced values, or the reason why a gear failed."""
+    """Yield the tables of `grids` and of reduced values, or the reason why these are missing."""
     if gear.made is not None:
         yield from grids(gear.made)
     yield from _reduced([gear])
@@ -86,7 +86,7 @@ def gear_grids(gear: GearDump) -> Iterator[Grid]:
 
 
 def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
-    """Yield tables of the largest torques, the reduced values and the messages of all gears.
+    """Yield tables of largest torques, reduced values and messages, with a column for each gear.
 
     Examples
     --------

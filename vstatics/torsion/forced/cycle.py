@@ -1,4 +1,4 @@
-"""Sum of several orders: the largest value over a cycle, and the root mean square."""
+"""Sum of several orders: its largest value over a cycle, and its root mean square."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.tolerances import SAME_ORDER
 
 MOST_REVOLUTIONS = 720
-"""Longest common cycle, in revolutions; if it is longer, amplitudes of orders are added."""
+"""Longest common cycle of orders, in revolutions; for a longer cycle, amplitudes are added."""
 POINTS_PER_PERIOD = 32
-"""Starting points of Newton's method for the largest value, per period of the highest order."""
+"""Number of evaluated points per period of the highest order, before Newton's method."""
 MOST_POINTS = 1_000_000
-"""Largest number of starting points; if more are needed, amplitudes of orders are added."""
+"""Largest number of evaluated points; if more are needed, amplitudes are added."""
 
 
 class Sum(NamedTuple):
     """Sum of all orders at each speed."""
 
     largest: Floats
-    """Largest value over a cycle, with speeds along the last axis."""
+    """Largest magnitude over a cycle; the last axis is the speed."""
     rms: Floats
-    """Root mean square over a cycle, with speeds along the last axis."""
+    """Root mean square over a cycle; the last axis is the speed."""
 
 
 def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
-    """Sum harmonics ``Re(a exp(i order angle))``.
+    """Sum harmonics ``Re(a exp(i order angle))`` over the angle of the excited link.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
 
 
 def _cycle(orders: Sequence[float]) -> float | None:
-    """Return the revolutions of the common cycle of all orders; None if the cycle is too long."""
+    """Return the number of revolutions after which all orders repeat; None if it is too large."""
     parts = [Fraction(order).limit_denominator(MOST_REVOLUTIONS) for order in orders]
     if any(
         abs(float(part) - order) > SAME_ORDER * order
@@ -77,7 +77,7 @@ def _cycle(orders: Sequence[float]) -> float | None:
 
 
 def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
-    """Return the largest absolute value of the sum over a cycle, for each column of amplitudes."""
+    """Return the largest magnitude of the sum over a cycle, for each column of amplitudes."""
     waves = np.exp(turning[:, None] * angles)
     highest = np.empty(amplitudes.shape[1])
     angle = np.empty((amplitudes.shape[1], 4))
@@ -85,7 +85,7 @@ def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
         values = np.abs((column[:, None] * waves).sum(axis=0).real)
         highest[number], angle[number] = values.max(), angles[np.argsort(values)[-4:]]
     amplitudes, turning = amplitudes[:, :, None], turning[:, None, None]
-    for _ in range(8):  # Newton's method, from the four highest points of each column
+    for _ in range(8):  # Newton's method, from the four largest values in each column
         terms = amplitudes * np.exp(turning * angle)
         slope = (turning * terms).sum(axis=0).real
         bend = (turning**2 * terms).sum(axis=0).real

@@ -1,8 +1,8 @@
-"""Dry friction of springs under a harmonic torque, as the equivalent damper of each amplitude.
+"""Dry friction of springs under a harmonic torque, as an equivalent damper.
 
 The friction M of a spring whose twist has the amplitude A at the frequency w dissipates as much as
-the damper ``4 M/(pi A w)``. Its torque then has the amplitude ``4 M/pi``, whatever A is, in phase
-with the rate of twist; a smaller torque does not move the spring, which is stuck.
+the damper ``4 M/(pi A w)``. The torque of this damper has the amplitude ``4 M/pi`` for any A, in
+phase with the rate of twist. Under a smaller torque the spring is stuck: it does not twist.
 """
 
 from __future__ import annotations
@@ -26,32 +26,32 @@ from vstatics.torsion.tolerances import (
 )
 
 _MOST_FRICTION_SWEEPS = 40
-"""Largest number of sweeps over all springs, one by one."""
+"""Largest number of passes in which the torques of all springs are updated one by one."""
 _MOST_FRICTION_STEPS = 60
-"""Largest number of Newton steps for frequencies at which the sweeps do not settle."""
+"""Largest number of Newton steps for frequencies at which the passes do not converge."""
 _MOST_NEWTON_HALVINGS = 12
 """Largest number of times that a Newton step is halved."""
 _RATE_SCALES = (1.0, 0.1, 10.0, 0.01, 100.0)
-"""Scales of the rates of twist that are tried one after another. [-]"""
+"""Scales of the rates of twist in Newton's method, tried one after another. [-]"""
 
 
 def sliding_torque(spring: Spring) -> float:
-    """Return the amplitude of the friction torque of a spring that slides [N*m]."""
+    """Return the amplitude of the friction torque of a sliding spring [N*m]."""
     return 4 / math.pi * spring.friction
 
 
 class DryFriction(NamedTuple):
-    """Springs of a gear that have dry friction."""
+    """Springs with dry friction in a gear."""
 
     names: tuple[str, ...]
     rows: Floats
-    """Twists of the springs, shape (springs, links)."""
+    """Matrix from angles of links to twists of the springs, shape (springs, links)."""
     limits: Floats
-    """Amplitude ``4 M/pi`` of the torque of each spring that slides. [N*m]"""
+    """Amplitude ``4 M/pi`` of the friction torque of each spring while it slides. [N*m]"""
 
     @classmethod
     def of(cls, case: Transmission, system: TorsionalSystem) -> DryFriction:
-        """Return the springs of a case with dry friction."""
+        """Return the springs with dry friction of a case."""
         twists = {device.name: device.twist for device in (*system.devices, *system.dampers)}
         springs = [spring for spring in case.springs if spring.friction and spring.name in twists]
         names = tuple(spring.name for spring in springs)
@@ -61,14 +61,14 @@ class DryFriction(NamedTuple):
     def torques(
         self, amplitudes: Complex, by_torque: Sequence[Complex], omegas: Floats
     ) -> dict[str, Complex]:
-        """Return the torque of the friction of each spring, shape (frequencies,) [N*m].
+        """Return the friction torque of each spring, complex, shape (frequencies,) [N*m].
 
         Parameters
         ----------
         amplitudes : ndarray, shape (links, frequencies)
             Amplitudes of the links without friction. [rad]
         by_torque : sequence of ndarray, shape (links, frequencies)
-            Amplitudes of the links under 1 N*m on the twist of each spring. [rad]
+            For each spring, amplitudes of the links under 1 N*m that twists it. [rad]
         omegas : ndarray, shape (frequencies,)
             Angular frequencies; at 0 there is no friction. [rad/s]
         """
@@ -84,21 +84,21 @@ class DryFriction(NamedTuple):
 def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Complex:
     """Return the torques of dry friction at given frequencies.
 
-    Each torque resists the twist ``free - receptance @ torques``.
+    Each torque resists the resulting twist ``free - receptance @ torques``.
 
     Parameters
     ----------
     free : ndarray, shape (frequencies, springs)
         Twists without friction. [rad]
     receptance : ndarray, shape (frequencies, springs, springs)
-        Twists by torques of 1 N*m on the springs. [rad/(N*m)]
+        Twist of each spring per unit torque on each spring. [rad/(N*m)]
     limits : ndarray, shape (springs,)
-        Amplitude of the torque of a spring that slides. [N*m]
+        Amplitude of the torque of each spring while it slides. [N*m]
 
     Returns
     -------
     ndarray, shape (frequencies, springs)
-        NaN where no solution was found. [N*m]
+        Complex torques; NaN where no solution was found. [N*m]
 
     Examples
     --------
@@ -138,7 +138,7 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
 
 
 def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
-    """Return the torque of a spring from its twist without this torque, and its receptance."""
+    """Return the torque of a spring from its twist without it (`left`) and its receptance."""
     stuck = np.abs(left) <= limit * np.abs(alone)
     resisted, size = limit * alone.imag, np.abs(left) ** 2 - (limit * np.abs(alone)) ** 2
     with np.errstate(all="ignore"):
@@ -153,10 +153,10 @@ def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
 def _newton(
     free: Complex, receptance: Complex, limits: Floats, torques: Complex, factor: float
 ) -> Complex:
-    """Return torques by the semismooth Newton method, with NaN where it does not settle.
+    """Return torques by a semismooth Newton method, with NaN where it does not converge.
 
-    The torque of a spring is the point of the disc of its limit nearest to the torque plus the
-    scaled rate of twist, which holds for sliding and stuck springs alike.
+    A complex torque lies in a disc with its limit as radius. Sliding or stuck, it is the point of
+    the disc that is nearest to the torque plus the scaled rate of twist.
     """
     count = len(limits)
     sizes = np.abs(np.diagonal(receptance, axis1=1, axis2=2))

@@ -1,4 +1,4 @@
-"""Forced vibration: amplitudes of links and torques of devices under harmonic torques."""
+"""Forced vibration: amplitudes of links and torques of components under harmonic torques."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from vstatics.torsion.vibration.natural import NaturalModes, natural_modes
 from vstatics.torsion.vibration.torques import balance, own_torques, with_rigid
 
 MOST_ENTRIES = 1_000_000
-"""Largest number of matrix entries in a batch of linear systems."""
+"""Largest number of matrix entries in a batch of linear systems, which limits the memory."""
 
 
 class Harmonic(NamedTuple):
@@ -58,15 +58,15 @@ class Harmonic(NamedTuple):
 
 
 class OrderResponse(NamedTuple):
-    """Response to an order, as complex arrays of shape (speeds,), with NaN for undefined values.
+    """Response to an order: complex arrays of shape (speeds,), with NaN for undefined values.
 
     Attributes
     ----------
     order : float
     amplitudes : mapping
-        Amplitudes of the links of the case. [rad]
+        Name of a link -> amplitudes. [rad]
     torques : mapping
-        Torques on the first links of devices, with the keys of `torques` in results. [N*m]
+        Name of a component -> torques on its first link. [N*m]
     """
 
     order: float
@@ -75,21 +75,21 @@ class OrderResponse(NamedTuple):
 
 
 class Resonance(NamedTuple):
-    """Speed at which an order excites a mode at the natural frequency."""
+    """Speed at which the frequency of an order equals the natural frequency of a mode."""
 
     order: float
     mode: int
-    """Number of the mode, from 1, as in `modes`."""
+    """Number of the mode in `modes`, from 1."""
     speed: float
     """Speed of the excited link. [rpm]"""
     participation: float
-    """Amplitude of the excited link, relative to the largest amplitude of the mode. [-]"""
+    """Amplitude of the excited link in the mode, relative to the largest amplitude. [-]"""
     damped: bool = True
     """True if the mode is damped; the response of an undamped mode is unbounded."""
 
 
 class SummedResponse(NamedTuple):
-    """Sums of all orders, with the keys of `OrderResponse`."""
+    """Sums of all orders, by names of links and components as in `OrderResponse`."""
 
     amplitudes: Mapping[str, Sum]
     torques: Mapping[str, Sum]
@@ -101,17 +101,17 @@ class GearResponse(NamedTuple):
 
     name: str
     speeds: Floats
-    """Given speeds, and resonances of damped modes between the given speeds. [rpm]"""
+    """Given speeds, and the resonances of damped modes between them. [rpm]"""
     orders: Sequence[OrderResponse] = ()
     resonances: Sequence[Resonance] = ()
     error: Failure = ""
     sum: Sometimes[SummedResponse] = None
     """Sum of all orders, if requested."""
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
-    """Converters by name, linearised at working points."""
+    """Converters by name, linearised at operating points."""
 
     def with_sum(self) -> GearResponse:
-        """Return the response with the sum of all orders."""
+        """Return the response, including the sum of all orders."""
         orders = [response.order for response in self.orders]
 
         def total(by_order: Sequence[Mapping[str, Complex]]) -> dict[str, Sum]:
@@ -151,12 +151,13 @@ def response(  # noqa: PLR0913 - all but the first by name
     gears : sequence of int or str, optional
         Numbers (from 1) or names of gears. By default all gears.
     speed_ratios : mapping of str to float, optional
-        Speed ratios of converters, instead of those of the gears. [-]
+        Name of a converter -> speed ratio, instead of the ratio in the gear. [-]
 
     Returns
     -------
     list of GearResponse
-        Complex amplitudes of links [rad] and torques of devices [N*m] for each order, resonances.
+        For each gear: complex amplitudes of links [rad] and torques of components [N*m] for each
+        order, and resonances.
 
     Raises
     ------
@@ -217,7 +218,7 @@ def _gear_response(
     orders = []
     friction = DryFriction.of(case, system)
     for harmonic in harmonics:
-        with np.errstate(over="ignore", invalid="ignore"):  # absurd speeds give NaN
+        with np.errstate(over="ignore", invalid="ignore"):  # extreme speeds give NaN
             omegas = harmonic.order * RAD_PER_RPM * speeds
             moved = partial(_amplitudes, system, split, omegas, natural.omegas[undamped])
             torque = harmonic.amplitude * np.exp(1j * harmonic.phase)
@@ -247,7 +248,7 @@ def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
 
 
 def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
-    """Return a mask of the modes in which devices, dampers and converters dissipate no energy."""
+    """Return a flag for each mode, True if nothing dissipates energy in it."""
     resisted = np.zeros(natural.omegas.shape)
     stored = np.zeros(natural.omegas.shape)
     for device in system.elastic:
@@ -262,7 +263,7 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
 
 
 def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
-    """Insert each peak between successive speeds that enclose it; keep the order of the speeds."""
+    """Insert each peak between successive speeds that enclose it, rising or falling [rpm]."""
     places: list[int] = []
     inserted: list[float] = []
     for speed in set(peaks):
@@ -278,9 +279,10 @@ def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
 def _amplitudes(
     system: TorsionalSystem, split: Coordinates, omegas: Floats, undamped: Floats, forces: Floats
 ) -> Complex:
-    """Calculate the amplitudes of all links under forces on free motions, (links, speeds) [rad].
+    """Calculate the amplitudes of links under generalised forces, shape (links, speeds) [rad].
 
-    Amplitudes are NaN at the frequency of an undamped mode, and at 0 if rigid motions exist.
+    Amplitudes are NaN at the frequency of an undamped mode, and at frequency 0 if a motion without
+    twist is possible.
     """
     unbounded = np.any(np.abs(omegas[:, None] - undamped) <= NO_POWER * undamped, axis=1)
     unbounded |= (omegas == 0) & (split.rigid.shape[1] > 0)
@@ -297,7 +299,7 @@ def _amplitudes(
 def _solved(
     matrices: tuple[Floats, Floats, Floats, Floats], forces: Floats, omegas: Floats
 ) -> Complex:
-    """Solve for the amplitudes of free motions, shape (speeds, motions)."""
+    """Solve for the amplitudes of the free coordinates, shape (speeds, coordinates)."""
     mass, stiffness, resistance, hysteresis = matrices
     omega = omegas[:, None, None]
     dynamic = stiffness + 1j * (omega * resistance + np.sign(omega) * hysteresis) - omega**2 * mass
@@ -307,7 +309,7 @@ def _solved(
     forced = (forces * scale)[:, :, None].astype(complex)
     try:
         solved: Complex = np.linalg.solve(scaled, forced)
-    except np.linalg.LinAlgError:  # at least one of the matrices is singular
+    except np.linalg.LinAlgError:  # a matrix of the batch is singular
         if len(omegas) == 1:
             return np.full(scale.shape, np.nan, complex)
         each = [_solved(matrices, forces, omegas[[n]]) for n in range(len(omegas))]
@@ -322,7 +324,7 @@ def _torques(
     amplitudes: Complex,
     friction: Mapping[str, Complex],
 ) -> dict[str, Complex]:
-    """Calculate the torques on the first links of devices, shape (speeds,) [N*m].
+    """Calculate the torques on the first links of components, shape (speeds,) [N*m].
 
     Parameters
     ----------

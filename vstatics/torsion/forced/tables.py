@@ -1,4 +1,4 @@
-"""Tables of forced vibration: largest values for readers, or all speeds for programs."""
+"""Tables of forced vibration: largest values for people, or values at all speeds for programs."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
 
 
 def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    """Yield tables for each order, with a row for each speed, and a column for each name."""
+    """Yield tables for each order, with a row for each speed and a column for each name."""
     yield _resonances(gears)
     yield from _faults(gears)
     for gear in gears:
@@ -109,7 +109,7 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
     rows: list[Row] = [
         [
             gear.name,
-            Cell(f"{resonance.order:g}", resonance.order, kind=float),  # as usual: 2, 4.5
+            Cell(f"{resonance.order:g}", resonance.order, kind=float),  # short: 2, 4.5
             whole(resonance.mode),
             exact(resonance.speed, 1),
             exact(resonance.participation),

@@ -21,15 +21,15 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
     Parameters
     ----------
     data : bytes
-        Line of headings, `order`, `amplitude` [N*m] and optionally `phase` [rad], then a line for
-        each order. Headings can be followed by other units in brackets.
+        CSV: a line with the headings `order`, `amplitude` [N*m] and optionally `phase` [rad], then
+        a line for each order. Headings can be followed by other units in brackets.
     file : str
         Name of the file, for messages.
 
     Raises
     ------
     ReadError
-        If the table is not valid, with all problems and their places.
+        If the table is not valid, with all problems and their positions.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Picture of the largest torques after a clutch dump by gear, with the limits of sticking."""
+"""Picture of the largest torques after a clutch dump in each gear, with breakaway limits."""
 
 from __future__ import annotations
 
@@ -31,21 +31,21 @@ _WORDS: Mapping[DumpCase, str] = {
     "V2": "the clutch breaks away, then the tyres",
     "V3": "the tyres break away, then the clutch",
 }
-"""Course of events in each case of a dump, in words for its row."""
+"""Course of events in each case of a dump, as printed in the row of a gear."""
 DUMP_ROW, BAR_HEIGHT, THIN_BAR_HEIGHT = 35.0, 9.0, 4.0
-"""Heights of the row of a gear, and of its two bars. [pt]"""
+"""Height of the row of a gear, and of its two bars. [pt]"""
 TORQUE_SCALE_HEIGHT = 42.0
 """Height of the scale of torques. [pt]"""
 WORDS_WIDTH = 140.0
 """Width of the text about the course of a dump. [pt]"""
 FARTHEST_LIMIT = 1.6
-"""Largest limit of sticking that is drawn, relative to the largest torque of a bar."""
+"""Largest breakaway limit that is drawn, relative to the largest torque of all bars."""
 LIMIT_OVER = 3.0
-"""Length of the mark of a limit beyond the bar, on both sides. [pt]"""
+"""Length by which the mark of a limit extends beyond the bar, above and below. [pt]"""
 
 
 class _Limits(NamedTuple):
-    """Styles of the marks of limits, and of the torque by the simplified formula."""
+    """Line styles of the marks of breakaway limits, and of the torque by the simplified formula."""
 
     slips: Look
     clutch: Look
@@ -54,7 +54,7 @@ class _Limits(NamedTuple):
 
     @staticmethod
     def of(style: Style) -> _Limits:
-        """Return the marks in the colours of a style."""
+        """Return the line styles in the colours of a style."""
         return _Limits(
             {"color": style.ink, "width": 1.2, "linestyle": (0, (2, 1.5))},
             {"color": style.engaged, "width": 1.8},
@@ -64,7 +64,7 @@ class _Limits(NamedTuple):
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
-    """Draw the largest torques in all gears of a case, or in some, on pages.
+    """Draw the largest torques in all gears of a case, or in given gears, on pages.
 
     Raises
     ------
@@ -142,12 +142,12 @@ def _signs(dumps: Sequence[GearDump], scale: AxisScale, style: Style) -> list[Me
 
 
 def _bars(style: Style) -> tuple[Look, Look]:
-    """Return the looks of the bars of the largest torque and the input-shaft torque."""
+    """Return the styles of the bars of the largest torque and of the input-shaft torque."""
     return {"facecolor": style.power}, {"facecolor": style.faint}
 
 
 def _draw_gear(pen: Pen, middle: float, result: DumpTorque) -> None:
-    """Draw the bars and limits of a gear, centred at the ordinate `middle` [pt]."""
+    """Draw the bars and limits of a gear, centred at the height `middle` [pt]."""
     style, looks = pen.style, _Limits.of(pen.style)
     (most, least), unit = _bars(style), style.text("N·m")
     low = middle - BAR_HEIGHT / 2 + 2.0

@@ -1,4 +1,4 @@
-"""Natural modes of pictures, and texts about gears without modes."""
+"""Natural modes for pictures, and texts about gears without modes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
-    """Calculate the natural modes of gears, by numbers from 1, or of all gears.
+    """Calculate the natural modes of gears with given numbers (from 1), or of all gears.
 
     Raises
     ------

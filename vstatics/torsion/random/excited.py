@@ -1,10 +1,10 @@
 """Gear with a single input u as a first-order system ``x' = A x + b u``, with angles ``C x + h u``.
 
-The coordinates are natural modes, rigid motions and damped massless motions, which creep. Massless
-motions without damping are in elastic equilibrium, so that the input moves them immediately,
-``h u``. A link with a given motion carries rigidly connected links and undamped massless links
-along immediately; it acts on masses through springs and dampers only. The states are shifted so
-that the rate of the input does not appear.
+The input u is a torque on a link or the angle of the link. The coordinates are natural modes, rigid
+motions and damped massless motions, which creep. Massless motions without damping are in elastic
+equilibrium, so that they follow the input immediately: ``h u``. A link with a given motion also
+moves rigidly connected links and undamped massless links immediately; it acts on masses through
+springs and dampers only. The states are shifted so that the rate of the input does not appear.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from vstatics.torsion.vibration.natural import NaturalModes, natural_modes, weig
 
 @dataclass(frozen=True)
 class FirstOrder:
-    """First-order system of an excited gear.
+    """First-order system of an excited gear, see the module.
 
-    The states are modal coordinates times natural frequencies, coordinates of massless motions,
-    then speeds of modes and of rigid motions.
+    The states are modal coordinates times natural frequencies, coordinates of massless motions, and
+    speeds of modes and of rigid motions, in this order.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class FirstOrder:
     input : ndarray, shape (states,)
         Vector b.
     angles : ndarray, shape (links, states)
-        Matrix C: angles of links without the contribution of rigid motions.
+        Matrix C: angles of links, without the contribution of rigid motions.
     drift : ndarray, shape (links, states)
         Speeds of links in rigid motions.
     at_once, drift_at_once : ndarray, shape (links,)
@@ -54,7 +54,7 @@ class FirstOrder:
 
 @dataclass(frozen=True)
 class ExcitedGear:
-    """Gear that is excited by a torque on a link, or by a given motion of the link."""
+    """Gear that is excited by a torque on a link, or by a given motion of this link."""
 
     free: TorsionalSystem
     at: int
@@ -63,7 +63,7 @@ class ExcitedGear:
 
     @cached_property
     def system(self) -> TorsionalSystem:
-        """System in which a link with a given motion is held."""
+        """Torsional system; a link with a given motion is held."""
         if not self.by_motion:
             return self.free
         held = TorsionalDevice("", {self.at: 1.0})
@@ -76,24 +76,24 @@ class ExcitedGear:
 
     @cached_property
     def lossy(self) -> bool:
-        """True if a device has a loss factor."""
+        """True if a component has a loss factor."""
         return any(device.damping.loss_factor for device in self.system.elastic)
 
     @cached_property
     def links(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """Matrices M, K, D and K times loss factors, in terms of the angles of links."""
+        """Matrices for link angles: inertia, stiffness, damping, stiffness times loss factor."""
         system = self.free
         return system.matrices(system.twists, system.speeds, np.eye(len(system.names)))
 
     @cached_property
     def unit(self) -> Floats:
-        """Motion of the links that moves the excited link by 1, shape (links,); 0 for a torque."""
+        """Angles of links for 1 rad of the excited link, shape (links,); 0 for a torque."""
         free = coordinates(self.free).free
         row = free[self.at]
         return free @ (row / (row @ row)) if self.by_motion else np.zeros(len(free))
 
     def answers(self, forms: Floats, omega: float) -> Complex:
-        """Return the frequency response of linear forms of the link angles, shape (forms,).
+        """Return the frequency response of linear forms of link angles, shape (forms,).
 
         Parameters
         ----------
@@ -118,10 +118,9 @@ class ExcitedGear:
 
     @cached_property
     def _basis(self) -> Floats:
-        """Motions that describe the gear, in columns, shape (links, motions).
+        """Coordinates of the gear as columns of link angles, shape (links, coordinates).
 
-        They are modes, rigid motions, massless motions, and last `unit`, the motion of the links
-        for a given angle of 1 rad of the excited link.
+        They are modes, rigid motions, massless motions, and finally `unit`.
         """
         split = coordinates(self.system)
         parts = [self.natural.shapes, rigid_basis(self.system, split), split.massless]
@@ -129,13 +128,13 @@ class ExcitedGear:
 
     @cached_property
     def _by_basis(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """Matrices M, K, D and K times loss factors, in terms of the motions of `_basis`."""
+        """Matrices as in `links`, for the coordinates of `_basis`."""
         twists = without_rounding(self.free.twists, self._basis)
         return self.free.matrices(twists, self.free.speeds @ self._basis, self._basis)
 
     @cached_property
     def first_order(self) -> FirstOrder:
-        """First-order system, where loss factors act as equivalent viscous damping of each mode."""
+        """First-order system, with equivalent viscous damping of modes for loss factors."""
         split = coordinates(self.system)
         mass, stiffness, _, _ = self.links
         viscous, _ = self.system.dampings
@@ -166,7 +165,7 @@ class ExcitedGear:
     def _rates(
         self, massive: Floats, slow: Floats, force: Floats, at_once: Floats
     ) -> tuple[Floats, Floats, Floats]:
-        """Return A, b and c of ``x' = A x + b u + c u'``; a shift of the states then removes c."""
+        """Return A, b and c of ``x' = A x + b u + c u'``; a shift of the states can remove c."""
         _, stiffness, resistance, hysteresis = self.links
         omegas, light, heavy = self.natural.omegas, slow.shape[1], massive.shape[1]
         modes, size = len(omegas), len(omegas) + light + heavy
@@ -192,6 +191,6 @@ class ExcitedGear:
 
 
 def without_rounding(left: Floats, right: Floats) -> Floats:
-    """Multiply matrices, and replace sums that are only rounding errors by 0."""
+    """Multiply matrices, and replace results that are only rounding errors by 0."""
     product = left @ right
     return np.where(np.abs(product) > UNMOVED * (np.abs(left) @ np.abs(right)), product, 0.0)

@@ -1,4 +1,4 @@
-"""Random vibration of the gears of a case: standard deviations, crossings and life, by names."""
+"""Random vibration of the gears of a case: standard deviations, crossing rates and life."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ from vstatics.torsion.system.working_points import Ratios, WorkingGear, working_
 from vstatics.torsion.vibration.damped import damped_modes
 
 Excitation = Literal["torque", "motion"]
-"""Quantity that a spectrum describes: a torque on a link, or the motion of the link."""
+"""Quantity that a spectrum describes: torque on a link, or angle of the link."""
 
 
 class RandomDevice(NamedTuple):
-    """Random vibration of an elastic device, with NaN for quantities without a variance."""
+    """Random vibration of an elastic component, with NaN for quantities without a variance."""
 
     twist_rms: float
     """Standard deviation of the twist. [rad]"""
@@ -43,10 +43,7 @@ class RandomDevice(NamedTuple):
     crossings: float
     """Rate of upward crossings of the mean. [1/s]"""
     life: Sometimes[float] = None
-    """Life of a device with a fatigue strength, under the torque of the spring. [s]
-
-    An infinite value means an unlimited life.
-    """
+    """Life of a component with a fatigue strength; infinite for an unlimited life. [s]"""
 
 
 class RandomLink(NamedTuple):
@@ -68,7 +65,7 @@ class RandomSpectrum(NamedTuple):
     input: Floats
     """Spectrum of the input. [(N*m)^2*s/rad or rad^2*s/rad]"""
     devices: Mapping[str, Floats]
-    """Spectra of the twists of devices. [rad^2*s/rad]"""
+    """Spectra of the twists of components. [rad^2*s/rad]"""
 
 
 @json_keys("name", "devices", "links", "half_widths", "spectrum", "converters", "error")
@@ -79,14 +76,14 @@ class GearRandom(NamedTuple):
     devices: Mapping[str, RandomDevice] = MappingProxyType({})
     links: Mapping[str, RandomLink] = MappingProxyType({})
     half_widths: Sequence[float] = ()
-    """Half widths of the peaks of the squared frequency response, at half height, by mode. [1/s]
+    """Half width of the resonance peak of each mode, at half of the squared amplitude. [rad/s]
 
-    The half width is ``-Re s`` of the eigenvalue s of the mode.
+    It is ``-Re s`` of the eigenvalue s of the mode.
     """
     spectrum: Sometimes[RandomSpectrum] = None
     error: Failure = ""
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
-    """Converters by name, linearised at working points."""
+    """Converters by name, linearised at operating points."""
 
 
 @refusing()
@@ -116,19 +113,20 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
     omegas : array_like, optional
         Frequencies at which spectra are returned. [rad/s]
     speed_ratios : mapping of str to float, optional
-        Speed ratios of converters, instead of those of the gears. [-]
+        Name of a converter -> speed ratio, instead of the ratio in the gear. [-]
 
     Returns
     -------
     list of GearRandom
-        Standard deviations of torques [N*m], twists [rad] and motions of links, life of devices.
+        For each gear: standard deviations of torques [N*m], twists [rad] and motions of links, and
+        life of components [s].
 
     Raises
     ------
     ValueError
         If a link, gear or converter does not exist.
     CaseError
-        If a converter has no working point, or the spectrum is not valid.
+        If a converter has no operating point, or if the spectrum is not valid.
 
     Examples
     --------
@@ -180,7 +178,7 @@ def _gear_random(
 
 
 def of_stress(strengths: Mapping[str, Carried]) -> dict[str, Carried]:
-    """Return the fatigue strengths of components by stress, not those of members by torque."""
+    """Return the fatigue strengths of whole components, without strengths of their members."""
     return {name: given for name, given in strengths.items() if hasattr(given, "endurance")}
 
 
@@ -192,13 +190,14 @@ def _devices(
         twist, rate = (math.sqrt(part[number]) for part in variances[:2])
         k, c = device.rate, device.damping.viscous
         lost = k * device.damping.loss_factor
-        # The torque is the twist times |k + i (lost + c omega)|; twist and rate are uncorrelated.
+        # The torque is |k + i (lost + c omega)| times the twist, which is uncorrelated with its
+        # rate.
         torque = math.hypot(k * twist, lost * twist, c * rate if c else 0.0)
         if c and lost and variances.between is not None:
             torque = math.sqrt(torque**2 + 2 * c * lost * float(variances.between[number]))
         crossings = rate / twist / (2 * math.pi) if twist else math.nan
         strength = strengths.get(device.name)
-        # Another annex calculates the life under the torque of the spring.
+        # The annex `vehicle` calculates life, under the torque of the spring.
         life = higher("torque_life")(strength, k * twist, crossings) if strength else None
         devices[device.name] = RandomDevice(twist, rate, torque, crossings, life)
     return devices
@@ -209,7 +208,7 @@ def _half_widths(excited: ExcitedGear) -> list[float]:
     if not system.resists and not any(device.damping for device in system.elastic):
         return [0.0] * len(excited.natural.omegas)
     slowest = -damped_modes(system, split, excited.natural).of_modes[:, 0].real
-    return [float(width) + 0.0 for width in slowest]  # without -0.0
+    return [float(width) + 0.0 for width in slowest]  # + 0.0 avoids -0.0
 
 
 def _spectrum(excited: ExcitedGear, spectrum: Spectrum, omegas: Floats) -> RandomSpectrum:
@@ -221,7 +220,7 @@ def _spectrum(excited: ExcitedGear, spectrum: Spectrum, omegas: Floats) -> Rando
 
 
 def _squares(excited: ExcitedGear, omega: float) -> Floats:
-    """Return the squared frequency response of each twist; NaN in resonance without damping."""
+    """Return the squared frequency response of each twist; NaN at an undamped resonance."""
     twists = excited.free.twists
     try:
         squares = np.abs(excited.answers(twists, omega)) ** 2

@@ -1,7 +1,8 @@
 """Two-sided spectra of random inputs, with the variance ``2 int_0^inf S d omega``.
 
-The spectrum of the correlation ``s^2 exp(-a |t|) cos(b t)`` is ``s^2 a/pi (w^2 + a^2 + b^2)/((w^2 -
-a^2 - b^2)^2 + 4 a^2 w^2)`` (Tsitovich, Algin, Vehicle dynamics, 1981, (4.19) to (4.22), corrected).
+The spectrum of the correlation function ``s^2 exp(-a |t|) cos(b t)`` is ``s^2 a/pi (w^2 + a^2 +
+b^2)/((w^2 - a^2 - b^2)^2 + 4 a^2 w^2)`` (Tsitovich, Algin, Vehicle dynamics, 1981, (4.19) to
+(4.22), corrected). `unit` is N*m for a torque and rad for an angle.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from vstatics.torsion.tolerances import WHOLE
 
 
 class White(NamedTuple):
-    """White noise, with a constant spectrum.
+    """White noise: the same spectrum at all frequencies.
 
     Examples
     --------
@@ -28,7 +29,7 @@ class White(NamedTuple):
     """
 
     white: float
-    """Spectrum at all frequencies. [unit^2 s/rad]"""
+    """Value of the spectrum. [unit^2 s/rad]"""
 
     def at(self, omegas: Floats) -> Floats:
         """Return the spectrum at frequencies [rad/s]."""
@@ -43,7 +44,7 @@ class White(NamedTuple):
 
 
 class Correlation(NamedTuple):
-    """Input with the correlation ``variance sum share exp(-a |t|) cos(b t)``.
+    """Input with the correlation function ``variance sum share exp(-a |t|) cos(b t)``.
 
     Examples
     --------
@@ -56,13 +57,13 @@ class Correlation(NamedTuple):
     variance: float
     """Variance of the input. [unit^2]"""
     correlation: tuple[tuple[float, float, float], ...]
-    """Share [-], a and b of each part, in 1/s, or in 1/m if a speed is given."""
+    """Share [-], a and b [1/s, or 1/m if a speed is given] of each term."""
     speed: float | None = None
-    """Speed at which a road is driven over. [m/s]"""
+    """Speed of the vehicle on a road with this correlation over distance. [m/s]"""
 
     @property
     def parts(self) -> list[tuple[float, float, float]]:
-        """Variance [unit^2], a [1/s] and b [1/s] of each part ``exp(-a |t|) cos(b t)``."""
+        """Variance [unit^2], a [1/s] and b [1/s] of each term ``exp(-a |t|) cos(b t)``."""
         speed = 1.0 if self.speed is None else self.speed
         return [(self.variance * share, a * speed, b * speed) for share, a, b in self.correlation]
 
@@ -83,7 +84,7 @@ class Correlation(NamedTuple):
         return total
 
     def problems(self) -> Iterator[Problem]:
-        """Yield problems of numbers that are out of range."""
+        """Yield a problem for each number out of its range."""
         if not 0 <= self.variance < math.inf:
             yield Problem(
                 "E528", f"read {self.variance:g}, expected a variance of 0 or more", ("variance",)
@@ -132,7 +133,7 @@ class SpectrumPoints(NamedTuple):
         return [(a, b) for (a, at_a), (b, at_b) in pairwise(self.points) if at_a or at_b]
 
     def problems(self) -> Iterator[Problem]:
-        """Yield problems of points that are not valid."""
+        """Yield the problems of invalid points."""
         if len(self.points) < 2:
             yield Problem("E532", "expected at least two points", ("points",))
         previous = -math.inf

@@ -65,7 +65,7 @@ def read_spectrum(data: bytes, file: str) -> Spectrum:
     Raises
     ------
     ReadError
-        If the file is not valid, with all problems and their places.
+        If the file is not valid, with all problems and their positions.
 
     Examples
     --------

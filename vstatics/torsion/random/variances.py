@@ -1,8 +1,9 @@
-"""Variances of a gear under a random input, and their existence.
+"""Variances of the motion of a gear under a random input, as far as they exist.
 
-For a rational spectrum the variances follow from a Lyapunov equation. White noise drives a filter
-with two states for each part of a correlation, and the filter drives the gear. For spectra given by
-points, and with loss factors, the variances are integrals over omega, split at the resonances.
+For a rational spectrum the variances follow from a Lyapunov equation: for each term of a
+correlation function, white noise drives a filter with two states, which drives the gear. For
+spectra given by points, and with loss factors, the variances are integrals over omega, split at the
+resonances.
 
 A quantity has no variance if an undamped motion contributes to it, or if white noise moves it
 directly.
@@ -29,16 +30,16 @@ MOST_PIECES = 2000
 
 
 class Signal(NamedTuple):
-    """Quantity that depends linearly on the states and on the input."""
+    """Quantity that is a linear combination of the states and the input."""
 
     row: Floats
-    """Coefficients of the states in the sum that gives the quantity."""
+    """Coefficients of the states, shape (states,)."""
     at_once: float = 0.0
-    """Coefficient of the input in this sum."""
+    """Coefficient of the input."""
 
 
 class Driven(NamedTuple):
-    """System ``x' = A x + b w`` under white noise w of the spectrum 1, split by damping."""
+    """System ``x' = A x + b w`` under white noise w with spectrum 1, split by damping."""
 
     matrix: Floats
     """Matrix A."""
@@ -51,20 +52,17 @@ class Driven(NamedTuple):
     undamped: Floats
     """Basis of the undamped motions, shape (states, u)."""
     moved: Floats
-    """Undamped coordinates that the input moves, shape (u, u).
-
-    Column k is the effect of the input after k integrations.
-    """
+    """Effect of the input on undamped coordinates, shape (u, u): column k after k integrations."""
 
     def variance(self, signal: Signal | None) -> float:
-        """Return the variance of a signal, or NaN if the variance does not exist."""
+        """Return the variance of a signal, NaN if it does not exist."""
         if signal is None or signal.at_once or self.sees_undamped(signal.row):
             return math.nan
         row = signal.row @ self.damped
         return max(float(row @ self.settled @ row), 0.0)
 
     def sees_undamped(self, row: Floats) -> bool:
-        """Return whether an undamped motion that the input moves contributes to a row."""
+        """Return whether an undamped motion that the input excites contributes to a signal."""
         if not self.undamped.size:
             return False
         effects = np.abs((row @ self.undamped) @ self.moved)
@@ -72,7 +70,7 @@ class Driven(NamedTuple):
         return bool((effects > UNMOVED * sizes).any())
 
     def derivative(self, signal: Signal | None) -> Signal | None:
-        """Return the rate of a signal, which does not exist if the noise acts on it directly."""
+        """Return the time derivative of a signal; None if noise acts on the signal directly."""
         if signal is None or signal.at_once:
             return None
         parts = signal.row * self.input
@@ -117,19 +115,19 @@ def driven(matrix: Floats, by_input: Floats) -> Driven:
 
 
 class FormVariances(NamedTuple):
-    """Variances of linear forms of angles, shape (forms,); NaN for undefined variances."""
+    """Variances of linear forms of link angles, shape (forms,); NaN for undefined variances."""
 
     angles: Floats
     """Variances of angles. [rad^2]"""
     rates: Floats
-    """Variances of the first derivatives. [rad^2/s^2]"""
+    """Variances of first derivatives. [rad^2/s^2]"""
     accelerations: Floats
-    """Variances of the second derivatives. [rad^2/s^4]"""
+    """Variances of second derivatives. [rad^2/s^4]"""
     between: Floats | None = None
-    """Integrals ``2 int |omega| S`` of the spectra S of the angles, over omega above 0. [rad^2/s]
+    """Integrals ``2 int omega S d omega`` of the spectra S of angles, over omega above 0. [rad^2/s]
 
-    They are calculated if loss factors exist: the torque of a loss factor is in phase with the rate
-    and proportional to the angle.
+    They are needed for loss factors only, whose torque is in phase with the rate of twist but
+    proportional to the twist.
     """
 
 
@@ -148,11 +146,11 @@ def form_variances(gear: ExcitedGear, spectrum: Spectrum, forms: Floats) -> Form
 
 
 _Filter = tuple[Floats, Floats, Floats]
-"""Matrix, input and output of a filter with two states."""
+"""Matrix, input vector and output row of a filter with two states."""
 
 
 def _filters(spectrum: Correlation) -> list[tuple[float, _Filter | None]]:
-    """Return a spectrum of white noise and a filter for each part of a correlation."""
+    """Return white noise and a filter for each term of a correlation function."""
     filters: list[tuple[float, _Filter | None]] = []
     for variance, a, b in spectrum.parts:
         omega = math.hypot(a, b)
@@ -164,7 +162,7 @@ def _filters(spectrum: Correlation) -> list[tuple[float, _Filter | None]]:
 def _of_part(
     system: FirstOrder, forms: Floats, size: float, noise_filter: _Filter | None
 ) -> Floats:
-    """Calculate the variances of linear forms and of two derivatives, shape (3, forms).
+    """Calculate the variances of linear forms and of their two derivatives, shape (3, forms).
 
     The input is white noise, or white noise through a filter.
     """
@@ -199,7 +197,7 @@ def _of_part(
 
 
 def _is_at_rest(noisy: Driven, drift: Signal) -> bool:
-    """Return whether the input does not move a rigid motion, so that the angle has a variance."""
+    """Return whether the input does not excite a rigid motion, so that the angle has a variance."""
     return not noisy.sees_undamped(drift.row) and noisy.variance(drift) == 0
 
 
@@ -209,12 +207,12 @@ def _without_rounding(form: Floats, parts: Floats) -> float:
 
 
 def _drifts(system: FirstOrder, form: Floats) -> bool:
-    """Return whether rigid motions contribute to a form."""
+    """Return whether rigid motions contribute to a linear form."""
     return bool(np.abs(form @ system.drift).max(initial=0.0) > UNMOVED * np.abs(form).max())
 
 
 def _existing_at_points(gear: ExcitedGear, spectrum: SpectrumPoints, forms: Floats) -> Booleans:
-    """Return a mask of existing integrals: no undamped resonance is in a band of the spectrum."""
+    """Return flags of existing integrals: undamped resonances are outside the spectrum."""
     system = gear.first_order
     noisy = driven(system.matrix, system.input)
     values = linalg.eigvals(system.matrix)
@@ -241,7 +239,7 @@ def _integrated(
     edges: Sequence[float],
     exists: Booleans,
 ) -> Floats:
-    """Calculate ``2 int S |H|^2`` with the weights of the four fields of `FormVariances`."""
+    """Calculate ``2 int S |H|^2 d omega``, weighted for each field of `FormVariances`."""
     orders = np.array([0, 2, 4, 1])[:, None]
     exists = np.vstack([exists, exists[0] & exists[1]])
 

@@ -1,8 +1,9 @@
 """Chains of masses, and their partial systems.
 
 A chain is a path of masses with a shaft between neighbours. The housing can hold one or both ends;
-it is a mass of infinite inertia, so that the formulas need no special case. Numbers of equations
-refer to Tsitovich, Algin, Vehicle dynamics, 1981, appendix 1.
+it is a mass of infinite inertia, so that the formulas need no special case. A partial system
+consists of a mass between two shafts with all other masses held, or of two masses and their shaft.
+Numbers of equations refer to Tsitovich, Algin, Vehicle dynamics, 1981, appendix 1.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ class ChainSpring(NamedTuple):
 
 
 class Chain(NamedTuple):
-    """Masses along a path, shape (n,), and the springs between neighbours, shape (n - 1,)."""
+    """Masses along a path, and the springs between neighbours, one fewer."""
 
     names: tuple[str, ...]
     """Names of the masses; empty for the housing."""
@@ -37,7 +38,7 @@ class Chain(NamedTuple):
 
 
 class PartialSystem(NamedTuple):
-    """Mass between two springs with all other masses held, or spring between two free masses."""
+    """Partial system: mass between springs with all others held, or spring and two masses."""
 
     masses: tuple[int, ...]
     """Indices of the mass, or of both masses, along the chain."""
@@ -47,7 +48,7 @@ class PartialSystem(NamedTuple):
 
 
 def partial_systems(chain: Chain) -> list[PartialSystem]:
-    """Return partial systems of single masses, then of pairs, with frequencies by (П1.3).
+    """Return the partial systems of a mass, then of two masses, with frequencies by (П1.3).
 
     A mass at a free end has a single spring, and is not counted as a partial system.
 
@@ -75,17 +76,17 @@ def partial_systems(chain: Chain) -> list[PartialSystem]:
 
 
 def one_mass_system(chain: Chain, mass: int) -> PartialSystem:
-    """Return the partial system of a mass of a chain, which may be at an end."""
+    """Return the partial system of a mass of a chain, which can be at an end."""
     stiffness = sum(1 / spring.compliance for spring in chain.springs[max(mass - 1, 0) : mass + 1])
     frequency = math.sqrt(stiffness / chain.inertias[mass])
     return PartialSystem((mass,), (chain.names[mass],), frequency)
 
 
 def chain_of(scheme: TorsionScheme) -> Chain | str:
-    """Return a scheme as a chain, or a text with the reason why the scheme is not a chain.
+    """Return a scheme as a chain, or the reason why it is not a chain.
 
-    The chain begins with the end that comes first in the scheme. Parallel shafts count as one
-    shaft, and so do two shafts in series without an inertia between them.
+    The chain begins with the end that is first in the scheme. Parallel shafts count as one shaft,
+    as do two shafts in series without an inertia between them.
 
     Examples
     --------
@@ -123,7 +124,7 @@ def scheme_of(chain: Chain) -> TorsionScheme:
     springs = []
     for left, (name, compliance, damping) in enumerate(chain.springs):
         joined = [number[mass] for mass in (left, left + 1) if mass in number]
-        twist = dict(zip(joined, (1.0, -1.0), strict=False))  # one angle at the housing
+        twist = dict(zip(joined, (1.0, -1.0), strict=False))  # at the housing, a single angle
         springs.append(SchemeSpring(name, twist, compliance, damping))
     return TorsionScheme(
         tuple(chain.names[mass] for mass in masses),
@@ -146,7 +147,7 @@ def _is_shaft(spring: SchemeSpring) -> bool:
 
 
 def _path(count: int, springs: tuple[SchemeSpring, ...]) -> _Path | str:
-    """Return the path through all masses, or the reason why there is no single path."""
+    """Return the path through all masses, or the reason why the masses do not form a path."""
     between = [spring for spring in springs if len(spring.twist) == 2]
     ends = [mass for mass in range(count) if sum(mass in s.twist for s in between) < 2]
     if not ends:

@@ -1,11 +1,10 @@
 """Condensation of a scheme: removal of masses without inertia.
 
-The torques on a mass without inertia are in balance. Two springs that meet at such a mass are
-replaced by a single spring (Tsitovich, Algin, Vehicle dynamics, 1981, figure П1.6), so that n
-springs become n - 1, one after another. The stiffness matrix is the sum of ``a a^T/E`` over all
-springs, where a holds the coefficients of the twist and E is the compliance; it is equal to the
-matrix of static condensation. No matrices are subtracted, so that no digits cancel if one spring is
-far stiffer than another.
+The torques on a mass without inertia are in balance. The n springs that meet at such a mass are
+replaced, one after another, by n - 1 springs (Tsitovich, Algin, Vehicle dynamics, 1981, figure
+П1.6). The stiffness matrix of the result, the sum of ``a a^T/E`` over all springs with the
+coefficients a of the twist and the compliance E, equals the matrix of static condensation. No
+matrices are subtracted, so that no digits cancel if a spring is far stiffer than another.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ def tidied(scheme: TorsionScheme, most: int = 2) -> TorsionScheme:
     """Return an equivalent scheme with the smallest number of springs.
 
     Springs in parallel or in series are combined, so that masses without inertia remain only where
-    three or more springs meet (more than `most`). The first coefficient of every twist is 1.
+    more than `most` springs meet. The first coefficient of every twist is 1.
 
     Examples
     --------
@@ -53,8 +52,8 @@ def tidied(scheme: TorsionScheme, most: int = 2) -> TorsionScheme:
 def without_massless(scheme: TorsionScheme) -> TorsionScheme:
     """Return an equivalent scheme in which all masses have inertia.
 
-    Springs that replace three or more springs at a mass can act on many masses each; the coupling
-    of their dampings is neglected.
+    A spring of the result can act on many masses. Coupling between the dampings of such springs is
+    neglected.
     """
     return tidied(scheme, len(scheme.springs))
 
@@ -71,11 +70,11 @@ def _without(springs: Iterable[SchemeSpring], mass: int) -> list[SchemeSpring]:
         else:
             remaining.append(_in_series(meeting, spring, mass))
             meeting = _side_by_side(meeting, spring, mass)
-    return remaining  # the mass follows the last `meeting` spring, which carries no torque
+    return remaining  # the last spring at the mass carries no torque
 
 
 def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
-    """Return two springs in series at a mass as one spring: figure П1.6, damping by (П1.14).
+    """Replace two springs in series at a mass by a spring: figure П1.6, damping by (П1.14).
 
     With the twists a1 x + b1 and a2 x + b2, where x is the angle of the mass, the twist
     a2 b1 - a1 b2 does not depend on x.
@@ -91,7 +90,7 @@ def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSp
 
 
 def _side_by_side(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
-    """Return the spring that completes the series connection of two springs at a mass.
+    """Return the spring that, with their series connection, replaces two springs at a mass.
 
     With the symbols of `_in_series`, the twist is x plus the mean of b1/a1 and b2/a2, weighted by
     the stiffnesses a1^2/E1 and a2^2/E2. The energy of this spring and of the series connection is
@@ -112,13 +111,13 @@ def _weighted_sum(
     total = {}
     for mass in twist.keys() | other.keys():
         parts = factor * twist.get(mass, 0), other_factor * other.get(mass, 0)
-        if abs(sum(parts)) > TIE * max(map(abs, parts)):  # more than a rounding error
+        if abs(sum(parts)) > TIE * max(map(abs, parts)):  # not only rounding error
             total[mass] = sum(parts)
     return total
 
 
 def _parallel_combined(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
-    """Combine springs of equal twist; drop springs whose twist is 0."""
+    """Combine springs with the same twist, and drop springs whose twist is always 0."""
     different: list[SchemeSpring] = []
     for spring in map(_normal, springs):
         for place, other in enumerate(different):
@@ -138,7 +137,7 @@ def _parallel_combined(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
 
 
 def _normal(spring: SchemeSpring) -> SchemeSpring:
-    """Return an equivalent spring whose twist is sorted by mass and begins with 1."""
+    """Return an equivalent spring; its coefficients are sorted by mass and begin with 1."""
     twist = {mass: a for mass, a in sorted(spring.twist.items()) if a}
     first = next(iter(twist.values()), 1.0)
     twist = {mass: a / first for mass, a in twist.items()}

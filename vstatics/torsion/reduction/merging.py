@@ -39,10 +39,10 @@ def simplify_merging(
     Parameters
     ----------
     scheme, frequencies, rule, remove
-        Parameters of `simplify`. A scheme that merging turns into a chain is simplified by
-        partial systems from there on.
+        Parameters of `simplify`. A scheme that becomes a chain by merging is then simplified by
+        partial systems.
     merge : sequence of str
-        Names of two masses joined by a plus sign; this is the name of the merged mass.
+        Pairs of masses, as two names joined by a plus sign: the name of the merged mass.
 
     Raises
     ------
@@ -72,7 +72,7 @@ def simplify_merging(
 
 
 def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
-    """Find two masses by a text `A+B`, where the names A and B can contain plus signs."""
+    """Find the two masses in a text `A+B`; the names A and B can contain plus signs."""
     parts = [(text[:n].strip(), text[n + 1 :].strip()) for n, c in enumerate(text) if c == "+"]
     for first, second in parts:
         if first in names and second in names and first != second:
@@ -87,7 +87,7 @@ def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
 def _merged(
     scheme: TorsionScheme, pair: tuple[int, int]
 ) -> tuple[TorsionScheme, SimplificationStep]:
-    """Merge two masses at the place of the first, and describe the step."""
+    """Merge two masses at the position of the first mass, and describe the step."""
     stay, gone = min(pair), max(pair)
     names, inertias = list(scheme.names), list(scheme.inertias)
     first, second = (scheme.inertias[mass] for mass in pair)

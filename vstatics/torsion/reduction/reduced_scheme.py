@@ -1,4 +1,4 @@
-"""Scheme of a gear on its input shaft: masses and springs without rigid devices."""
+"""Scheme of a gear, reduced to its input shaft: masses and springs without rigid components."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import vibrating
 
 STIFFNESS_OF_RIGID_SETS = 1e9
-"""Stiffness assumed for rigid gear sets, relative to the stiffest device of the gear."""
+"""Stiffness assumed for rigid gear sets, relative to the stiffest component of the gear."""
 
 
 @refusing()
@@ -27,9 +27,9 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     """Return the scheme of a gear reduced to its input, or the reason why none exists.
 
     Rigidly joined links form a mass with the name of the first link. A rigid gear set whose links
-    all have inertia and can move is replaced by a spring far stiffer than all others. Its partial
-    frequency is then the highest, so that simplification removes it first. Links that do not
-    rotate with the input are omitted, and so is the reaction of a gear train with the ratio 1.
+    all have inertia and can move is replaced by a spring far stiffer than all others; as its
+    partial frequency is the highest, simplification removes it first. Links that do not rotate with
+    the input are omitted, as is a reaction member if the ratio is 1.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     Raises
     ------
     CaseError
-        If numbers are too far apart for floats.
+        If numbers differ too much for floating-point numbers.
 
     Examples
     --------
@@ -73,9 +73,9 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
 
 
 def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
-    """Replace rigid devices between three links that can move independently by stiff springs.
+    """Replace rigid gear sets by stiff springs if all their links have inertia and can move.
 
-    The links of such a set have independent speeds then, so they share the inertia of its planets.
+    The links of such a set then have independent speeds, and share the inertia of its planets.
     """
     group = {link: links[0] for links in joined_links(system) for link in links}
     free = system.free()
@@ -134,7 +134,10 @@ def _scheme(system: TorsionalSystem) -> TorsionScheme | str | None:
 def _independent(
     system: TorsionalSystem, groups: Sequence[Sequence[int]], free: Floats
 ) -> list[Sequence[int]]:
-    """Choose groups of links whose angles determine all motions, with inertia if possible."""
+    """Choose groups of rigidly joined links whose angles determine all motions.
+
+    Groups with inertia are preferred.
+    """
     heavy = [set(body.form) for body in system.bodies if body.inertia > 0]
     by_inertia = sorted(groups, key=lambda group: not any(b.issubset(group) for b in heavy))
     chosen: list[Sequence[int]] = []
@@ -168,7 +171,7 @@ def _spring(
     of_masses: Floats,
     to_input: Scales,
 ) -> SchemeSpring | None:
-    """Reduce an elastic device to the input; return None if no mass twists the device."""
+    """Reduce an elastic component to the input; return None if no mass twists it."""
     by_mass, *_ = linalg.lstsq(free[firsts].T, form_values(device.twist, free))
     by_mass = by_mass / of_masses
     largest = np.abs(by_mass).max(initial=0.0)
@@ -179,7 +182,7 @@ def _spring(
     lead = to_input.scales[next(iter(device.twist))]
     factor = next(iter(device.twist.values())) / lead if lead else first
     scaled = {n: a / factor for n, a in terms.items()}
-    # A coefficient that is an integer apart from rounding, as for a shaft, is rounded.
+    # A coefficient that differs from an integer by rounding error only is rounded.
     scaled = {n: float(round(a)) if abs(a - round(a)) < TIE else a for n, a in scaled.items()}
     compliance = 1 / (device.rate * factor**2)
     return SchemeSpring(device.name, scaled, compliance, device.damping.viscous * factor**2)

@@ -1,10 +1,10 @@
 """Inertias and compliances reduced to one link (Tsitovich, Algin, 1981, tables 2.1 and 2.2).
 
 The reduction changes the coordinates and conserves the energy: with ``i = w_to/w_link`` in the
-rigid motion of the gear, an inertia J* and a compliance E* become ``J = J*/i^2`` and
-``E = E* i^2``, (1.22) to (1.25). A link that is at rest in the rigid motion, such as a casing on
-its mounting, takes the reaction. It is scaled so that its coefficient in the twist of a device is
--1 if the coefficient of the preceding link is 1; for a casing ``J = J*/(1 - i)^2`` and
+rigid motion of the gear, an inertia J* and a compliance E* become ``J = J*/i^2`` and ``E = E*
+i^2``, (1.22) to (1.25). A link that is at rest in the rigid motion, such as a casing on its
+mounting, takes the reaction. It is scaled so that its coefficient in the twist of an elastic
+component is -1 if the coefficient of the preceding link is 1; for a casing ``J = J*/(1 - i)^2`` and
 ``E = E* (1 - i)^2``.
 """
 
@@ -26,9 +26,9 @@ from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
 
 NO_REACTION = "no reaction"
-"""Note about a link at rest, such as a casing, that takes no reaction because the ratio is 1."""
+"""Note about a link at rest, such as a casing, without reaction because the ratio is 1."""
 Amounts = Mapping[str, float | None]
-"""Reduced values by the name of a link or device; None if undefined."""
+"""Name of a link or component -> reduced value; None if undefined."""
 
 
 class GearReduction(NamedTuple):
@@ -42,14 +42,14 @@ class GearReduction(NamedTuple):
         Reduced inertias of links and planets. Rigidly joined links share the entry of the first
         link. [kg*m^2]
     compliances : mapping
-        Reduced compliances of elastic devices. [rad/(N*m)]
+        Reduced compliances of elastic components. [rad/(N*m)]
     ratios : mapping
         Speed of the reference link divided by the speed of each link, or the scale of a link at
         rest. None for a link that does not rotate with the reference link. [-]
     merged : mapping
-        Rigidly joined links: the name of the first link, and the names of the others.
+        Rigidly joined links: name of the first link -> names of the other links.
     notes : mapping
-        Reasons for missing values.
+        Name of a link or component -> reason for its missing value.
     error : str
         Reason why the whole gear cannot be reduced.
     """
@@ -69,7 +69,7 @@ def reduce(
     to: int | str,
     gears: Sequence[int | str] | None = None,
 ) -> list[GearReduction]:
-    """Reduce the inertias and compliances of a case to a link, gear by gear.
+    """Reduce the inertias and compliances of a case to a link, in each gear.
 
     Parameters
     ----------
@@ -145,13 +145,13 @@ def _of_planets(system: TorsionalSystem, of_links: Scales) -> dict[str, float | 
 
 
 def reduced_compliance(device: TorsionalDevice, scale: float | None) -> float | None:
-    """Reduce a compliance by the scale of the first link of the twist [rad/(N*m)]."""
+    """Reduce a compliance by the scale of the first link in its twist [rad/(N*m)]."""
     coefficient = next(iter(device.twist.values()))
     return scale**2 / coefficient**2 / device.rate if scale else None
 
 
 class Scales(NamedTuple):
-    """Speeds and scales of the links of a gear, relative to the reference link.
+    """Speeds, and scales for reduction, of the links of a gear, relative to the reference link.
 
     Attributes
     ----------
@@ -159,8 +159,8 @@ class Scales(NamedTuple):
         ``w_link/w_to`` in the rigid motion; None for a link that does not rotate with the
         reference link. [-]
     scales : sequence of float or None
-        ``w_to/w_link``. For a link at rest the scale follows from the reaction, and is 0 if no
-        reaction exists. [-]
+        ``w_to/w_link``. For a link at rest the scale follows from the reaction; it is 0 without a
+        reaction. [-]
     """
 
     speeds: Sequence[float | None]
@@ -168,7 +168,7 @@ class Scales(NamedTuple):
 
 
 def scales(system: TorsionalSystem, to: int) -> Scales | str:
-    """Calculate the scales of all links, or return a text if the reference link is at rest.
+    """Calculate the scales of all links, or return a message if the reference link is at rest.
 
     Parameters
     ----------
@@ -187,8 +187,8 @@ def scales(system: TorsionalSystem, to: int) -> Scales | str:
         _reaction(system, link, to, at_rest) if link in at_rest else (1 / speed if speed else None)
         for link, speed in enumerate(speeds)
     ]
-    # Links behind a link that takes the reaction, such as a frame behind a casing, are scaled so
-    # that both coefficients of the twist of a device between them are equal in magnitude.
+    # A link behind a link that takes the reaction, such as a frame behind a casing, is scaled so
+    # that both coefficients in the twist of the spring between them are equal in magnitude.
     between = [
         device.twist
         for device in system.devices
@@ -204,7 +204,7 @@ def scales(system: TorsionalSystem, to: int) -> Scales | str:
 
 
 def _multiple(row: Floats, reference: Floats) -> float | None:
-    """Return the factor between two motions, or None if the motions are not proportional."""
+    """Return the factor between two motions, or None if they are not proportional."""
     factor = float(row @ reference / (reference @ reference))
     if np.abs(row - factor * reference).max() > TIE * np.abs(row).max(initial=0.0):
         return None
@@ -212,9 +212,9 @@ def _multiple(row: Floats, reference: Floats) -> float | None:
 
 
 def _reaction(system: TorsionalSystem, link: int, to: int, at_rest: set[int]) -> float | None:
-    """Return the ratio ``w_to/w_link`` of a link at rest that is released while an end is held.
+    """Return ``w_to/w_link`` of a link at rest if it is released while input or output is held.
 
-    Links that are rigidly joined to it are released too, such as a ring gear held by the casing.
+    Links that are rigidly joined to it, such as a ring gear in a casing, are released, too.
     """
     group = next((set(links) for links in joined_links(system) if link in links), {link})
     holding = [
@@ -234,7 +234,7 @@ def _reaction(system: TorsionalSystem, link: int, to: int, at_rest: set[int]) ->
 
 
 def joined_links(system: TorsionalSystem) -> list[list[int]]:
-    """Group links of the case whose speeds are proportional because of rigid devices.
+    """Group links of the case whose speeds are proportional because of rigid components.
 
     A link that is held permanently forms its own group.
     """

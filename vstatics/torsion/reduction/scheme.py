@@ -1,8 +1,8 @@
 """Scheme of a torsional system on a reference shaft: masses and springs without rigid constraints.
 
-The twist of a spring is a linear form of angles, with the coefficients +1, -1 for a shaft between
-two masses, 1 for a support on the housing, and 1, -i, i-1 for an elastic device of ratio i between
-three links (Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1).
+The twist of a spring is a linear form of angles, with the coefficients 1 and -1 for a shaft between
+two masses, 1 for a support on the housing, and 1, -i and i - 1 for an elastic gear set of ratio i
+between three links (Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1).
 """
 
 from __future__ import annotations
@@ -23,33 +23,33 @@ from vstatics.torsion.vibration.natural import natural_modes
 
 
 class SchemeSpring(NamedTuple):
-    """Elastic device of a scheme."""
+    """Spring of a scheme."""
 
     name: str
     twist: Mapping[int, float]
-    """Coefficients of the angles of masses (indices from 0). [-]"""
+    """Index of a mass (from 0) -> coefficient of its angle in the twist. [-]"""
     compliance: float
-    """Compliance on the reference shaft. [rad/(N*m)]"""
+    """Compliance, reduced to the reference shaft. [rad/(N*m)]"""
     damping: float = 0.0
-    """Viscous damping on the reference shaft. [N*m*s/rad]"""
+    """Viscous damping, reduced to the reference shaft. [N*m*s/rad]"""
 
 
 class TorsionScheme(NamedTuple):
-    """Masses, in the order of the case, and springs."""
+    """Scheme: masses, in the order of the case, and springs."""
 
     names: tuple[str, ...]
     inertias: tuple[float, ...]
-    """Inertias of the masses on the reference shaft. [kg*m^2]"""
+    """Inertias of the masses, reduced to the reference shaft. [kg*m^2]"""
     springs: tuple[SchemeSpring, ...]
 
 
 def twists(scheme: TorsionScheme) -> Floats:
-    """Return the twists as rows, shape (springs, masses) [-]."""
+    """Return the coefficients of all twists as a matrix, shape (springs, masses) [-]."""
     return values_of([spring.twist for spring in scheme.springs], len(scheme.names))
 
 
 def stiffness_matrix(scheme: TorsionScheme) -> Floats:
-    """Calculate the stiffness matrix K, the sum of a a^T/E over all springs [N*m/rad].
+    """Calculate the stiffness matrix [N*m/rad]: sum of a a^T/E with twists a and compliances E.
 
     >>> shaft = SchemeSpring("shaft", {0: 1.0, 1: -1.0}, 0.5)
     >>> stiffness_matrix(TorsionScheme(("a", "b"), (1.0, 3.0), (shaft,))).tolist()
@@ -64,7 +64,7 @@ def stiffness_matrix(scheme: TorsionScheme) -> Floats:
 def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
     """Calculate undamped natural frequencies of elastic motions, ascending [rad/s].
 
-    Masses without inertia follow the others.
+    Masses without inertia follow the other masses.
 
     Examples
     --------
@@ -97,7 +97,7 @@ def scheme_case(scheme: TorsionScheme, name: str, ends: Sequence[str], gear: str
     name : str
         Name of the case.
     ends : sequence of str
-        Names of the links of input and output, used if a mass is named after the link.
+        Names of the input link and the output link; a mass is used whose name contains the link.
     gear : str
         Name of the gear.
 

@@ -41,7 +41,7 @@ SimplificationRule = Literal["partial", "r", "b", "u"]
 """Method of partial frequencies for chains, or static condensation with a `BranchRule`."""
 SIMPLIFICATION_RULES: tuple[SimplificationRule, ...] = get_args(SimplificationRule)
 ACCURATE = 0.5
-"""Part of a removed partial frequency below which errors of frequencies are mostly under 5 %.
+"""Ratio to a removed partial frequency below which errors of frequencies are mostly under 5 %.
 
 Source: (П1.8).
 """
@@ -62,7 +62,7 @@ class SimplificationStep(NamedTuple):
     stiffness: tuple[tuple[float, ...], ...] | None
     """Stiffness matrix; None for the rule `partial`. [N*m/rad]"""
     omegas: tuple[float, ...]
-    """Natural frequencies, ascending. [rad/s]"""
+    """Natural frequencies of the resulting scheme, ascending. [rad/s]"""
 
 
 class Simplification(NamedTuple):
@@ -86,7 +86,7 @@ def simplify(
     rule: SimplificationRule | None = None,
     remove: Sequence[str] = (),
 ) -> Simplification:
-    """Remove partial systems step by step, down to a number of natural frequencies.
+    """Remove partial systems step by step until a number of natural frequencies remains.
 
     Masses without inertia are removed first. This is exact and does not count as a step.
 
@@ -96,11 +96,11 @@ def simplify(
     frequencies : int
         Number of natural frequencies to keep, not counting rigid motions.
     rule : {"partial", "r", "b", "u"}, optional
-        By default `partial` for a chain and `r` for other schemes. The system with the highest
-        frequency is removed; among frequencies within 1e-9, a system of one mass, then the first.
-        The rules for branched schemes keep masses on which a single device acts.
+        By default `partial` for a chain and `r` for other schemes. Each step removes the partial
+        system with the highest frequency; of frequencies that agree within 1e-9, a system of a
+        single mass, then the first. The other rules keep masses on which a single spring acts.
     remove : sequence of str
-        Names of masses to remove first, in this order, instead of the choice of the rule.
+        Names of masses that are removed first, in this order, instead of by the rule.
 
     Returns
     -------
@@ -230,14 +230,14 @@ def _problems(
 def doubts_of(
     steps: Sequence[SimplificationStep], last: Sequence[SimplificationStep]
 ) -> Iterator[Problem]:
-    """Warn of a natural frequency too close to a removed partial frequency, (П1.8).
+    """Yield a warning if a natural frequency is too close to a removed partial frequency, (П1.8).
 
     Parameters
     ----------
     steps : sequence of SimplificationStep
-        Steps whose partial frequencies count.
+        Steps whose partial frequencies are compared.
     last : sequence of SimplificationStep
-        Steps up to the last, whose highest natural frequency counts.
+        Steps, of which the last has the natural frequencies that are compared.
     """
     if not steps:
         return
@@ -252,10 +252,10 @@ def doubts_of(
 
 
 def without_mass(chain: Chain, mass: int) -> Chain:
-    """Remove a mass from a chain and share the inertia among the neighbours, (П1.4).
+    """Remove a mass from a chain, and share its inertia among its neighbours, (П1.4).
 
-    The shares are proportional to the stiffnesses towards the neighbours. At a free end the
-    neighbour gets the whole inertia, and the spring is dropped.
+    The shares are proportional to the stiffnesses between the mass and its neighbours. At a free
+    end the neighbour gets the whole inertia, and the spring is dropped.
 
     Parameters
     ----------
@@ -290,7 +290,8 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
     """Merge two neighbouring masses of a chain, (П1.5).
 
     The compliance of the spring between the masses is shared among the springs on both sides, in
-    proportion to the inertia of the farther mass. At a free end the share is dropped.
+    proportion to the inertia of the mass farther from each spring. At a free end the share is
+    dropped.
 
     Parameters
     ----------
@@ -322,7 +323,7 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
 def _longer(
     spring: ChainSpring, other: ChainSpring, part: float = 1.0, damped: float = 1.0
 ) -> ChainSpring:
-    """Lengthen a spring by a part of a second spring in series, with damping by (П1.14).
+    """Add a part of another spring in series to a spring, with damping by (П1.14).
 
     Both parts of a divided spring dissipate equally at equal torque, (П1.15). With (П1.15) in
     (П1.16), each part adds K/2 times the square of the ratio of the undivided compliance to the
@@ -335,14 +336,14 @@ def _longer(
 
 
 BranchRule = Literal["r", "b", "u"]
-"""Rule of static condensation for sharing the inertia of a removed mass."""
+"""Rule by which static condensation shares the inertia of a removed mass."""
 
 _SHARES: dict[BranchRule, Callable[[float], float]] = {
     "r": lambda part: part,  # (П1.7), which the book recommends
     "b": lambda part: part**2,  # rule of Banakh, equation (П1.6)
     "u": lambda _: 0.0,
 }
-"""Part of the inertia of a removed mass j that mass i gets, as a function of |Kij|/Kjj."""
+"""Share of the inertia of a removed mass j that mass i gets, as a function of |Kij|/Kjj."""
 
 
 def one_mass_systems(scheme: TorsionScheme) -> list[PartialSystem]:
@@ -361,15 +362,15 @@ def one_mass_systems(scheme: TorsionScheme) -> list[PartialSystem]:
 
 
 def acted_on_by_several(scheme: TorsionScheme, mass: int) -> bool:
-    """Return whether several devices act on a mass, so that the mass is not an end."""
+    """Return whether several springs act on a mass, so that it is not an end."""
     return sum(mass in spring.twist for spring in scheme.springs) > 1
 
 
 def without_branch_mass(scheme: TorsionScheme, mass: int, rule: BranchRule) -> TorsionScheme:
-    """Remove the inertia of a mass, and share part of the inertia among other masses.
+    """Remove the inertia of a mass, and give shares of it to other masses.
 
-    Where three or more springs meet, the mass remains without inertia. The scheme thus keeps its
-    layout, which shows the masses on which each device acts.
+    If three or more springs meet at the mass, it remains without inertia. The scheme thus still
+    shows on which masses each spring acts.
 
     Parameters
     ----------

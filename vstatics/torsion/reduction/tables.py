@@ -10,7 +10,7 @@ from vstatics.torsion.reduction.simplification import Simplification
 
 
 def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
-    """Yield tables of reduced values, with a row for each link or device.
+    """Yield tables of reduced values, with a row for each link or component.
 
     Examples
     --------
@@ -80,7 +80,7 @@ def simplification_grids(simplification: Simplification) -> Iterator[Grid]:
 
 
 def _form(twist: Mapping[int, float], names: Sequence[str]) -> str:
-    """Format a twist as a form of the angles of masses.
+    """Format the twist of a spring as a linear form of the angles of masses.
 
     >>> _form({0: 1.0, 2: -2.5}, ["a", "b", "c"])
     '1*a -2.5*c'

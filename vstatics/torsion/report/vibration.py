@@ -1,4 +1,4 @@
-"""Section on vibration of the page of a case: natural frequencies, resonances, modes by gear."""
+"""Section on vibration in the report of a case: natural frequencies, resonances, modes by gear."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ if TYPE_CHECKING:
 
 
 class Vibration(NamedTuple):
-    """Natural modes of a case, as shown on the page."""
+    """Content of the section on vibration."""
 
     gears: Sequence[GearModes] = ()
     shapes: Sequence[Drawn] = ()
-    """Picture of the mode shapes of each gear; empty on a page without pictures."""
+    """Picture of the mode shapes of each gear; empty without pictures."""
     campbell: Drawn | None = None
     """Campbell diagram of all gears shown."""
     in_full: bool = True
-    """True if the parts about single gears are printed."""
+    """True if the parts about single gears are shown on paper, too."""
     without: str = ""
     """Reason why the section is left out, or an empty text."""
     drawn: tuple[str, ...] = ()
-    """Kinds of pictures that need not appear elsewhere on the page."""
+    """Kinds of pictures that need not appear elsewhere in the report."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the markup of the section, or the reason why the section is left out."""
+        """Yield the HTML of the section, or the reason why it is left out."""
         if self.without:
             yield tag("p", tr("Left out: {why}", why=self.without))
             return
@@ -73,7 +73,7 @@ def has_part(case: Transmission, *, runs: bool = False) -> bool:  # noqa: ARG001
 
 
 def part(request: PartRequest) -> Vibration | None:
-    """Return the section of a page, or None for a case that does not vibrate."""
+    """Return the section for a request, or None for a case that does not vibrate."""
     case = request.results.case
     if not has_part(case):
         return None

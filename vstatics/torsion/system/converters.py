@@ -1,13 +1,14 @@
-"""Torque converter at a working point: torques of pump and turbine, and their slopes.
+"""Torque converter at an operating point: torques of pump and turbine, and their derivatives.
 
-The torques are ``M_P = lambda w_P |w_P|`` and ``M_T = K M_P``, where lambda and K are functions of
-``i = w_T/w_P``. With ``f = K lambda``, ``w = |w_P|`` and primes for d/di the slopes are
+The torques are ``M_P = lambda w_P |w_P|`` and ``M_T = K M_P``, where the coefficient lambda and the
+torque ratio K are functions of the speed ratio ``i = w_T/w_P``. With ``f = K lambda``, ``w =
+|w_P|`` and primes for d/di the derivatives are
 
     dM_P/dw_P = A1 = w (2 lambda - i lambda'),  dM_P/dw_T = A2 = w lambda',
     dM_T/dw_P = A3 = w (2 f - i f'),            dM_T/dw_T = A4 = w f'
 
 (Tsitovich, Algin, Vehicle dynamics, 1981, (1.44), (1.46)). At a point of the characteristic, the
-slope of the interval above the point is used.
+derivative above the point is used.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from vstatics.core.tables.answer import json_keys
     *("A1", "A2", "A3", "A4"),
 )
 class WorkingConverter(NamedTuple):
-    """Torque converter, linearised at a working point."""
+    """Torque converter, linearised at an operating point."""
 
     name: str
     pump: int
@@ -39,17 +40,17 @@ class WorkingConverter(NamedTuple):
     turbine_torque: float
     """Torque given by the turbine. [N*m]"""
     A1: float
-    """Slope of the pump torque over the pump speed. [N*m*s/rad]"""
+    """Derivative of the pump torque with respect to the pump speed. [N*m*s/rad]"""
     A2: float
-    """Slope of the pump torque over the turbine speed. [N*m*s/rad]"""
+    """Derivative of the pump torque with respect to the turbine speed. [N*m*s/rad]"""
     A3: float
-    """Slope of the turbine torque over the pump speed. [N*m*s/rad]"""
+    """Derivative of the turbine torque with respect to the pump speed. [N*m*s/rad]"""
     A4: float
-    """Slope of the turbine torque over the turbine speed. [N*m*s/rad]"""
+    """Derivative of the turbine torque with respect to the turbine speed. [N*m*s/rad]"""
 
 
 class Characteristic(NamedTuple):
-    """Torque ratio and lambda at a speed ratio, with slopes over the speed ratio."""
+    """Torque ratio and lambda at a speed ratio, with their derivatives (`by_ratio`)."""
 
     torque_ratio: float
     factor: float
@@ -58,7 +59,7 @@ class Characteristic(NamedTuple):
 
 
 def characteristic(points: Sequence[tuple[float, ...]], ratio: float) -> Characteristic:
-    """Interpolate points ``i, K, lambda`` linearly, with constant values outside.
+    """Interpolate points ``(i, K, lambda)`` linearly, with constant values outside.
 
     Examples
     --------

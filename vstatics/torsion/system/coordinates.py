@@ -1,7 +1,7 @@
 """Free motions of a torsional system, split into rigid, massless and other motions.
 
-The split follows from the linear forms of rigid devices, twists and bodies alone, and not from
-stiffnesses or inertias. A soft support is thus not mistaken for a rigid motion.
+The split follows from the coefficients of constraints, twists and bodies alone, not from the size
+of stiffnesses or inertias. A soft support is thus not mistaken for a rigid motion.
 """
 
 from __future__ import annotations
@@ -15,20 +15,20 @@ from vstatics.core.numerics.motions import Form
 from vstatics.torsion.system.gear_system import TorsionalSystem
 
 MANY = 300
-"""Number of links above which the calculation of all modes takes longer than the lowest few."""
+"""Number of links above which it is faster to calculate only the lowest modes."""
 
 
 class Coordinates(NamedTuple):
-    """Motions of all links, as columns."""
+    """Basis of the possible motions of links; each motion is a column of link angles."""
 
     free: Floats
-    """All free motions, shape (links, n)."""
+    """All motions that the constraints allow, shape (links, n)."""
     massless: Floats
-    """Motions without inertia that elastic devices resist, shape (links, m)."""
+    """Motions without inertia but with elastic twist, shape (links, m)."""
     rigid: Floats
     """Motions with inertia but without elastic twist, shape (links, r)."""
     undetermined: Booleans
-    """Mask of the links that take part in a motion with neither inertia nor resistance."""
+    """Flags of the links that take part in a motion with neither inertia nor resistance."""
 
     @property
     def modes(self) -> int:
@@ -36,16 +36,16 @@ class Coordinates(NamedTuple):
         return len(self.free.T) - len(self.massless.T) - len(self.rigid.T)
 
     def has_many_more(self, count: int) -> bool:
-        """Return whether the lowest modes alone are calculated sooner than all modes."""
+        """Return whether it is faster to calculate the `count` lowest modes than all modes."""
         return len(self.free) > MANY and count < self.modes // 2
 
     @property
     def heavy(self) -> Floats:
-        """Motions with inertia that complete the massless motions, shape (links, n - m)."""
+        """Motions with inertia, which complete the massless motions, shape (links, n - m)."""
         count = self.massless.shape[1]
         if not count:
             return self.free
-        from scipy import linalg  # not imported for most systems
+        from scipy import linalg  # slow import, seldom needed
 
         part, *_ = linalg.lstsq(self.free, self.massless)
         _, _, order = linalg.qr(part.T, mode="economic", pivoting=True)
@@ -53,9 +53,9 @@ class Coordinates(NamedTuple):
 
 
 def coordinates(system: TorsionalSystem) -> Coordinates:
-    """Split the free motions of a system.
+    """Split the motions of a system that its constraints allow.
 
-    Motions that neither an inertia nor a device resists are held at 0 and take part in no mode.
+    Motions that neither inertia nor a component resists are held at 0 and take part in no mode.
 
     Examples
     --------
@@ -72,7 +72,7 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
     loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
-    held: list[Form] = []  # links that block the undetermined motions
+    held: list[Form] = []  # constraints that hold undetermined motions
     if loose.shape[1]:
         from scipy import linalg
 
@@ -91,7 +91,7 @@ Values = TypeVar("Values", bound=np.ndarray[Any, np.dtype[Any]])
 
 
 def form_values(form: Form, shapes: Values) -> Values:
-    """Evaluate a form of the angles of links, shape (modes,), for shapes (links, modes)."""
+    """Evaluate a linear form of link angles, shape (modes,), for mode shapes (links, modes)."""
     total = np.zeros(shapes.shape[1:], shapes.dtype)
     for link, part in form.items():
         total += part * shapes[link]

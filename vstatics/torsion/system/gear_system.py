@@ -1,10 +1,9 @@
-"""Torsional system of a gear, with bodies, elastic devices and rigid devices.
+"""Torsional system of a gear, with bodies, elastic components and rigid components.
 
 The equation is ``M q'' + D q' + K q = 0`` for the angles q of the links, with ``M`` of the bodies,
-``K`` and ``D`` of the elastic devices, and constraints by the rigid devices. The twist of a device
-is its row of the structural-distribution matrix (Tsitovich, Algin, Vehicle dynamics, 1981, 1.2: the
-equations of a gearbox with a compliant casing, (1.11), are the equations of a mechanism with the
-row as the twist).
+``K`` and ``D`` of the elastic components, and constraints by the rigid components. The twist of a
+component is a linear form of angles: its row of the structural-distribution matrix (Tsitovich,
+Algin, Vehicle dynamics, 1981, 1.2 and (1.11)).
 """
 
 from __future__ import annotations
@@ -26,44 +25,44 @@ from vstatics.torsion.system.converters import WorkingConverter
 
 
 class TorsionalDevice(NamedTuple):
-    """Device between links, rigid or elastic."""
+    """Component between links, rigid or elastic."""
 
     name: str
     twist: Form
-    """Coefficients of the angles of links (indices from 0). [-]"""
+    """Index of a link (from 0) -> coefficient of its angle in the twist. [-]"""
     stiffness: float | None = None
-    """Stiffness; None for a rigid device, whose twist is 0. [N*m/rad]"""
+    """Stiffness; None for a rigid component, whose twist is 0. [N*m/rad]"""
     damping: Damping = NO_DAMPING
 
     @property
     def rate(self) -> float:
-        """Stiffness, 0 of a rigid device [N*m/rad]."""
+        """Stiffness, 0 for a rigid component [N*m/rad]."""
         return self.stiffness or 0.0
 
 
 class TorsionalSystem(NamedTuple):
-    """Vibrating system of the links of a gear.
+    """Torsional system of the links of a gear.
 
     Attributes
     ----------
     names : sequence of str
-        Names of all links: the links of the case, then those of planets.
+        Names of all links: first of the case, then of planets.
     case_links : int
         Number of links of the case.
     bodies : sequence of Body
-        A body for each link of the case, also with an inertia of 0; then planets.
+        A body for each link of the case, which can have the inertia 0; then planets.
     devices : sequence of TorsionalDevice
         Engaged shift elements, mechanisms, springs.
     link_inertias : sequence of float
-        Inertias of all links with their shares of planets; a share can be negative. [kg*m^2]
+        Inertias of all links, including shares of planets, which can be negative. [kg*m^2]
     ends : tuple of int
         Indices of the input and the output of the gear.
     planet_shares : sequence of tuple
-        Name of each gear set, and the shares of its planets in `link_inertias`.
+        Name of each gear set, with the shares of its planets in `link_inertias`.
     converters : sequence of WorkingConverter
-        Converters at their working points; converters that are not listed transmit nothing.
+        Converters at their operating points; other converters transmit no torque.
     dampers : sequence of TorsionalDevice
-        Springs without a stiffness, which resist only rates of twist.
+        Springs without stiffness, which resist only rates of twist.
     """
 
     names: tuple[str, ...]
@@ -83,27 +82,27 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def elastic(self) -> list[TorsionalDevice]:
-        """Devices with a stiffness."""
+        """Elastic components."""
         return [device for device in self.devices if device.stiffness is not None]
 
     @property
     def rigid(self) -> list[TorsionalDevice]:
-        """Devices without a stiffness."""
+        """Rigid components."""
         return [device for device in self.devices if device.stiffness is None]
 
     @property
     def rigid_twists(self) -> list[Form]:
-        """Twists of the rigid devices, which are 0."""
+        """Twists of the rigid components: linear forms that are 0."""
         return [device.twist for device in self.rigid]
 
     @property
     def elastic_twists(self) -> list[Form]:
-        """Twists of the elastic devices."""
+        """Twists of the elastic components, as linear forms."""
         return [device.twist for device in self.elastic]
 
     @property
     def rates(self) -> Floats:
-        """Stiffnesses of the elastic devices, shape (devices,) [N*m/rad]."""
+        """Stiffnesses of the elastic components, shape (components,) [N*m/rad]."""
         return np.array([device.rate for device in self.elastic], float)
 
     @property
@@ -113,32 +112,32 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def dampings(self) -> tuple[Floats, Floats]:
-        """Viscous [N*m*s/rad] and hysteretic [N*m/rad] dampings of the elastic devices."""
+        """Viscous [N*m*s/rad] and hysteretic [N*m/rad] dampings of the elastic components."""
         dampings = [device.damping for device in self.elastic]
         lost = self.rates * np.array([damping.loss_factor for damping in dampings])
         return np.array([damping.viscous for damping in dampings]), lost
 
     def rows(self, forms: Sequence[Form]) -> Floats:
-        """Return forms of the angles of links as rows, shape (forms, links)."""
+        """Return linear forms of link angles as a matrix, shape (forms, links)."""
         return values_of(forms, len(self.names))
 
     @property
     def damper_rows(self) -> Floats:
-        """Twists of separate dampers times square roots of dampings, shape (dampers, links)."""
+        """Rows of twists of separate dampers, times roots of dampings, shape (dampers, links)."""
         sizes = np.sqrt([damper.damping.viscous for damper in self.dampers])
         return sizes[:, None] * self.rows([damper.twist for damper in self.dampers])
 
     @property
     def slip_resistance(self) -> Floats:
-        """Share of separate dampers and converters in ``D``, shape (links, links) [N*m*s/rad].
+        """Contribution of dampers and converters to ``D``, shape (links, links) [N*m*s/rad].
 
-        The share of converters is not symmetric.
+        It is not symmetric if there are converters.
         """
         return self.damper_rows.T @ self.damper_rows + self.converter_resistance
 
     @property
     def converter_resistance(self) -> Floats:
-        """Share of converters in ``D``, shape (links, links); not symmetric [N*m*s/rad]."""
+        """Contribution of converters to ``D``, not symmetric, shape (links, links) [N*m*s/rad]."""
         resistance = np.zeros((len(self.names), len(self.names)))
         for slopes in self.converters:
             links = [slopes.pump, slopes.turbine]
@@ -148,23 +147,23 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def twists(self) -> Floats:
-        """Twists of the elastic devices as rows, shape (devices, links)."""
+        """Matrix from link angles to twists of elastic components, shape (components, links)."""
         return self.rows(self.elastic_twists)
 
     @property
     def speeds(self) -> Floats:
-        """Forms of the bodies in speeds of links, shape (bodies, links)."""
+        """Matrix from link speeds to speeds of bodies, shape (bodies, links)."""
         return self.rows([body.form for body in self.bodies])
 
     def matrices(
         self, twists: Floats, speeds: Floats, motions: Floats
     ) -> tuple[Floats, Floats, Floats, Floats]:
-        """Return M, K, D and K times loss factors in terms of motions.
+        """Return M, K, D and K times loss factors for coordinates of n motions, shape (n, n) each.
 
         Parameters
         ----------
         twists : ndarray, shape (devices, n)
-            Twists of the elastic devices in the motions.
+            Twists of the elastic components in the motions.
         speeds : ndarray, shape (bodies, n)
             Speeds of the bodies in the motions.
         motions : ndarray, shape (links, n)
@@ -176,17 +175,17 @@ class TorsionalSystem(NamedTuple):
         return speeds.T @ (self.inertias[:, None] * speeds), stiffness, resistance, hysteresis
 
     def free(self, *others: Form) -> Floats:
-        """Return the motions (columns) that remain with rigid devices and other forms held at 0."""
+        """Return the motions (columns) in which rigid twists and `others` are 0."""
         return free_motions([*self.rigid_twists, *others], len(self.names))
 
 
 def torsional_system(
     case: Transmission, gear: Gear, slopes: Mapping[str, float] = MappingProxyType({})
 ) -> TorsionalSystem:
-    """Build the system of a gear, whose engaged elements include the freewheels that hold.
+    """Build the torsional system of a gear, whose engaged elements include freewheels that hold.
 
-    Springs with points have the given slopes, by name [N*m/rad]. Springs with a slope of 0 and
-    converters transmit nothing.
+    `slopes` are the stiffnesses of nonlinear springs, by name [N*m/rad]. Springs with a slope of 0,
+    and converters, transmit no torque.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Stiffnesses of springs with points in a gear, at their torques under mean speeds."""
+"""Stiffnesses of nonlinear springs (given by points) in a gear, at their torques under the load."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from vstatics.torsion.system.working_points import mean_gear
 
 
 class SpringSlope(NamedTuple):
-    """Linearised spring with points in a gear."""
+    """Nonlinear spring (given by points), linearised in a gear."""
 
     number: int
     """Number of the spring, from 1."""
     name: str
     torque: float
-    """Torque of the spring at mean speeds, with losses. [N*m]"""
+    """Mean torque of the spring under the load, with losses. [N*m]"""
     slope: float
-    """Stiffness at the torque; 0 within the free play, where nothing is transmitted. [N*m/rad]"""
+    """Stiffness at the torque; 0 within the free play, where the spring is open. [N*m/rad]"""
 
     def __str__(self) -> str:
-        """Return the slope and the torque as in messages."""
+        """Return the slope and the torque as messages print them."""
         slope = f"{self.slope:.6g} N*m/rad" if self.slope else "in play, so it is open,"
         return f"{slope} at {self.torque:.6g} N*m"
 
 
 def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
-    """Yield the slopes of springs with points under the torque of the load, or at 0 N*m.
+    """Yield the stiffnesses of nonlinear springs under the load, or at 0 N*m without a load.
 
     If a gear gives the speed ratio of a converter, the torque of its pump replaces the load.
 
@@ -71,6 +71,6 @@ def _torques_of_springs(case: Transmission, gear: Gear) -> list[float]:
     if not case.gear_load(gear).torque:
         return [0.0] * len(case.springs)
     results = solve(case.replace(gears=[gear]))
-    # Without a torque at the output the gear transmits nothing, and its springs carry nothing.
+    # Without a torque at the output, no torque passes through the springs.
     *torques, output = results.lossy_torques_Nm[0, -len(case.springs) - 1 :].tolist()
     return [0.0] * len(torques) if math.isnan(output) else torques

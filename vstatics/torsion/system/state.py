@@ -15,15 +15,15 @@ from vstatics.torsion.system.slopes import spring_slopes
 
 
 def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
-    """Return the torsional system of a gear, or a text with the reason why none exists.
+    """Return the torsional system of a gear, or the reason why it cannot vibrate.
 
     Freewheels hold if they hold at mean speeds. Free vibration needs no input, so the input can be
-    held if any other link can move. Springs with points have the slopes of `spring_slopes`.
+    held if any other link can move. Nonlinear springs have the stiffnesses of `spring_slopes`.
 
     Raises
     ------
     CaseError
-        If a slope is indeterminate, or a converter has no lambda.
+        If the torque of a nonlinear spring is indeterminate, or a converter has no lambda.
 
     Examples
     --------
@@ -54,7 +54,7 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
 
 
 def asked_gears(case: Transmission, gears: Sequence[int | str] | None) -> list[Gear]:
-    """Return gears by their numbers from 1 or names, by default all gears.
+    """Return gears with given numbers (from 1) or names, by default all gears.
 
     Raises
     ------

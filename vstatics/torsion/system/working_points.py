@@ -1,9 +1,9 @@
-"""Working points of the converters of a gear: mean speeds and torques of the vibration.
+"""Operating points of the converters of a gear: speeds and torques about which the gear vibrates.
 
 The speed of the pump follows from the load and the speeds of the gear. If a speed ratio is given,
 the torque that the pump then takes determines the torque of the input. Otherwise the speed ratio is
-calculated so that the pump takes the torque of the load. If other devices connect pump and turbine,
-as a lock-up clutch does, they determine the speed ratio.
+calculated so that the pump takes the torque of the load. If other components connect pump and
+turbine, such as a lock-up clutch, they determine the speed ratio.
 """
 
 from __future__ import annotations
@@ -36,28 +36,28 @@ from vstatics.torsion.tolerances import (
 )
 
 Ratios = Mapping[str, float]
-"""Speed ratios of converters, by their names [-]."""
+"""Name of a converter -> speed ratio [-]."""
 
 
 class WorkingGear(NamedTuple):
-    """Gear at its working point, in a case with converters replaced by mechanisms."""
+    """Gear at its operating point, in a case in which mechanisms replace converters."""
 
     case: Transmission
     gear: Gear
     converters: tuple[WorkingConverter, ...] = ()
     doubts: tuple[str, ...] = ()
-    """Warnings about converters whose pumps do not take the torque of the load."""
+    """Warnings about converters whose pump does not take the torque of the load."""
 
 
 FAR = (1.0, 8.0, 64.0, 512.0, 4096.0)
-"""Trial torques of the input, relative to the torque of the pump.
+"""Trial torques of the input, relative to the torque of the pump. [-]
 
-Large values are needed because drag can absorb a small torque. [-]
+Large values are needed because drag can absorb a small torque.
 """
 
 
 def mean_gear(case: Transmission, gear: Gear) -> WorkingGear:
-    """Return a gear at its working point, or unchanged if the working point is unknown."""
+    """Return a gear at its operating point, or unchanged if this point is unknown."""
     try:
         return working_gear(case, gear, {})
     except CaseError:
@@ -65,19 +65,19 @@ def mean_gear(case: Transmission, gear: Gear) -> WorkingGear:
 
 
 def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
-    """Find the working points of the converters of a gear.
+    """Find the operating points of the converters of a gear.
 
     Parameters
     ----------
     given : mapping of str to float
-        Speed ratios of converters, instead of those of the gear. [-]
+        Name of a converter -> speed ratio, instead of the ratio in the gear. [-]
 
     Raises
     ------
     CaseError
         If a speed or a speed ratio is unknown, or a converter has no lambda.
     ValueError
-        If a given name is not the name of a converter.
+        If a name in `given` is not the name of a converter.
     """
     opened = with_open_converters(case)
     names = [converter.name for converter in opened.converters]
@@ -91,12 +91,12 @@ def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
 
 
 class _OnPump(NamedTuple):
-    """Torques at the pump of a converter."""
+    """Torques at the pump of a converter for an assumed speed ratio."""
 
     brought: float
     """Torque that the load applies to the pump. [N*m]"""
     able: float
-    """Torque that the pump can take at its speed and speed ratio. [N*m]"""
+    """Torque that the pump takes at its speed and speed ratio. [N*m]"""
     at: tuple[float, float]
     """Speed ratio [-] and speed of the pump [rad/s]."""
 
@@ -107,7 +107,7 @@ class _OnPump(NamedTuple):
 
 
 class _WorkingPoints:
-    """Solver for the working points of the converters of a gear."""
+    """Solver for the operating points of the converters of a gear."""
 
     def __init__(self, case: Transmission, opened: Transmission, gear: int) -> None:
         self.case = case
@@ -140,7 +140,7 @@ class _WorkingPoints:
             ratio = self.joined.get(name, ratios.get(name, 0.0))
             if self.load.speed is None and name in self.joined:
                 at_unit_speed = working_converter("", (0, 0), converter.points, ratio, 1.0)
-                if not any(at_unit_speed[-4:]):  # the slopes are zero at any speed
+                if not any(at_unit_speed[-4:]):  # all derivatives are 0
                     continue
             speed = self._pump_speed(converter, results)
             links = converter.pump - 1, converter.turbine - 1
@@ -148,7 +148,7 @@ class _WorkingPoints:
         return WorkingGear(case, case.gears[0], tuple(working), doubts)
 
     def _joined(self) -> Iterator[tuple[str, float]]:
-        """Yield speed ratios of converters whose links are connected by other devices.
+        """Yield speed ratios of converters whose links other components connect.
 
         The speed ratio is 0 if the pump is at rest.
         """
@@ -166,7 +166,7 @@ class _WorkingPoints:
                 yield converter.name, ratio
 
     def _given(self) -> dict[str, float]:
-        """Return the speed ratios given in the mechanisms or in the gear."""
+        """Return the speed ratios that the mechanisms of the case or the gear give."""
         converters = [mesh for mesh in self.case.mechanisms if mesh.kind == "converter"]
         ratios = {c.name: c.ratio for c in converters if not math.isnan(c.ratio)}
         first = len(self.opened.mechanisms[self.opened.own_mechanisms])
@@ -202,7 +202,7 @@ class _WorkingPoints:
         return speed
 
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
-        """Return the largest speed ratio at which the pump takes the torque of the load."""
+        """Return the largest speed ratio at which a pump takes the torque of the load."""
         if (self.load.torque is None and not self.driving) or self.load.speed is None:
             raise self._unknown([converter], "a `load` with speed and torque would determine it")
         corners = {point[0] for point in converter.points}
@@ -233,7 +233,7 @@ class _WorkingPoints:
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:
-        """Return the case under the torque of the pumps, and warnings about the given torque."""
+        """Return the case with the input torque that pumps take, and warnings about its load."""
         if not self.driving:
             return case, ()
         doubts = []
@@ -249,7 +249,7 @@ class _WorkingPoints:
         return case.with_torque(torque), tuple(doubt + addition for doubt in doubts)
 
     def _input_torque(self, converter: Converter, case: Transmission) -> float | None:
-        """Return the input torque at which the excess of a pump is 0; None if none exists."""
+        """Return the input torque that gives a pump exactly its torque, or None if none does."""
 
         def excess(torque: float) -> float:
             return self._on_pump(converter, case.with_torque(torque)).excess

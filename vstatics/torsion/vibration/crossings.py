@@ -1,10 +1,10 @@
-"""Motions that no variant couples, whose frequencies can therefore cross in a sweep.
+"""Groups of modes that no variant couples, whose frequencies can therefore cross in a sweep.
 
-In natural modes of the first variant the matrices of another variant are ``K + sum dc t t^T`` and
-``M + sum dJ b b^T``, where t are the twists of the varied devices and b the forms of the varied
-bodies. Motions without a common t or b remain uncoupled in all variants; within each uncoupled
-group the frequencies keep their order (von Neumann, Wigner, 1929). The groups therefore identify
-each mode by its shape, for any variants in any order.
+In coordinates of the natural modes of the first variant, another variant has the matrices ``K + sum
+dc t t^T`` and ``M + sum dJ b b^T``, where t contains the twists of a varied component and b the
+speeds of a varied body. Modes without a common t or b remain uncoupled in all variants. Within a
+group of coupled modes the frequencies keep their order (von Neumann, Wigner, 1929), so group and
+order identify a mode in any variant.
 """
 
 from __future__ import annotations
@@ -22,29 +22,29 @@ from vstatics.torsion.vibration.natural import natural_modes, weighted_bodies, w
 
 
 class SeparateMotions(NamedTuple):
-    """Motions of a system that remain uncoupled from all other motions in every variant."""
+    """Group of motions that are uncoupled from all other motions in every variant."""
 
     modes: list[int]
-    """Mode numbers of the motions in the first variant, from 0."""
+    """Numbers of the modes of the group in the first variant, from 0."""
     split: Coordinates
     devices: frozenset[int]
     bodies: frozenset[int]
-    """Indices of varied bodies that take part in the motions; `devices` holds those of devices."""
+    """Indices of the varied bodies that take part; `devices` are the varied components."""
 
 
 def separate_motions(
     system: TorsionalSystem, split: Coordinates, devices: Collection[int], bodies: Collection[int]
 ) -> list[SeparateMotions]:
-    """Find the uncoupled groups of motions of a system with varied stiffnesses and inertias.
+    """Find the uncoupled groups of motions of a system whose stiffnesses and inertias vary.
 
     Parameters
     ----------
     system : TorsionalSystem
         The first variant.
     split : Coordinates
-        Coordinates of this system.
+        Coordinates of `system`.
     devices, bodies : collection of int
-        Places of the varied devices and bodies.
+        Indices of the varied components and bodies.
 
     Examples
     --------
@@ -66,7 +66,7 @@ def separate_motions(
     for coupling in _couplings(system, basis, natural.omegas, devices, bodies):
         common = [group for group in joined if group.motions & coupling.motions]
         joined = [*(group for group in joined if group not in common), _united([coupling, *common])]
-    if split.massless.shape[1] and len(joined) > 1:  # massless motions can couple any of the groups
+    if split.massless.shape[1] and len(joined) > 1:  # massless motions can couple all groups
         joined = [_united(joined)]
     coupled = [motion for group in joined for motion in group.motions]
     unvaried = _Coupling(
@@ -85,7 +85,7 @@ def separate_motions(
 
 
 class _Coupling(NamedTuple):
-    """Motions coupled by varied devices and bodies; rigid motions have the first numbers."""
+    """Coupling of motions by varied components and bodies; rigid motions have the first numbers."""
 
     devices: frozenset[int]
     bodies: frozenset[int]

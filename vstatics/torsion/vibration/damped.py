@@ -1,4 +1,4 @@
-"""Damped vibration: the eigenvalues of ``M q'' + D q' + K q = 0``, except for rigid modes."""
+"""Damped vibration: eigenvalues of ``M q'' + D q' + K q = 0``, except those of rigid modes."""
 
 from __future__ import annotations
 
@@ -15,15 +15,16 @@ from vstatics.torsion.vibration.natural import NaturalModes
 
 
 class DampedModes(NamedTuple):
-    """Eigenvalues of a damped system, and the eigenvalues of each natural mode.
+    """Eigenvalues of a damped system, and their assignment to natural modes.
 
     Attributes
     ----------
     eigenvalues : ndarray
-        Eigenvalues with an imaginary part of 0 or more, by modulus, then imaginary part. [1/s]
+        Eigenvalues with an imaginary part of 0 or more, sorted by modulus, then imaginary part.
+        [1/s]
     of_modes : ndarray, shape (modes, 2)
-        Both eigenvalues of each natural mode, a conjugate pair or two real ones: the eigenvalues
-        whose complex shapes are nearest to the mode in the mass norm. [1/s]
+        The two eigenvalues of each natural mode, a conjugate pair or two real numbers: their
+        complex shapes are nearest to the mode in the mass norm. [1/s]
     """
 
     eigenvalues: Complex
@@ -31,7 +32,7 @@ class DampedModes(NamedTuple):
 
     @property
     def ratios(self) -> Floats:
-        """Damping ratios of natural modes, ``-(s1 + s2)/2/sqrt(s1 s2)`` of both eigenvalues [-]."""
+        """Damping ratios of natural modes: ``-(s1 + s2)/2/sqrt(s1 s2)`` of both eigenvalues [-]."""
         sizes = np.sqrt(np.abs(self.of_modes)).prod(axis=1)
         sums = -self.of_modes.real.sum(axis=1) / 2
         return np.asarray(np.divide(sums, sizes, out=np.ones(len(sizes)), where=sizes > 0) + 0.0)
@@ -51,7 +52,7 @@ def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalMode
 
     Examples
     --------
-    One mass on a spring: ``s = -zeta omega +- i omega sqrt(1 - zeta^2)``.
+    A mass on a spring: ``s = -zeta omega +- i omega sqrt(1 - zeta^2)``.
 
     >>> from vstatics import Spring, Transmission
     >>> from vstatics.torsion.system.coordinates import coordinates

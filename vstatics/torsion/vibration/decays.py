@@ -15,33 +15,32 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import UNDAMPED
 
 LEAST_EXTREMES = 5
-"""Smallest number of extremes: amplitudes exist at the inner three, which span a period."""
+"""Smallest number of extremes: only inner extremes have amplitudes, and three span a period."""
 
 
 class Decay(NamedTuple):
-    """Free vibration with linear damping."""
+    """Frequency and decrement of a free vibration with linear damping."""
 
     omega: float
     """Angular frequency. [rad/s]"""
     decrement: float
     """Logarithmic decrement. [-]"""
     mean_line: tuple[float, ...]
-    """Mean line at the inner extremes, in the unit of the record."""
+    """Values of the mean line at the inner extremes, in the unit of the record."""
     amplitudes: tuple[float, ...]
     """Amplitudes at the inner extremes, measured from the mean line."""
 
 
 def decay(peaks: Sequence[float], period: float) -> Decay:
-    """Identify a free vibration from successive extremes, (П2.1).
+    """Calculate frequency and decrement from successive extremes M_k, (П2.1).
 
-    The mean line is (M_k-1 + 2 M_k + M_k+1)/4. The part of the vibration that remains in the mean
-    line is the same fraction of all amplitudes, so the decrement is exact, also with a mean that
-    drifts linearly.
+    The mean line is (M_k-1 + 2 M_k + M_k+1)/4. It still contains a part of the vibration, but the
+    same fraction of all amplitudes, so the decrement is exact, even if the mean drifts linearly.
 
     Parameters
     ----------
     period : float
-        Time from an extreme to the next but one. [s]
+        Time between successive maxima. [s]
 
     Raises
     ------
@@ -73,9 +72,9 @@ def decay(peaks: Sequence[float], period: float) -> Decay:
 
 
 def recorded_decay(times: Floats, values: Floats) -> Decay:
-    """Identify a free vibration from samples.
+    """Calculate frequency and decrement from samples of a record.
 
-    Each extreme is the vertex of the parabola through three samples.
+    Each extreme is the vertex of a parabola through three samples.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """Dampings from logarithmic decrements, and compliances from a measured frequency.
 
-The decrement of a mode is the sum of the decrements of its devices, each weighted by the share of
-the device in the elastic energy of the mode; in a chain of springs without inertia between them the
-share is ``E_i/E``.
+The decrement of a mode is the sum of the decrements of components, each weighted by the share of
+the component in the elastic energy of the mode. In a chain of springs of compliance E_i, without
+inertia between them, the share is ``E_i/sum E``.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; numbers of
 equations refer to the book.
@@ -14,11 +14,11 @@ import math
 from collections.abc import Mapping
 
 ByDevice = Mapping[str, float]
-"""Number for each elastic device, by name."""
+"""Name of an elastic component -> number."""
 
 
 def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict[str, float]:
-    """Scale compliances so that a calculated frequency equals the measured frequency, (П2.2).
+    """Scale all compliances so that a calculated frequency equals the measured frequency, (П2.2).
 
     Parameters
     ----------
@@ -38,24 +38,24 @@ def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict
 
 
 def dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
-    """Return the dampings of devices with given decrements at an angular frequency, (П1.19).
+    """Return the dampings of components with given decrements at an angular frequency, (П1.19).
 
-    Measured decrements change little with frequency: the product ``damping * omega`` is the
-    property of a device, so a damping is valid only near this frequency.
+    Measured decrements change little with frequency, so ``damping * omega`` is a property of a
+    component, and a damping is valid only near this frequency.
 
     Parameters
     ----------
     decrements : mapping
-        Decrements of devices. [-]
+        Decrements of components. [-]
     compliances : mapping
-        Compliances of at least these devices. [rad/(N*m)]
+        Compliances of these components, or more. [rad/(N*m)]
     omega : float
         Angular frequency. [rad/s]
 
     Returns
     -------
     dict
-        Dampings of the devices. [N*m*s/rad]
+        Dampings of the components. [N*m*s/rad]
 
     Examples
     --------
@@ -71,7 +71,7 @@ def dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[
 
 
 def decrements(dampings: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
-    """Return the decrements of devices with given dampings: the inverse of `dampings`.
+    """Return the decrements of components with given dampings, the inverse of `dampings`.
 
     >>> decrements(dampings({"shaft": 0.03}, {"shaft": 1e-3}, 80.0), {"shaft": 1e-3}, 80.0)
     {'shaft': 0.03}
@@ -82,14 +82,14 @@ def decrements(dampings: ByDevice, compliances: ByDevice, omega: float) -> dict[
 
 
 def decrement(decrements: ByDevice, shares: ByDevice) -> float:
-    """Return the decrement of a mode from the decrements of devices, (П1.20), (П1.21).
+    """Return the decrement of a mode from the decrements of components, (П1.20), (П1.21).
 
     Parameters
     ----------
     decrements : mapping
-        Decrements of devices. [-]
+        Decrements of components. [-]
     shares : mapping
-        Shares of at least these devices in the elastic energy of the mode. [-]
+        Shares of these components, or more, in the elastic energy of the mode. [-]
 
     Examples
     --------
@@ -100,7 +100,7 @@ def decrement(decrements: ByDevice, shares: ByDevice) -> float:
 
 
 def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float]:
-    """Divide the decrement of a mode between devices whose decrements have given ratios.
+    """Divide the decrement of a mode between components whose decrements have given ratios.
 
     The method is from (П1.20) and lines 2 to 4 of table П1.4.
 
@@ -109,9 +109,9 @@ def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float
     total : float
         Decrement of the mode. [-]
     shares : mapping
-        Shares of the devices in the elastic energy of the mode. [-]
+        Shares of the components in the elastic energy of the mode. [-]
     ratios : mapping
-        Decrements of the devices relative to each other. [-]
+        Decrements of the components, relative to each other. [-]
 
     Examples
     --------
@@ -123,18 +123,18 @@ def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float
 
 
 def moved(damping: float, compliance: float, to: float) -> float:
-    """Convert a damping from a compliance to another compliance in series, (П1.27).
+    """Convert a damping parallel to a compliance to another compliance in series, (П1.27).
 
     The energy dissipated in a cycle of the torque remains unchanged. The damping of a whole shaft
-    can thus be assigned to a part of the shaft, and the dampings of the parts of a chain, after
-    their conversion, add up to the damping of the chain.
+    can thus be assigned to a part of it, and dampings of the parts of a chain, converted to the
+    compliance of the chain, add up to its damping.
 
     Parameters
     ----------
     damping : float
         Damping in parallel with `compliance`. [N*m*s/rad]
     compliance, to : float
-        Compliances in parallel with the damping before and after the conversion. [rad/(N*m)]
+        Compliance parallel to the damping before the conversion, and after it. [rad/(N*m)]
 
     Examples
     --------
@@ -147,7 +147,8 @@ def moved(damping: float, compliance: float, to: float) -> float:
 def dry_friction(friction: float, stop: float, compliance: float) -> float:
     """Return the equivalent ``damping * omega`` of a clutch damper with dry friction, (П1.26).
 
-    It dissipates the energy of the dry friction in a cycle that just reaches the stop.
+    The equivalent damping dissipates as much as the dry friction in a cycle that just reaches the
+    stop.
 
     Parameters
     ----------

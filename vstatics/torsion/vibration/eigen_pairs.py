@@ -1,4 +1,4 @@
-"""Eigenvalues and complex shapes of damped vibration, in coordinates of the natural modes."""
+"""Eigenvalues and complex shapes of damped vibration, in modal coordinates."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ class Pencil(NamedTuple):
     Attributes
     ----------
     stiffness, viscous, lost : ndarray, shape (coordinates, coordinates)
-        ``K``, and ``D`` at omega is ``viscous + lost/omega``.
+        Matrix ``K``, and two parts of ``D = viscous + lost/omega`` at the frequency omega.
     modes : int
-        Number of natural modes, the first coordinates.
+        Number of natural modes, which are the first coordinates.
     rigid : int
-        Number of rigid modes, the next coordinates, also with a modal mass of 1.
+        Number of rigid modes, which are the next coordinates; their modal mass is 1, too.
     symmetric : bool
-        Whether D is symmetric, as it is without converters.
+        True if D is symmetric, as it is without converters.
     """
 
     stiffness: Floats
@@ -49,14 +49,14 @@ class Pencil(NamedTuple):
         return self.modes + self.rigid
 
     def at(self, omegas: Floats) -> Pencils:
-        """Return the matrices at several frequencies, each with the ``D`` of the frequency."""
+        """Return the matrices at several frequencies, each with ``D`` at its frequency [rad/s]."""
         masses = (np.arange(len(self.stiffness)) < self.massive).astype(float)
         return Pencils(masses, self.stiffness, self.viscous + self.lost / omegas[:, None, None])
 
     def resistance_of_all(self, omegas: Floats) -> Floats:
-        """Return a common ``D`` for all modes, with mean frequencies in the coupling of two modes.
+        """Return a common ``D`` for all modes; an entry uses the mean frequency of its two modes.
 
-        The frequency of a massless motion is the geometric mean of all natural frequencies.
+        Massless motions count with the geometric mean of all natural frequencies.
         """
         logarithms = np.log(omegas) / 2
         creeping = np.full(len(self.stiffness) - self.modes, logarithms.mean())
@@ -64,9 +64,9 @@ class Pencil(NamedTuple):
         return np.asarray(self.viscous + self.lost / np.outer(roots, roots))
 
     def lengths(self, shapes: Complex, values: Complex) -> Floats:
-        """Return the lengths of complex shapes (columns); a natural mode has a length of 1.
+        """Return the lengths of complex shapes (columns); a natural mode has the length 1.
 
-        The elastic energy of massless motions counts like the energy of masses.
+        The elastic energy of massless motions counts like kinetic energy.
         """
         swinging, creeping = shapes[: self.massive], shapes[self.massive :]
         stiff = self.stiffness[self.massive :, self.massive :]
@@ -78,7 +78,7 @@ class Pencil(NamedTuple):
 
 
 def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) -> Pencil:
-    """Build the matrices of a system in coordinates of the natural modes."""
+    """Build the matrices of a system in modal coordinates."""
     viscous, lost = system.dampings
     stiff = weighted_twists(system)
     damped = resisting_rows(system, viscous + lost)
@@ -95,9 +95,9 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
 
 
 def resisting_rows(system: TorsionalSystem, resistances: Floats) -> Floats:
-    """Return the resisted motions of links, weighted by the roots of resistances.
+    """Return the motions of links that are resisted, as rows weighted by roots of resistances.
 
-    Dampers and converters resist in addition to the elastic devices with the given resistances.
+    Rows are twists times roots of `resistances` of elastic components, then dampers and converters.
     """
     slipping = np.abs(system.converter_resistance)
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
@@ -106,7 +106,7 @@ def resisting_rows(system: TorsionalSystem, resistances: Floats) -> Floats:
 
 
 def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Return orthogonal rigid motions of modal mass 1."""
+    """Return rigid motions of modal mass 1 that are orthogonal in the inertia matrix."""
     if not split.rigid.size:
         return split.rigid
     _, triangle = linalg.qr(weighted_bodies(system) @ split.rigid, mode="economic")
@@ -116,8 +116,8 @@ def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
 def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[Floats, Floats]:
     """Split the massless motions into damped motions, uncoupled in D, and undamped motions.
 
-    Massless motions are in elastic equilibrium in the natural modes. Damped ones depart from this
-    equilibrium; undamped ones follow them in equilibrium.
+    In natural modes all massless motions are in elastic equilibrium. With damping, damped massless
+    motions depart from it; undamped massless motions follow them in equilibrium.
     """
     if not split.massless.shape[1]:
         return split.massless, split.massless
@@ -132,18 +132,18 @@ def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[F
 
 
 class EigenPairs(NamedTuple):
-    """Eigenvalues of damped vibration, and the complex shape of each."""
+    """Eigenvalues of damped vibration, each with its complex shape."""
 
     eigenvalues: Complex
-    """Eigenvalues with an imaginary part of 0 or more, by modulus. [1/s]"""
+    """Eigenvalues with an imaginary part of 0 or more, sorted by modulus. [1/s]"""
     shapes: Complex
-    """Complex shapes, shape (coordinates, eigenvalues); natural modes have a length of 1."""
+    """Complex shapes, shape (coordinates, eigenvalues); natural modes have the length 1."""
 
     def of_mode(self, mode: int) -> tuple[int, int]:
-        """Return the places of the eigenvalues with the largest parts in a natural mode.
+        """Return the two indices of the eigenvalues with the largest shares of a natural mode.
 
-        The places are equal for a complex eigenvalue, and those of two real eigenvalues for an
-        overdamped mode.
+        For a complex eigenvalue both indices are equal; an overdamped mode has two real
+        eigenvalues.
         """
         parts, swings = np.abs(self.shapes[mode]), self.eigenvalues.imag > 0
         first = _largest(parts, swings)
@@ -151,34 +151,34 @@ class EigenPairs(NamedTuple):
             return first, first
         parts[first] = -np.inf
         second = _largest(np.where(swings, -np.inf, parts), swings)
-        if parts[second] < 0 or swings[second]:  # a massless motion has the only real one
+        if parts[second] < 0 or swings[second]:  # no second real eigenvalue
             swinging = _largest(parts, swings)
             return swinging, swinging
         return min(first, second), max(first, second)
 
     def of_no_mode(self, modes: int) -> Complex:
-        """Return the eigenvalues outside the natural modes."""
+        """Return the eigenvalues that belong to none of the natural modes."""
         taken = {place for mode in range(modes) for place in self.of_mode(mode)}
         return self.eigenvalues[[n for n in range(len(self.eigenvalues)) if n not in taken]]
 
     def values(self, modes: Iterable[int]) -> Complex:
-        """Return both eigenvalues of natural modes, shape (modes, 2)."""
+        """Return the two eigenvalues of each given natural mode, shape (modes, 2)."""
         places = np.array([self.of_mode(mode) for mode in modes], int).reshape(-1, 2)
         values = self.eigenvalues[places]
         return np.column_stack([values[:, 0], values[:, 1].conjugate()])
 
 
 def _largest(parts: Floats, swings: Booleans) -> int:
-    """Return the index of the largest part; in a tie a complex eigenvalue has priority."""
+    """Return the index of the largest share; in a tie a complex eigenvalue is preferred."""
     ties = np.flatnonzero(parts >= parts.max() * (1 - SAME_MODULUS))
     return int(ties[np.argmax(swings[ties])])
 
 
 def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
-    """Calculate the eigenpairs of the state: modal coordinates, speeds and massless motions.
+    """Calculate the eigenvalues and shapes of a system in first-order form.
 
-    Rigid motions appear in the state with their speeds only; rigid motions without resistance
-    are left out.
+    The state contains modal coordinates, massless motions and speeds. Rigid motions appear with
+    their speeds only, and are left out if nothing resists them.
 
     A damped massless motion y has an equation of the first order,
     ``D_yy y' = -K_yy y - (K_yq q + D_yq q')``, where q are the modal coordinates.
@@ -186,7 +186,7 @@ def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     Raises
     ------
     CaseError
-        If the orders of magnitude of the numbers exceed the range of floats.
+        If the numbers differ too much for floating-point numbers.
     """
     state = _state(pencil, _require_finite(pencil.stiffness), _require_finite(resistance))
     values, vectors = linalg.eig(_require_finite(state))
@@ -218,7 +218,7 @@ def _require_finite(matrix: Floats) -> Floats:
 
 
 def _state(pencil: Pencil, stiffness: Floats, resistance: Floats) -> Floats:
-    """Build the matrix A of ``x' = A x``, with x = modal coordinates, massless motions, speeds."""
+    """Build the matrix A of ``x' = A x`` for x = (modal coordinates, massless motions, speeds)."""
     size, count = len(stiffness), pencil.massive
     fast, slow = slice(0, count), slice(count, size)
     matrix = np.zeros((size + count, size + count))
@@ -254,7 +254,7 @@ def _rates(resistance: Floats, right: Floats, *, symmetric: bool) -> Floats:
 
 
 def settled(values: Complex) -> Complex:
-    """Remove rounding errors: no eigenvalue has a positive real part here, and some are real."""
+    """Remove rounding errors: positive real parts, and tiny imaginary parts of real eigenvalues."""
     return _real_if_close(np.minimum(values.real, 0.0) + 1j * values.imag)
 
 
@@ -263,7 +263,7 @@ def _real_if_close(values: Complex) -> Complex:
 
 
 def order_of(values: Complex) -> NDArray[np.intp]:
-    """Order eigenvalues by modulus, then imaginary part.
+    """Return the order of eigenvalues by modulus, then imaginary part.
 
     Moduli that differ by rounding count as equal.
     """

@@ -1,4 +1,4 @@
-"""Natural modes of a gear by names of links and devices, with energy shares and nodes."""
+"""Natural modes of a gear by names of links and components, with energy shares and nodes."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ from vstatics.torsion.vibration.nodes import count_nodes
 from vstatics.torsion.vibration.torques import Balance, balance, own_torques, torques
 
 Named = Mapping[str, float]
-"""Values by the name of a link or device; NaN where undetermined."""
+"""Name of a link or component -> value; NaN if undetermined."""
 SOME_LINKS, SOME_MODES = 50, 20
-"""Largest number of links with all modes by default, and number of modes above it."""
+"""Largest number of links for which all modes are default, and default number of modes above it."""
 
 
 class Sensitivity(NamedTuple):
@@ -59,13 +59,13 @@ class Mode(NamedTuple):
     damped_frequency : float
         Frequency with damping. [Hz]
     shape : mapping
-        Amplitudes of the links of the case, with +1 for the largest. [rad]
+        Amplitudes of the links of the case; the largest is +1. [rad]
     torques : mapping
-        Torques of devices at these amplitudes, signs as in the results of a gear. [N*m]
+        Torques of components at these amplitudes, with the signs of the results of a gear. [N*m]
     kinetic, elastic : mapping
-        Shares of the bodies in the kinetic energy and of the devices in the elastic energy. [-]
+        Shares of bodies in the kinetic energy, and of components in the elastic energy. [-]
     nodes : int
-        Number of places at rest: within elastic devices, and links between them.
+        Number of places at rest, within elastic components or at links between them.
     """
 
     omega: float
@@ -94,7 +94,7 @@ class Mode(NamedTuple):
 
     @property
     def sensitivity(self) -> Sensitivity:
-        """Sensitivity of the frequency to stiffnesses and inertias."""
+        """Sensitivity of the natural frequency to stiffnesses and inertias."""
         return Sensitivity(self.by_stiffness, self.by_inertia)
 
 
@@ -117,9 +117,9 @@ class GearModes(NamedTuple):
     error : str
         Reason why the gear has no modes.
     slopes : mapping of str to float
-        Stiffnesses of springs with points, under the load; 0 of a disengaged spring. [N*m/rad]
+        Stiffnesses of nonlinear springs under the load; 0 for a disengaged spring. [N*m/rad]
     converters : mapping of str to WorkingConverter
-        Converters at their working points. They transmit nothing in `modes`, and resist in
+        Converters at their operating points. They transmit nothing in `modes`, and resist in
         `damped`.
     """
 
@@ -133,12 +133,12 @@ class GearModes(NamedTuple):
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
 
     def __repr__(self) -> str:
-        """Return the name of the gear and the numbers of modes."""
+        """Return the name of the gear and its numbers of rigid and elastic modes."""
         counts = f"{self.rigid_modes} rigid, {len(self.modes)} elastic"
         return f"<GearModes {self.name!r}: {self.error or counts}>"
 
     def _repr_html_(self) -> str:
-        """Return all tables of the gear, for a notebook."""
+        """Return all tables of the gear as HTML for a notebook."""
         return shown(higher("modes_grids")([self]))
 
 
@@ -160,21 +160,21 @@ def modes(
 ) -> CaseModes:
     """Calculate the natural modes of the gears of a case.
 
-    Given speeds fix mean speeds but no vibration; losses and drag are neglected.
+    Given speeds determine mean speeds but not vibration; losses and drag are neglected.
 
     Parameters
     ----------
     case : Transmission
-        Case with `inertias` and elastic devices.
+        Case with `inertias` and elastic components.
     gears : sequence of int or str, optional
-        Numbers from 1 or names; all gears when not given.
+        Numbers (from 1) or names of gears. By default all gears.
     count : int, optional
         Number of modes to return, from the lowest frequency, without rigid modes. By default all,
         or 20 for a case with more than 50 links.
     coast : bool, optional
-        Whether power enters at the output, which decides on freewheels. By default as in the case.
+        True if power enters at the output, which decides on freewheels. By default as in the case.
     speed_ratios : mapping of str to float, optional
-        Speed ratios of converters, instead of those of the gears. [-]
+        Name of a converter -> speed ratio, instead of the ratio in the gear. [-]
 
     Returns
     -------
@@ -186,7 +186,7 @@ def modes(
     ValueError
         If a gear or converter does not exist.
     CaseError
-        If nothing has an inertia, or the orders of magnitude of numbers exceed the range of floats.
+        If nothing has an inertia, or numbers differ too much for floating-point numbers.
 
     Examples
     --------
@@ -213,7 +213,7 @@ def modes(
     case = case.with_coast(coast)
     if count is None and case.own_links > SOME_LINKS:
         count = SOME_MODES
-    with np.errstate(all="ignore"):  # numbers that are not finite are reported where they matter
+    with np.errstate(all="ignore"):  # invalid numbers are detected later
         gears_at_work = (working_gear(case, gear, speed_ratios) for gear in asked)
         return CaseModes(_gear_modes(working, count) for working in gears_at_work)
 
@@ -283,7 +283,7 @@ def _named(  # noqa: PLR0913, PLR0917
     natural: NaturalModes,
     damped: DampedModes | None,
 ) -> Iterator[Mode]:
-    """Yield the modes by names, each with a largest amplitude of 1."""
+    """Yield the modes by names of links and components, each with the largest amplitude 1."""
     shapes = natural.shapes / _largest(natural.shapes[: system.case_links])
     link_torques = torques(system, held, shapes, natural.omegas)
     by_device = own_torques(case, system, link_torques, shapes * natural.omegas**2)
@@ -309,7 +309,7 @@ def _named(  # noqa: PLR0913, PLR0917
 
 
 def _largest(amplitudes: Floats) -> Floats:
-    """Return the signed largest amplitude of each mode; the first in a tie."""
+    """Return the amplitude of largest magnitude of each mode, with its sign; the first in a tie."""
     sizes = np.abs(amplitudes)
     first = np.argmax(sizes >= sizes.max(axis=0) * (1 - TIE), axis=0)
     largest = amplitudes[first, np.arange(amplitudes.shape[1])]

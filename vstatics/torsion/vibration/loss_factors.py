@@ -1,9 +1,8 @@
-"""Eigenvalues of systems with loss factors, each mode with its equivalent viscous damping.
+"""Eigenvalues of systems with loss factors, with equivalent viscous damping for each mode.
 
-Each mode therefore has its own matrix D. All modes are first solved with a common D close to all of
-these matrices; the candidates of each mode are then corrected for the D of the mode
-(`refined`). Where the eigenvalue with the largest part in a mode remains uncertain, the mode is
-solved separately.
+Each mode has a matrix D of its own. All modes are first solved with a common D close to all these
+matrices; then candidate eigenvalues of each mode are corrected for its D (`refined`). If it remains
+uncertain which eigenvalue has the largest share of a mode, the mode is solved separately.
 """
 
 from __future__ import annotations
@@ -19,20 +18,17 @@ from vstatics.torsion.vibration.eigen_pairs import EigenPairs, Pencil, eigen_pai
 from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined, refined
 
 LIGHTLY_DAMPED = 0.3
-"""Largest damping ratio of a mode whose parts in all shapes have squares with a sum near 1. [-]"""
+"""Damping ratio up to which the squared shares of a mode in all shapes have a sum near 1. [-]"""
 REST = 0.5
-"""Largest difference of this sum from 1, relative to the largest square, if no shape is missing.
-
-[-]
-"""
+"""Difference of this sum from 1, relative to its largest term, that shows a missing shape. [-]"""
 SAME_SHAPE = 0.9999
-"""Smallest part in a heavily damped mode that identifies the shape with the mode. [-]"""
+"""Smallest share of a heavily damped mode in a shape that identifies both. [-]"""
 MOST_CANDIDATES = 5
 """Largest number of candidate eigenvalues for a mode."""
 
 
 def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
-    """Calculate both eigenvalues of each natural mode, shape (modes, 2)."""
+    """Calculate the two eigenvalues of each natural mode, shape (modes, 2) [1/s]."""
     if not len(omegas):
         return np.zeros((0, 2), np.complex128)
     pairs = np.full((len(omegas), 2), np.nan, np.complex128)
@@ -48,10 +44,7 @@ def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
 
 
 def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPairs) -> Complex:
-    """Calculate the eigenvalues of some modes, each with its own damping matrix D.
-
-    Uncertain eigenvalues are NaN.
-    """
+    """Correct the eigenvalues of given modes for their own matrices D; NaN where uncertain."""
     pencils, pairs = pencil.at(omegas), np.full((len(modes), 2), np.nan, np.complex128)
     light = pencils.resistances[np.arange(len(modes)), modes, modes] <= 2 * LIGHTLY_DAMPED * omegas
     candidates_of_modes = [
@@ -80,7 +73,7 @@ def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPai
 
 
 def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
-    """Return the places of eigenvalues that can have the largest part in a lightly damped mode."""
+    """Return the indices of eigenvalues that can belong to a lightly damped mode."""
     squares = np.abs(common.shapes[mode]) ** 2
     order = np.argsort(-squares, kind="stable")[:MOST_CANDIDATES]
     enough = 1 - np.cumsum(squares[order]) < REST / 2 * squares[order[0]]
@@ -88,14 +81,14 @@ def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
 
 
 def _roots(pencils: Pencils, shapes: Complex) -> Complex:
-    """Return initial eigenvalues: the complex root of each shape, or the smaller real root."""
+    """Return a first eigenvalue for each shape: its complex root, or its smaller real root."""
     slow, fast = pencils.roots(shapes)
     swings = np.abs(slow.imag) > REAL_EIGENVALUE * np.abs(slow)
     return np.where(swings & (fast.imag > slow.imag), fast, slow)
 
 
 def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[Complex, Floats]:
-    """Return eigenvalues (NaN if not converged) and the share of a mode in each eigenvector."""
+    """Return eigenvalues (NaN if not converged), and the share of a mode in each shape."""
     values = settled(near.eigenvalues.real + 1j * np.abs(near.eigenvalues.imag))
     parts = np.abs(near.shapes[np.arange(len(modes)), modes])
     parts /= pencil.lengths(near.shapes.T, near.eigenvalues)
@@ -103,7 +96,7 @@ def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[C
 
 
 def _are_all(values: Complex, parts: Floats) -> bool:
-    """Return whether all candidates are complex and different, and none is missing."""
+    """Return whether all candidates of a mode are complex and different, and none is missing."""
     if not (values.imag > 0).all():
         return False
     apart = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))

@@ -1,4 +1,4 @@
-"""Corrections of the elastic devices of a gear from a measured frequency and decrement.
+"""Corrections of the elastic components of a gear from a measured frequency and decrement.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; numbers of
 equations refer to the book.
@@ -23,29 +23,29 @@ from vstatics.torsion.vibration.gear_modes import Mode, modes
 
 
 class Identified(NamedTuple):
-    """Elastic devices of a gear, corrected by the measured frequency of a mode."""
+    """Elastic components of a gear, corrected by the measured frequency of a mode."""
 
     omega: float
     """Angular frequency of the mode before the correction. [rad/s]"""
     compliances: ByDevice
-    """Compliance of each device in the coordinate of the twist. [rad/(N*m)]"""
+    """Corrected compliance of each component, of its twist. [rad/(N*m)]"""
     dampings: ByDevice
-    """Damping of each device in the coordinate of the twist; empty without a decrement. [N*m*s/rad]
+    """Damping of each component, of its twist; empty without a measured decrement. [N*m*s/rad]
     """
 
 
 @json_keys("omega", "dampings", "decrement", "shares", messages="notes")
 class Damped(NamedTuple):
-    """Dampings of the elastic devices of a gear with given decrements."""
+    """Dampings of the elastic components of a gear with given decrements."""
 
     omega: float
     """Angular frequency at which the dampings are valid. [rad/s]"""
     dampings: ByDevice
-    """Damping of each device with a decrement, in the coordinate of the twist. [N*m*s/rad]"""
+    """Damping of each component with a decrement, of its twist. [N*m*s/rad]"""
     decrement: float
-    """Decrement of the mode that results from the devices. [-]"""
+    """Resulting decrement of the mode. [-]"""
     shares: ByDevice
-    """Shares of devices with a decrement in the elastic energy of the mode. [-]"""
+    """Shares of the components with a decrement in the elastic energy of the mode. [-]"""
     notes: Sequence[str] = ()
 
 
@@ -61,9 +61,9 @@ def identify(  # noqa: PLR0913
 ) -> Identified:
     """Correct all compliances of a gear by the measured frequency of a mode, (П2.2).
 
-    All compliances change by one factor, so shapes and energy shares remain. With a measured
-    decrement, each device receives the damping that gives the device this decrement, (П1.19);
-    the mode then has the same decrement.
+    All compliances change by the same factor, so shapes and energy shares remain. With a measured
+    decrement, each component gets the damping that gives it this decrement, (П1.19); the mode then
+    has the same decrement.
 
     Parameters
     ----------
@@ -125,10 +125,11 @@ def damping(  # noqa: PLR0913
     *,
     coast: bool | None = None,
 ) -> Damped:
-    """Calculate dampings of elastic devices from decrements, and the decrement of a mode.
+    """Calculate dampings of elastic components from decrements, and the decrement of a mode.
 
-    A damping is ``decrement/(pi E omega)``, (П1.19). The decrement of the mode is the sum of the
-    decrements of the devices, weighted by their shares of the elastic energy, (П1.20), (П1.21).
+    The damping of a compliance E is ``decrement/(pi E omega)``, (П1.19). The decrement of the mode
+    is the sum of the decrements of components, weighted by their shares in the elastic energy,
+    (П1.20), (П1.21).
 
     Parameters
     ----------
@@ -136,9 +137,9 @@ def damping(  # noqa: PLR0913
     gear : int or str
         Number from 1, or name.
     decrements : mapping
-        Decrements of elastic devices, by their names. [-]
+        Name of an elastic component -> decrement. [-]
     omega : float, optional
-        Angular frequency of the dampings, by default the frequency of the mode. [rad/s]
+        Angular frequency at which the dampings are valid, by default that of the mode. [rad/s]
     mode : int
         Number of the mode, from 1, by ascending frequency and without rigid modes.
     coast : bool, optional
@@ -147,12 +148,12 @@ def damping(  # noqa: PLR0913
     Returns
     -------
     Damped
-        Dampings of the devices [N*m*s/rad], and the decrement of the mode [-].
+        Dampings of the components [N*m*s/rad], and the decrement of the mode [-].
 
     Raises
     ------
     ValueError
-        If the gear, the mode or a device does not exist, or a number is out of range.
+        If the gear, the mode or a component does not exist, or a number is out of range.
     CaseError
         If the gear has no modes.
 
@@ -190,7 +191,7 @@ def damping(  # noqa: PLR0913
 
 
 def _check_number(what: str, number: float, *, above_0: bool = False) -> None:
-    """Raise ValueError for a number out of the range of measurements."""
+    """Raise ValueError for a number that cannot be measured, such as a negative frequency."""
     if not _is_measured(number, above_0=above_0):
         least = "above 0" if above_0 else "of 0 or more"
         raise ValueError(f"{what}: read {number:g}, expected a number {least}")
@@ -254,7 +255,7 @@ def _message_of_missing_device(
 def _notes_on_other_devices(
     elastic: Sequence[TorsionalDevice], given: Mapping[str, float], mode: Mode
 ) -> Iterator[str]:
-    """Yield a note on the decrement that is added by dampings of the case in other devices."""
+    """Yield a note about the decrement that dampings of other components in the case add."""
     decrements: dict[str, float] = {}
     for device in elastic:
         if device.damping and device.name not in given:

@@ -1,7 +1,8 @@
-"""Twists of elastic devices by motions of modal mass 1, which determine the frequencies.
+"""Natural frequencies of many variants, from twists of components in motions of modal mass 1.
 
-The natural frequencies are the singular values of these twists, each multiplied by the root of the
-stiffness, as in `natural`. Stacks of small matrices serve many inertias and stiffnesses at once.
+The natural frequencies are the singular values of the matrix of these twists, multiplied by roots
+of stiffnesses, as in `natural`. Stacks of small matrices are solved for many inertias and
+stiffnesses at once.
 """
 
 from __future__ import annotations
@@ -17,20 +18,20 @@ from vstatics.torsion.tolerances import LOST_SQUARE
 
 
 class Split(NamedTuple):
-    """Speeds of bodies and twists of devices in each motion of a system, split as in `Coordinates`.
+    """Speeds of bodies and twists of components in each motion of `Coordinates`.
 
-    Leading axes stand for variants with other ratios.
+    Leading axes are variants with other ratios.
 
     Attributes
     ----------
     bodies : ndarray, shape (..., bodies, heavy motions)
         Speeds of bodies in motions with inertia.
     twists : ndarray, shape (..., devices, heavy motions)
-        Twists of devices in motions with inertia.
+        Twists of components in motions with inertia.
     massless : ndarray, shape (..., devices, massless motions)
-        Twists of devices in massless motions.
+        Twists of components in massless motions.
     rigid : ndarray, shape (..., heavy motions, rigid motions)
-        Rigid motions in terms of the motions with inertia.
+        Rigid motions as combinations of motions with inertia.
     """
 
     bodies: Floats
@@ -40,13 +41,13 @@ class Split(NamedTuple):
 
 
 class NormedTwists(NamedTuple):
-    """Twists of the elastic devices in each motion of a system.
+    """Twists of the elastic components in normalised motions of a system.
 
     Attributes
     ----------
     heavy : ndarray, shape (..., devices, modes)
-        Twists in motions of modal mass 1, orthogonal in M to each other and to rigid motions.
-        Leading axes are those of the inertias. [1/sqrt(kg*m^2)]
+        Twists in motions of modal mass 1 that are orthogonal, in the inertia matrix, to each other
+        and to rigid motions. Leading axes are those of the inertias. [1/sqrt(kg*m^2)]
     massless : ndarray, shape (..., devices, massless motions)
         Twists in massless motions.
     """
@@ -56,16 +57,16 @@ class NormedTwists(NamedTuple):
 
 
 def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats) -> NormedTwists:
-    """Calculate the twists by motions of modal mass 1 for several sets of inertias.
+    """Calculate the twists in motions of modal mass 1 for several sets of inertias.
 
     Parameters
     ----------
     inertias : ndarray, shape (..., bodies)
-        Inertias of bodies, 0 exactly where the inertia in the system is 0. [kg*m^2]
+        Inertias of bodies; the same bodies as in `system` must have the inertia 0. [kg*m^2]
 
     Examples
     --------
-    Two masses on a shaft, for two inertias of the second:
+    Two masses on a shaft, for two inertias of the second mass:
 
     >>> from vstatics import Spring, Transmission
     >>> from vstatics.torsion.system.coordinates import coordinates
@@ -92,9 +93,9 @@ def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats)
 
 
 def of_split(split: Split, inertias: Floats) -> NormedTwists:
-    """Calculate the twists by motions of modal mass 1 from forms by motions.
+    """Calculate the twists in motions of modal mass 1 from any basis of motions.
 
-    Leading axes belong to the forms or to the inertias.
+    Leading axes of `split` and of `inertias` are broadcast.
     """
     triangle = _triangle(np.sqrt(inertias)[..., None] * split.bodies)
     coefficients = np.broadcast_to(np.eye(triangle.shape[-1]), triangle.shape)
@@ -110,9 +111,9 @@ def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 
     Parameters
     ----------
     stiffnesses : ndarray, shape (variants, devices)
-        Stiffnesses of the elastic devices. [N*m/rad]
+        Stiffnesses of the elastic components. [N*m/rad]
     first : int
-        Number of the lowest mode that has to be accurate, from 0.
+        Number of the lowest mode that must be accurate, from 0.
 
     Returns
     -------
@@ -131,11 +132,11 @@ def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 
 
 
 def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
-    """Return twists times the roots of stiffnesses, massless motions first and eliminated.
+    """Return twists times roots of stiffnesses; massless motions are the first columns.
 
-    With massless motions the matrix is triangular. The block to the right of and below their
-    columns remains when massless motions follow the others in equilibrium. Stiff devices come
-    first, as an elimination by rows requires.
+    With massless motions the matrix is reduced to triangular form. The block to the right of and
+    below their columns applies when they follow the other motions in equilibrium. Rows of stiff
+    components come first, as accuracy of the elimination requires.
 
     Returns
     -------
@@ -155,4 +156,4 @@ def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
 
 
 def _triangle(matrices: Floats) -> Floats:
-    return np.asarray(np.linalg.qr(matrices, mode="r"))  # one array, not two
+    return np.asarray(np.linalg.qr(matrices, mode="r"))  # only R saves memory

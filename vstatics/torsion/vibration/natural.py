@@ -22,12 +22,12 @@ from vstatics.torsion.tolerances import BELOW_SQUARES
 
 
 class NaturalModes(NamedTuple):
-    """Modes of a system that are not rigid, by ascending frequency.
+    """Modes of a system with elastic twist, by ascending frequency.
 
     Attributes
     ----------
     omegas : ndarray, shape (modes,)
-        Circular natural frequencies. [rad/s]
+        Angular natural frequencies. [rad/s]
     shapes : ndarray, shape (links, modes)
         Amplitudes of all links, with a modal mass of 1.
     """
@@ -37,7 +37,7 @@ class NaturalModes(NamedTuple):
 
 
 def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
-    """Calculate all modes of a system, except infinite frequencies of links without inertia.
+    """Calculate all modes of a system except rigid modes; links without inertia add no modes.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
 
 
 def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> NaturalModes:
-    """Calculate the lowest modes that are not rigid by shifted Lanczos iteration.
+    """Calculate the lowest modes except rigid modes, by shifted Lanczos iteration.
 
     Examples
     --------
@@ -85,7 +85,8 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
     twists = sparse.csc_matrix(weighted_twists(system)) @ free
     speeds = sparse.csc_matrix(weighted_bodies(system)) @ free
     stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()
-    # The estimate of the lowest squared frequency is their mean divided by their number squared.
+    # The lowest squared frequency is estimated as mean square divided by the number of modes
+    # squared.
     mean = float(stiffness.diagonal().sum() / mass.diagonal().sum())
     below = -BELOW_SQUARES * mean / free.shape[1] ** 2
     rigid = split.rigid.shape[1]
@@ -98,9 +99,9 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
 
 
 def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Return motions of modal mass 1, mutually M-orthogonal and M-orthogonal to rigid motions.
+    """Return motions of modal mass 1, orthogonal in M to each other and to rigid motions.
 
-    Massless motions follow these motions in equilibrium of the elastic torques.
+    In these motions, links without inertia are in equilibrium of the elastic torques.
 
     Returns
     -------
@@ -121,12 +122,12 @@ def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
 
 
 def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Return the massless motions that follow motions with inertia in elastic equilibrium."""
+    """Return the massless motion that each motion with inertia causes by elastic equilibrium."""
     counts = split.massless.shape[1], split.heavy.shape[1]
     if 0 in counts:
         return np.zeros(counts)
     twists = weighted_twists(system)
-    order = np.argsort(-np.abs(twists).max(axis=1), kind="stable")  # stiff rows first, for QR
+    order = np.argsort(-np.abs(twists).max(axis=1), kind="stable")  # accurate QR
     solution, *_ = linalg.lstsq(
         (twists @ split.massless)[order], (twists @ split.heavy)[order], lapack_driver="gelsy"
     )
@@ -134,10 +135,10 @@ def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
 
 
 def weighted_twists(system: TorsionalSystem) -> Floats:
-    """Return the twists of elastic devices by angles of links, times roots of stiffnesses."""
+    """Return the matrix from link angles to twists of components, times roots of stiffnesses."""
     return np.asarray(np.sqrt(system.rates)[:, None] * system.twists)
 
 
 def weighted_bodies(system: TorsionalSystem) -> Floats:
-    """Return the speeds of bodies by speeds of links, times roots of inertias."""
+    """Return the matrix from link speeds to speeds of bodies, times roots of inertias."""
     return np.asarray(np.sqrt(system.inertias)[:, None] * system.speeds)

@@ -21,17 +21,16 @@ from vstatics.torsion.system.gear_system import TorsionalSystem
 def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> NDArray[np.intp]:
     """Count the places at rest in each mode.
 
-    An elastic device contains a node if all terms of its twist have the same sign: a shaft, if
-    its ends rotate in opposite directions. For a device that includes a reaction link, such as
-    a casing, only the links count that rotate in rigid motions. Movable links at rest form one
-    node together with neighbours at rest, if links move on at least two sides of them. In a
-    chain the number of nodes is the number of lower modes including rigid ones (Sturm), however
-    small the amplitudes are.
+    An elastic component contains a node if all terms of its twist have the same sign, such as a
+    shaft whose ends rotate in opposite directions. For a component with a reaction link, such as a
+    casing, only links count that rotate in rigid motions. Adjacent links at rest form a single node
+    if links move on at least two sides of them. In a chain the number of nodes is the number of
+    lower modes, including rigid modes (Sturm), however small the amplitudes are.
 
     Parameters
     ----------
     shapes : ndarray, shape (links, modes)
-        Amplitudes, of which the largest of each mode is about 1.
+        Amplitudes; the largest of each mode is about 1.
     """
     nodes = np.zeros(shapes.shape[1], np.intp)
     stands = np.abs(shapes) <= NO_POWER
@@ -57,7 +56,7 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
 
 
 def _chains(system: TorsionalSystem) -> Iterator[Integers]:
-    """Yield the links of each chain: bodies with separate speeds, joined in a row by devices."""
+    """Yield the links of each chain: bodies with independent speeds, joined in a row."""
     free = system.free()
     heavy = [body.form for body in system.bodies if body.inertia > 0]
     moved = [np.flatnonzero(row).tolist() for row in system.rows(heavy) @ free]
@@ -84,7 +83,7 @@ def _chains(system: TorsionalSystem) -> Iterator[Integers]:
 
 
 def _connected(count: int, joined: Iterable[Sequence[int]]) -> list[int]:
-    """Return the number of the connected group of each item, from lists of joined items."""
+    """Return the number of the connected group of each item; `joined` lists connected items."""
     pairs = [pair for items in joined for pair in pairwise(items)]
     rows, columns = np.array(pairs, np.intp).reshape(-1, 2).T
     graph = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(count, count))
@@ -93,7 +92,7 @@ def _connected(count: int, joined: Iterable[Sequence[int]]) -> list[int]:
 
 
 def _standing_groups(twists: list[Form], stands: Booleans, moves: Booleans) -> int:
-    """Count the connected groups of links at rest that lie between moving links."""
+    """Count the connected groups of links at rest between moving links."""
     standing_in = [[link for link in twist if stands[link]] for twist in twists]
     group = _connected(len(stands), standing_in)
     sides: dict[int, int] = {}

@@ -1,10 +1,10 @@
-"""Natural frequencies of variants with other ratios, whose motions differ.
+"""Natural frequencies of variants with other ratios of gear sets.
 
-The motions of each variant are the solutions of homogeneous equations (`followed_motions`). Their
-rank is known for the first variant, from entries that are exactly zero or not (`numerics.motions`).
-Other variants are solved for the same unknowns by the same equations. If this block is well
-conditioned, and the solution satisfies the remaining equations too, the rank is the same; otherwise
-the variant has to be analysed separately.
+The possible motions of each variant are the solutions of homogeneous equations
+(`followed_motions`). The rank of these equations is known for the first variant
+(`numerics.motions`). Other variants are solved with the same equations for the same unknowns. If
+this block of equations is well conditioned, and the solution satisfies the remaining equations,
+too, the rank is the same; otherwise the variant must be analysed separately.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ class VariedSystem(NamedTuple):
     system : TorsionalSystem
         System of the first variant.
     twists : mapping of int to ndarray, shape (variants, links)
-        Varied twists, by places in `TorsionalSystem.devices`.
+        Index in `TorsionalSystem.devices` -> varied twists.
     stiffnesses, inertias : mapping of int to ndarray, shape (variants,)
-        Varied numbers, by places among elastic devices and bodies. [N*m/rad, kg*m^2]
+        Index of an elastic component or body -> varied numbers. [N*m/rad, kg*m^2]
     """
 
     system: TorsionalSystem
@@ -44,14 +44,14 @@ class VariedSystem(NamedTuple):
 def frequencies_of_ratios(
     varied: VariedSystem, modes: Sequence[int], variants: int
 ) -> tuple[Floats, Booleans]:
-    """Calculate the frequencies of variants with other ratios.
+    """Calculate the natural frequencies of variants with other ratios.
 
     Returns
     -------
     ndarray, shape (variants, len(modes))
         Angular natural frequencies, NaN where a variant has fewer modes. [rad/s]
     ndarray of bool, shape (variants,)
-        Whether the rank is that of the first variant; otherwise the frequencies are unknown.
+        True if the rank is that of the first variant; otherwise the frequencies are unknown.
 
     Examples
     --------
@@ -86,7 +86,7 @@ def frequencies_of_ratios(
 
 
 def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tuple[Floats, Booleans]:
-    """Calculate all frequencies of the first variant and of a few further variants."""
+    """Calculate all frequencies of the first variant and of given other variants."""
     system = varied.system
     every = system.rows([device.twist for device in system.devices])
     forms = varied_numbers(every, varied.twists, variants)
@@ -104,7 +104,7 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
     moving, others = still.others, together.motions[:, still.free]
     by_heavy = together.motions[:, moving] - still.motions[:, moving] @ others
     safe = free.safe & still.safe & together.safe & (heavy == heavy[0]).all(axis=1)
-    if massless.shape[2]:  # devices resist all massless motions, as in the first variant
+    if massless.shape[2]:  # components must resist all massless motions
         sizes = np.linalg.svd(massless, compute_uv=False)
         shares = sizes[:, -1] / sizes[:, 0]
         safe &= shares > LOST_PIVOT * shares[0]
@@ -118,16 +118,16 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
 
 
 class FollowedMotions(NamedTuple):
-    """Solutions of the homogeneous equations of variants.
+    """Solutions of the homogeneous equations of all variants.
 
     Attributes
     ----------
     motions : ndarray, shape (variants, unknowns, free)
-        In each column a single free unknown is 1, the other free unknowns are 0.
+        Solutions as columns; in each column a single free unknown is 1, all other free unknowns 0.
     free, others : ndarray of int
-        Numbers of the free unknowns, in the order of the columns, and of the dependent unknowns.
+        Indices of the free unknowns, in the order of the columns, and of the dependent unknowns.
     safe : ndarray, shape (variants,)
-        Whether the rank is that of the first variant; otherwise the motions are meaningless.
+        True if the rank is that of the first variant; otherwise the motions are meaningless.
     """
 
     motions: Floats
@@ -165,7 +165,7 @@ def followed_motions(equations: Floats, free: int) -> FollowedMotions:
         block = equations[:, rows[:, None], others]
         with np.errstate(all="ignore"):
             sizes = np.abs(block).max(axis=2)
-            sizes = np.maximum(sizes, sizes[0])  # a row of much smaller numbers counts as zero
+            sizes = np.maximum(sizes, sizes[0])  # rows of much smaller numbers count as 0
             shares = np.abs(np.linalg.det(block)) / sizes.prod(axis=1)
             safe = shares > LOST_PIVOT * shares[0]
         block[~safe] = block[0]
@@ -177,7 +177,7 @@ def followed_motions(equations: Floats, free: int) -> FollowedMotions:
 
 
 def _pivots(matrix: Floats, rank: int) -> tuple[Integers, Integers]:
-    """Return the equations and unknowns of a regular block, by elimination with full pivoting."""
+    """Return the indices of equations and unknowns of a regular block, by full pivoting."""
     left = matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True, initial=0.0), NO_ROW)
     rows, columns = [], []
     for _ in range(rank):

@@ -1,4 +1,4 @@
-"""Eigenpairs of damped vibration from approximate ones, many at once, by Newton's method.
+"""Newton's method for eigenvalues and shapes of damped vibration, for many systems at once.
 
 For ``T(s) x = 0`` with ``T(s) = s^2 M + s D + K`` the step of the shape x and of s solves
 
@@ -7,7 +7,7 @@ For ``T(s) x = 0`` with ``T(s) = s^2 M + s D + K`` the step of the shape x and o
 
 which stays regular at a simple eigenvalue (Ruhe, Algorithms for the nonlinear eigenvalue problem,
 1973). All matrices are symmetric, so the next s is the nearest root of ``x^T T(s) x``, whose error
-is the square of the error of the shape.
+is of the order of the squared error of x.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers
 from vstatics.torsion.tolerances import LAST_EIGENVALUE_STEP
 
 MOST_NEWTON_STEPS = 8
-"""Largest number of Newton steps; three or four suffice from an approximate shape."""
+"""Largest number of Newton steps; from an approximate shape, three or four are enough."""
 STACKED_NUMBERS = 2**20
 """Largest number of matrix entries that are solved at once."""
 
 
 class Pencils(NamedTuple):
-    """Matrices of several systems in common coordinates.
+    """Matrices of several systems that differ in their damping.
 
     Attributes
     ----------
@@ -43,13 +43,13 @@ class Pencils(NamedTuple):
     resistances: Floats
 
     def of(self, systems: Integers) -> Pencils:
-        """Return the matrices of some of the systems."""
+        """Return the matrices of given systems."""
         return self._replace(resistances=self.resistances[systems])
 
     def roots(self, shapes: Complex) -> tuple[Complex, Complex]:
         """Return both roots s of ``x^T T(s) x = 0`` for a shape x of each system.
 
-        The root with the smaller modulus is the first.
+        The first root has the smaller modulus.
         """
         mass = (self.masses * shapes**2).sum(axis=1)
         square = (_products(self.stiffness, shapes) * shapes).sum(axis=1) / mass
@@ -60,7 +60,7 @@ class Pencils(NamedTuple):
 
 
 class Refined(NamedTuple):
-    """Eigenpairs, a single pair for each system.
+    """Eigenvalue and shape of each system.
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ class Refined(NamedTuple):
     shapes : ndarray, shape (systems, coordinates)
         Complex shapes of length 1.
     converged : ndarray, shape (systems,)
-        Whether the last step of the eigenvalue was below the tolerance.
+        True if the last step of the eigenvalue was below the tolerance.
     """
 
     eigenvalues: Complex
@@ -78,11 +78,11 @@ class Refined(NamedTuple):
 
 
 def refined(pencils: Pencils, eigenvalues: Complex, shapes: Complex) -> Refined:
-    """Refine approximate eigenpairs, a single pair for each system.
+    """Refine an approximate eigenvalue and shape of each system.
 
     Examples
     --------
-    Two masses on springs of 1 and 4, with a damper between them: from an undamped shape.
+    Two masses on springs of 1 and 4, with a damper between them, from an undamped shape:
 
     >>> resistance = 0.1 * np.array([[[1.0, -1.0], [-1.0, 1.0]]])
     >>> pencils = Pencils(np.ones(2), np.diag([1.0, 4.0]), resistance)
@@ -109,13 +109,13 @@ def refined(pencils: Pencils, eigenvalues: Complex, shapes: Complex) -> Refined:
 
 
 def _products(matrices: Floats, shapes: Complex) -> Complex:
-    """Return the products of a real matrix, or of a matrix of each system, and complex shapes."""
+    """Multiply complex shapes by a real matrix, or by a matrix for each system."""
     products = matrices @ np.stack([shapes.real, shapes.imag], axis=-1)
     return np.asarray(products[:, :, 0] + 1j * products[:, :, 1])
 
 
 def _step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, Complex]:
-    """Return the eigenvalues and the shapes of length 1 after a Newton step."""
+    """Return eigenvalues, and shapes of length 1, after a Newton step."""
     s, size, every = values[:, None], shapes.shape[1], np.arange(shapes.shape[1])
     massive, resisted = pencils.masses * shapes, _products(pencils.resistances, shapes)
     bordered = np.zeros((len(values), size + 1, size + 1), np.complex128)

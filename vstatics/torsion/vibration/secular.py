@@ -1,14 +1,15 @@
-"""Natural frequencies as a function of the stiffness of one device, for many stiffnesses at once.
+"""Natural frequencies as a function of the stiffness of a component, for many stiffnesses at once.
 
-A system without a device has modes ``omega_j`` of modal mass 1, in which the device has the twists
-``b_j``. The squared frequencies x of the system with the device are the roots of
+Without the component, a system has modes of frequency ``omega_j`` and modal mass 1, in which the
+component has the twists ``b_j``. The squared frequencies x of the system with a component of
+stiffness c are the roots of
 
     1/c = sum_j b_j^2/(x - omega_j^2)
 
 (the secular equation of a modification of rank one: Golub, Some modified matrix eigenvalue
-problems, 1973, section 5). Exactly one root lies between two squares ``omega_j^2``, and the root
-increases with the stiffness c. Each mode thus requires one equation in one unknown, with the same
-poles in all variants.
+problems, 1973, section 5). Between two neighbouring squares ``omega_j^2`` (poles) there is exactly
+one root, which increases with c. Each mode thus requires an equation in a single unknown, with the
+same poles in all variants.
 """
 
 from __future__ import annotations
@@ -21,19 +22,19 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import AT_NEXT_POLE, AT_POLE, LAST_STEP, LOST_WEIGHT, SAME_SQUARE
 
 MOST_ITERATIONS = 60
-"""Largest number of iterations; each gains more digits than the last, or halves the interval."""
+"""Largest number of iterations; convergence is quadratic, or halves the interval at least."""
 
 
 class Poles(NamedTuple):
-    """Modes of a system without a device.
+    """Modes of a system without the component.
 
     Attributes
     ----------
     squares : ndarray, shape (modes,)
-        Squares of the frequencies without the device, ascending; 0 for a motion that only the
-        device resists. [rad^2/s^2]
+        Squares of the frequencies without the component, ascending; 0 for a motion that only the
+        component resists. [rad^2/s^2]
     weights : ndarray, shape (modes,)
-        Squares of the twists of the device in modes of modal mass 1. [1/(kg*m^2)]
+        Squares of the twists of the component in modes of modal mass 1. [1/(kg*m^2)]
     """
 
     squares: Floats
@@ -41,14 +42,14 @@ class Poles(NamedTuple):
 
 
 def squares_with_device(poles: Poles, compliances: Floats, mode: int) -> Floats:
-    """Calculate the square of a natural frequency of the system with the device.
+    """Calculate the square of a natural frequency of the system with the component.
 
     Parameters
     ----------
     poles : Poles
-        Modes without the device.
+        Modes without the component.
     compliances : ndarray, shape (variants,)
-        Compliances of the device, above 0. [rad/(N*m)]
+        Compliances of the component, above 0. [rad/(N*m)]
     mode : int
         Number of the mode, from 0.
 
@@ -83,14 +84,16 @@ def squares_with_device(poles: Poles, compliances: Floats, mode: int) -> Floats:
 
 
 _Terms = tuple[Floats, Floats]
-"""Distances of poles from the pole below the root, and weights of the poles."""
+"""Distances of poles from the pole below the root, and the weights of these poles."""
 
 
 def _beyond(below: _Terms, compliances: Floats, pole: float) -> Floats:
-    """Return the distances of the last root from the last pole, by Newton's method for the inverse.
+    """Return the distances of the last root from the last pole, by Newton's method.
 
-    The sum is concave in the inverse distance and the first guess is beyond the root, so every
-    step approaches the root from the same side.
+    The unknown is the inverse distance.
+
+    The sum is concave in it, and the first guess is beyond the root, so every step approaches the
+    root from the same side.
     """
     x: Floats = below[1].sum() / compliances
     for _ in range(MOST_ITERATIONS):
@@ -104,11 +107,11 @@ def _beyond(below: _Terms, compliances: Floats, pole: float) -> Floats:
 
 
 def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> Floats:
-    """Return the distances of roots from the pole below, if a higher pole exists.
+    """Return the distances of roots from the pole below, for roots between two poles.
 
-    Each step replaces the poles on either side by a single pole at the end of the interval, with
-    equal value and slope (Bunch, Nielsen, Sorensen, Rank-one modification of the symmetric
-    eigenproblem, 1978). The bounds always enclose the root.
+    Each step replaces the poles on each side by a single pole at the end of the interval, with the
+    same value and derivative (Bunch, Nielsen, Sorensen, Rank-one modification of the symmetric
+    eigenproblem, 1978). Bounds always enclose the root.
     """
     gap = float(above[0][0])
     middle = np.array([gap / 2])
@@ -135,7 +138,7 @@ def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> 
 
 
 def _sums(terms: _Terms, x: Floats) -> tuple[Floats, Floats]:
-    """Return ``sum_j w_j/(x + d_j)`` and the magnitude of the slope."""
+    """Return ``sum_j w_j/(x + d_j)`` and the magnitude of its derivative."""
     value, slope = np.zeros_like(x), np.zeros_like(x)
     for distance, weight in zip(*terms, strict=True):
         inverse = 1 / (x + distance)

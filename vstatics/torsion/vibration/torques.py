@@ -1,4 +1,4 @@
-"""Torques of the devices in a vibration, by the names in results."""
+"""Torques of components in a vibration, by the names used in results."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from vstatics.torsion.system.gear_system import TorsionalSystem
 
 
 class Balance(NamedTuple):
-    """Equilibrium of links, which determines the torques of rigid devices.
+    """Equilibrium of links, which determines the torques of rigid components.
 
     Attributes
     ----------
     columns : ndarray, shape (links, rigid devices)
         Columns of the structural-distribution matrix.
     determined : ndarray, shape (rigid devices,)
-        Whether statics determines the torque; False for redundant devices.
+        True if equilibrium determines the torque; False for redundant components.
     """
 
     columns: Floats
@@ -56,7 +56,7 @@ def balance(system: TorsionalSystem) -> Balance:
 def torques(
     system: TorsionalSystem, balance: Balance, shapes: Floats, omegas: Floats
 ) -> dict[str, Floats]:
-    """Calculate torques on the first links of all devices, by name; NaN where undetermined.
+    """Calculate torques on the first links of all components, by name; NaN if undetermined.
 
     Parameters
     ----------
@@ -86,14 +86,14 @@ def torques(
 def with_rigid(
     system: TorsionalSystem, balance: Balance, acting: Values, elastic: Mapping[str, Values]
 ) -> dict[str, Values]:
-    """Add the torques of rigid devices in equilibrium to the torques of elastic devices.
+    """Add the torques of rigid components, by equilibrium, to the torques of elastic components.
 
     Parameters
     ----------
     acting : ndarray, shape (links, ...)
-        Torques of inertias and from outside, real or complex. [N*m]
+        Inertia torques and outside torques on links, real or complex. [N*m]
     elastic : mapping of str to ndarray
-        Torques of elastic devices. [N*m]
+        Torques of elastic components. [N*m]
     """
     unbalanced = acting.copy()
     for device in system.elastic:
@@ -113,17 +113,16 @@ def own_torques(
     by_device: Mapping[str, Values],
     accelerations: Values,
 ) -> dict[str, Values]:
-    """Arrange torques of devices like the `torques` in results; disengaged devices have 0.
+    """Arrange torques like the `torques` in results; disengaged components have 0.
 
-    The torque of a converter is the torque on its pump. The torque of a member of a gear set is
-    the torque that the member gives to the planets. It excludes the inertia of the planets,
-    ``J_share w^2 q``, so the torques of a gear set do not add up to 0.
+    The torque of a converter is the torque on its pump. The torque of a member of a gear set is the
+    torque that it gives to the planets, without the inertia torque of the planets, ``J_share w^2
+    q``, so the torques of a gear set do not add up to 0.
 
     Parameters
     ----------
     by_device : mapping
-        Torque on the first link of each engaged shift element, mechanism and spring, by its
-        name. [N*m]
+        Name of an engaged shift element, mechanism or spring -> torque on its first link. [N*m]
     accelerations : ndarray, shape (links, ...)
         Amplitudes ``w^2 q`` of links. [rad/s^2]
     """

@@ -1,6 +1,6 @@
 """Natural frequencies of many variants of a system with other stiffnesses and inertias.
 
-Free and rigid motions follow from the forms of links alone, and are determined once for all
+The possible motions do not depend on stiffnesses and inertias, and are determined once for all
 variants. If a single stiffness varies, its secular equation is solved for all variants (`secular`);
 otherwise stacks of small matrices are solved (`modal_masses`).
 """
@@ -27,16 +27,16 @@ from vstatics.torsion.vibration.modal_masses import (
 from vstatics.torsion.vibration.secular import Poles, squares_with_device
 
 NUMBERS = 2**17
-"""Largest number of matrix entries that are solved at once, for the sake of the processor cache."""
+"""Largest number of matrix entries that are solved at once, so that they fit into the cache."""
 SOME = 20
-"""Factor of the choice between the methods for many links.
+"""Factor in the choice of a method for systems of many links.
 
-The secular equation requires all modes; these cost as much as the lowest modes of ``links/SOME``
+The secular equation requires all modes, which take as long as the lowest modes of ``links/SOME``
 variants.
 """
 
 Varied = Mapping[int, Floats]
-"""Numbers by the place of a device or body, each of shape (variants,)."""
+"""Index of a component or body -> numbers, shape (variants,)."""
 
 
 def variant_frequencies(  # noqa: PLR0913
@@ -50,7 +50,7 @@ def variant_frequencies(  # noqa: PLR0913
 ) -> Floats:
     """Calculate natural frequencies of a system with other stiffnesses and inertias.
 
-    A mode keeps its number from the first variant where frequencies cross.
+    A mode has the same number as in the first variant, even if frequencies cross.
 
     Parameters
     ----------
@@ -59,13 +59,13 @@ def variant_frequencies(  # noqa: PLR0913
     modes : sequence of int
         Numbers of modes, from 0, without rigid modes.
     stiffnesses : mapping of int to ndarray, shape (variants,)
-        Stiffnesses above 0 of elastic devices, by places in `TorsionalSystem.elastic`. [N*m/rad]
+        Index in `TorsionalSystem.elastic` -> stiffnesses above 0. [N*m/rad]
     inertias : mapping of int to ndarray, shape (variants,)
-        Inertias of bodies, by places in `TorsionalSystem.bodies`. [kg*m^2]
+        Index in `TorsionalSystem.bodies` -> inertias. [kg*m^2]
     variants : int
         Number of variants.
     first : FirstVariant, optional
-        Variant that numbers the modes, by default the first variant of these.
+        Variant that determines the numbers of modes, by default the first of the given variants.
 
     Returns
     -------
@@ -105,7 +105,7 @@ def variant_frequencies(  # noqa: PLR0913
 
 
 class FirstVariant(NamedTuple):
-    """Numbers of the first variant, by the places of devices and bodies."""
+    """Stiffnesses and inertias of the first variant, by indices of components and bodies."""
 
     stiffnesses: Mapping[int, float]
     inertias: Mapping[int, float]
@@ -119,7 +119,7 @@ class FirstVariant(NamedTuple):
 
 
 def first_variant(stiffnesses: Varied, inertias: Varied) -> FirstVariant:
-    """Return the numbers of the first variant."""
+    """Return the stiffnesses and inertias of the first variant."""
     return FirstVariant(
         {place: float(numbers[0]) for place, numbers in stiffnesses.items()},
         {place: float(numbers[0]) for place, numbers in inertias.items()},
@@ -137,7 +137,7 @@ def _with_numbers(system: TorsionalSystem, rates: Floats, inertias: Floats) -> T
 
 
 def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
-    """Yield groups of variants in which equal bodies have an inertia: motions split alike."""
+    """Yield groups of variants in which the same bodies have an inertia."""
     every = np.arange(variants)
     if all(numbers.all() for numbers in inertias.values()):
         yield every
@@ -149,7 +149,7 @@ def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
 
 
 def varied_numbers(constants: Floats, varied: Varied, variants: Integers) -> Floats:
-    """Return the numbers of some variants, shape (variants, ...)."""
+    """Return the numbers of given variants, shape (variants, numbers)."""
     numbers_of_variants = np.repeat(constants[None], len(variants), axis=0)
     for place, numbers in varied.items():
         numbers_of_variants[:, place] = numbers[variants]
@@ -157,27 +157,27 @@ def varied_numbers(constants: Floats, varied: Varied, variants: Integers) -> Flo
 
 
 class _VariedNumbers:
-    """Numbers of devices or bodies in the first variant, and varied numbers."""
+    """Stiffnesses of all components, or inertias of all bodies: constant and varied numbers."""
 
     def __init__(self, constants: Floats, varied: Varied) -> None:
         self.first: Floats = varied_numbers(constants, varied, np.arange(1))[0]
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
     def only(self, places: Collection[int]) -> _VariedNumbers:
-        """Restrict the variation to some places, with other numbers as in the first variant."""
+        """Restrict the variation to given indices; other numbers are those of the first variant."""
         restricted = copy(self)
         restricted.varied = {place: n for place, n in self.varied.items() if place in places}
         return restricted
 
     def rows(self, start: int, stop: int) -> Floats:
-        """Return all numbers of some variants; a single row if nothing varies."""
+        """Return all numbers of variants `start` to `stop`; a single row if nothing varies."""
         if not self.varied:
             return self.first[None]
         return varied_numbers(self.first, self.varied, np.arange(start, stop))
 
 
 class _Alike:
-    """Variants of a system whose motions split alike."""
+    """Variants of a system with the same basis of motions."""
 
     def __init__(
         self, system: TorsionalSystem, stiff: _VariedNumbers, heavy: _VariedNumbers
@@ -188,9 +188,9 @@ class _Alike:
     def parts(
         self, first: FirstVariant, modes: Sequence[int]
     ) -> Iterator[tuple[_Alike, Sequence[int]]]:
-        """Yield the motions that are uncoupled in all variants, with modes as in the first variant.
+        """Yield groups of motions that are uncoupled in all variants, with their modes.
 
-        A system of many links is not split, as only its lowest modes are calculated.
+        A system of many links is not divided, as only its lowest modes are calculated.
         """
         system = first.of(self.system)
         alike = ((system.inertias > 0) == (self.system.inertias > 0)).all()
@@ -212,7 +212,7 @@ class _Alike:
             yield variants_of_part, part.modes
 
     def frequencies(self, modes: Sequence[int], variants: int) -> Floats:
-        """Calculate frequencies, shape (variants, modes), or (1, modes) for equal variants."""
+        """Calculate frequencies, shape (variants, modes); (1, modes) if nothing varies [rad/s]."""
         variants = variants if self.heavy.varied or self.stiff.varied else 1
         alone = not self.heavy.varied and len(self.stiff.varied) == 1
         if self.split.has_many_more(max(modes) + 1) and not (
@@ -222,7 +222,7 @@ class _Alike:
         if alone:
             [(device, numbers)] = self.stiff.varied.items()
             base = without(self.system, self.split, self.stiff.first, device)
-            if base is None:  # the device carries no torque
+            if base is None:  # its stiffness has no effect
                 return self._of_matrices(modes, 1)
             squares = [
                 squares_with_device(base.poles, 1 / numbers + base.slack, mode) for mode in modes
@@ -232,7 +232,7 @@ class _Alike:
 
     def _lowest(self, variant: int, modes: Sequence[int]) -> Floats:
         """Calculate the lowest modes of a variant of many links, by sparse matrices."""
-        from vstatics.torsion.vibration.natural import lowest_modes  # which imports scipy
+        from vstatics.torsion.vibration.natural import lowest_modes  # slow import of scipy
 
         numbers = (varied.rows(variant, variant + 1)[0] for varied in (self.stiff, self.heavy))
         system = _with_numbers(self.system, *numbers)
@@ -252,15 +252,15 @@ class _Alike:
 
 
 class WithoutDevice(NamedTuple):
-    """System without a device, which determines the frequencies with the device.
+    """System without a component, which determines the frequencies with the component.
 
     Attributes
     ----------
     poles : Poles
-        Modes without the device.
+        Modes without the component.
     slack : float
-        Compliance in series with the device, from links without inertia that are held by other
-        devices. [rad/(N*m)]
+        Compliance in series with the component: of other components that hold its links without
+        inertia. [rad/(N*m)]
     """
 
     poles: Poles
@@ -270,18 +270,18 @@ class WithoutDevice(NamedTuple):
 def without(
     system: TorsionalSystem, split: Coordinates, stiffnesses: Floats, device: int
 ) -> WithoutDevice | None:
-    """Remove a device from a system; return None if the device carries no torque in any mode.
+    """Remove a component from a system; return None if it carries no torque in any mode.
 
     Parameters
     ----------
     system : TorsionalSystem
-        System with the device.
+        System with the component.
     split : Coordinates
-        Coordinates of the system with the device.
+        Coordinates of this system.
     stiffnesses : ndarray, shape (devices,)
-        Stiffnesses of all elastic devices. [N*m/rad]
+        Stiffnesses of all elastic components. [N*m/rad]
     device : int
-        Place of the device among the elastic devices.
+        Index of the component among the elastic components.
 
     Examples
     --------
@@ -319,7 +319,7 @@ def without(
 
 
 def _held_alone(system: TorsionalSystem, device: int) -> Literal["", "heavy", "massless"]:
-    """Return whether a device alone resists a motion, and whether the motion has inertia."""
+    """Return the kind of motion that only a given component resists; empty for no motion."""
     elastic = system.elastic_twists
     others = [*elastic[:device], *elastic[device + 1 :]]
     bodies = [body.form for body in system.bodies if body.inertia > 0]

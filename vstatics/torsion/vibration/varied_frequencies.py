@@ -1,7 +1,7 @@
-"""Natural frequencies of the variants of a block, for `omega[mode, gear]` in expressions.
+"""Natural frequencies of variants of a sweep, for `omega[mode, gear]` in expressions.
 
 Variants with equal ratios have the same motions of links, so they are calculated together. A sweep
-calls `frequencies` through the record of this annex, and only when a frequency is requested.
+calls `frequencies` through the declaration of this annex, if an expression contains `omega`.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from vstatics.torsion.vibration.other_ratios import VariedSystem, frequencies_of
 from vstatics.torsion.vibration.variants import first_variant, variant_frequencies
 
 OF_MECHANISM = ("ratio", "efficiency")
-"""Varied quantities that belong to a mechanism."""
+"""Quantities of mechanisms that can vary."""
 FEW_EQUAL_RATIOS = 64
-"""Mean number of variants with equal ratios below which variants of all ratios are solved together.
+"""Mean number of variants with equal ratios below which different ratios are solved together.
 """
 
 Asked = Mapping[int, Sequence[int]]
@@ -38,22 +38,23 @@ class VariedQuantity(Protocol):
 
     @property
     def owner(self) -> int:
-        """Index of the mechanism, elastic device or link."""
+        """Index of the mechanism, elastic component or link."""
 
     @property
     def quantity(self) -> str:
-        """Quantity that varies, such as `stiffness`."""
+        """Name of the varied quantity, such as `stiffness`."""
 
 
 class VariedFrequencies(NamedTuple):
-    """Natural frequencies of variants, and variants without frequencies.
+    """Natural frequencies of variants, and flags of variants without frequencies.
 
     Attributes
     ----------
     omegas : ndarray, shape (variants, gears, modes)
-        NaN where a variant has fewer modes or the frequency was not requested. [rad/s]
+        Natural frequencies; NaN if a variant has fewer modes or a frequency was not requested.
+        [rad/s]
     tied_up, conflict : ndarray, shape (variants,)
-        Whether a requested gear cannot rotate, or its freewheels are in conflict.
+        True if a requested gear cannot rotate, or if its freewheels are in conflict.
     """
 
     omegas: Floats
@@ -82,9 +83,9 @@ def frequencies(
     values : ndarray, shape (variants, targets)
         Values of the varied numbers, all within their ranges.
     asked : mapping
-        Requested modes of each gear.
+        Requested modes by gear.
     first : ndarray, shape (1, targets), optional
-        Values of the first variant of the sweep, by default of the first variant in `values`.
+        Values of the first variant of the sweep, by default the first row of `values`.
 
     Examples
     --------
@@ -135,9 +136,9 @@ def frequencies(
 
 
 def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[str]:
-    """Return the numbers of the modes that a gear of the case can have with varied inertias.
+    """Return the numbers, as texts, of all modes that gears of the case can have in a sweep.
 
-    A gear that is tied up counts with one mode, as it can rotate in a variant.
+    A gear that is tied up counts with a mode, as it can rotate in another variant.
 
     Raises
     ------
@@ -157,9 +158,9 @@ def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[st
 
 
 def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
-    """Number the variants so that equal ratios have equal numbers.
+    """Number the variants so that variants with equal ratios have equal numbers.
 
-    Freewheels and springs with points depend on torques, so efficiencies must be equal as well.
+    Freewheels and nonlinear springs depend on torques; with these, efficiencies must be equal, too.
     """
     by_torque = case.freewheels or any(spring.points for spring in case.springs)
     deciding = ("ratio", "efficiency") if by_torque else ("ratio",)
@@ -178,7 +179,7 @@ def _by_ratios(
     gear: int,
     modes: Sequence[int],
 ) -> tuple[Floats, Booleans]:
-    """Calculate the frequencies of a gear if nearly all ratios differ, and flag known variants."""
+    """Calculate the frequencies of a gear if nearly all ratios differ; flag known results."""
     variant = _with_ratios(case, targets, values[0])
     system = vibrating(variant, variant.gears[gear])
     if isinstance(system, str):
@@ -198,7 +199,7 @@ def _by_ratios(
 
 
 def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
-    """Yield the given variants in groups of equal kind."""
+    """Yield the variants in `rows` in groups of equal kind."""
     if not len(rows):
         return
     order = rows[np.argsort(kinds[rows], kind="stable")]

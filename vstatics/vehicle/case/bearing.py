@@ -1,4 +1,4 @@
-"""Rolling bearings of a case: what loads them, and their dynamic load rating."""
+"""Rolling bearings of a case, with their loads and dynamic load ratings."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ class Bearing(NamedTuple):
     Parameters
     ----------
     on : str or pair of str
-        Link, member or planet with whose speed the bearing turns, or two links, whose speeds it
-        has to each other.
+        Link, member or planet with whose speed the bearing turns; or two links, at whose relative
+        speed it turns.
     load_per_torque : float
         Load divided by the torque. [1/m]
     dynamic : float
-        Dynamic load rating: the load endured for 1e6 revolutions by 90 %. [N]
+        Dynamic load rating: the load that 90 % of bearings endure for 1e6 revolutions. [N]
     torque_of : str, optional
         Link or member whose torque loads the bearing; by default `on`.
     exponent : float
-        Life exponent: 3 of balls, 10/3 of rollers. [-]
+        Life exponent: 3 for ball bearings, 10/3 for roller bearings. [-]
 
     Examples
     --------
@@ -44,7 +44,7 @@ class Bearing(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, Bearing]:
-        """Return the bearings of a case by name."""
+        """Return the bearings of a case: name -> bearing."""
         given = ((name, as_type(bearing, cls)) for name, bearing in case.bearings.items())
         return {name: bearing for name, bearing in given if bearing is not None}
 

@@ -1,6 +1,6 @@
-"""Fatigue strength under torque: of a component by stress cycles, of a member by its contacts.
+"""Fatigue strength of a component under stress cycles, and of a member under tooth contacts.
 
-Both follow an S-N curve (Woehler) and Miner's rule.
+Both kinds use an S-N curve (Woehler) and Miner's rule.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ class Fatigue(NamedTuple):
     exponent : float
         Exponent m of the S-N curve: stress^m * cycles is constant. [-]
     cycles : float
-        Number of cycles to failure with the stress amplitude `endurance`. [-]
+        Number of cycles to failure at the stress amplitude `endurance`. [-]
     diameter : float, optional
-        Diameter of a round shaft, whose section modulus is pi d^3/16. [m]
+        Diameter d of a solid shaft, whose section modulus is pi d^3/16. [m]
     section_modulus : float, optional
-        Torque divided by the largest stress, instead of the diameter. [m^3]
+        Section modulus: torque divided by the largest stress; instead of `diameter`. [m^3]
     asymmetry : float
         Fraction of the mean stress that is added to the amplitude. [-]
     threshold : float
@@ -53,7 +53,7 @@ class Fatigue(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, Fatigue]:
-        """Return the strengths of a case under stress, by component name."""
+        """Return the strengths of a case under stress: component name -> strength."""
         others = TorqueStrength.of(case)
         strengths = {name: given for name, given in case.fatigue.items() if name not in others}
         given = ((name, as_type(strength, cls)) for name, strength in strengths.items())
@@ -61,7 +61,7 @@ class Fatigue(NamedTuple):
 
     @property
     def modulus(self) -> float:
-        """Section modulus, given directly or by the diameter [m^3]."""
+        """Section modulus, as given or calculated from the diameter [m^3]."""
         if self.diameter is None:
             return self.section_modulus or math.nan
         return math.pi * self.diameter**3 / 16
@@ -75,7 +75,7 @@ class Fatigue(NamedTuple):
 
 
 Flanks = Literal["apart", "together"]
-"""Flanks of a tooth: both suffer apart (pitting), or torques of both signs add up (bending)."""
+"""Damage by torques of both signs: apart for each flank (pitting), or together (root bending)."""
 
 
 class TorqueStrength(NamedTuple):
@@ -90,16 +90,17 @@ class TorqueStrength(NamedTuple):
     cycles : float
         Number of contacts to failure at `torque`. [-]
     contacts : float, optional
-        Contacts of a tooth in each turn; by default the planets of a sun or ring that its gear set
-        gives, otherwise 1. [-]
+        Contacts of a tooth in each turn; by default the number of planets, if the gear set gives
+        it, for suns and rings, otherwise 1. [-]
     flanks : {"together", "apart"}
-        Whether torques of both signs act on the same place. If apart, the worse sign counts.
+        With "together", torques of both signs damage the same point of a tooth. With "apart", only
+        the sign with the larger damage counts.
     threshold : float
         Torque, relative to `torque`, below which a contact does no damage. [-]
     sum : float
         Sum of damages at which the member fails. [-]
     torque_of : str, optional
-        Member whose torque counts, for a planet.
+        Member whose torque is used for a planet, which has no torque of its own.
 
     Examples
     --------
@@ -118,7 +119,7 @@ class TorqueStrength(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, TorqueStrength]:
-        """Return the strengths of a case under torque, by the name of the member or device."""
+        """Return the strengths of a case under torque: name of a member or gear set -> strength."""
         return {name: given for name, given in case.fatigue.items() if isinstance(given, cls)}
 
     def completed(self) -> TorqueStrength:

@@ -1,4 +1,4 @@
-"""Names of links, members of gear sets, planets and shift elements, whose loads a duty gives."""
+"""Names of links, members of gear sets, planets and shift elements loaded by a duty cycle."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Members(NamedTuple):
-    """Names under which the loads of a duty cycle are known.
+    """Names under which the loads of a duty cycle are given.
 
     Examples
     --------
@@ -28,15 +28,15 @@ class Members(NamedTuple):
 
     links: list[str]
     of_sets: list[str]
-    """Members of gear sets: ``P1.sun``."""
+    """Names of members of gear sets, such as ``P1.sun``."""
     planets: list[str]
     elements: list[str]
     firsts: dict[str, str]
-    """First member of each device, by the name of the device."""
+    """Name of a gear set -> name of its first member."""
     still: list[str]
-    """Members that turn with the third link of their set, against which speeds are counted."""
+    """Members on the third link of their gear set, which have no speed relative to this link."""
     contacts: dict[str, int]
-    """Flanks that a tooth of a member meets in a turn, where the planets are counted."""
+    """Member -> contacts of a tooth in a turn, for gear sets with a known number of planets."""
 
     @classmethod
     def of(cls, case: TransmissionFields) -> Members:
@@ -71,38 +71,39 @@ class Members(NamedTuple):
 
     @property
     def with_torque(self) -> list[str]:
-        """Names of links, members and shift elements, which have a torque of their own."""
+        """Names of links, members and shift elements; planets have no torque of their own."""
         return [*self.links, *self.of_sets, *self.elements]
 
     def resolved(self, name: str, *, turning: bool = False) -> str:
-        """Return the name of a member; a device stands for its first member.
+        """Return the full name of a member; the name of a gear set stands for its first member.
 
-        If only the speed counts (`turning`), a planet with the name of its device comes first.
+        If only the speed is needed (`turning`), a planet with the name of its gear set has
+        priority.
         """
         known = [*self.with_torque, *(self.planets if turning else ())]
         return name if name in known else self.firsts.get(name, name)
 
     def unknown(self, name: str, path: Path) -> Iterator[Problem]:
-        """Yield the problem of a name of no link, member, planet or shift element."""
+        """Yield an error if no link, member, planet or shift element has a name."""
         known = [*self.with_torque, *self.planets, *self.firsts]
         if name not in known:
             yield self.fault(name, known, "link or member", path)
 
     def at_rest(self, name: str, path: Path) -> Iterator[Problem]:
-        """Yield the problem of a member without speed against its own carrier."""
+        """Yield an error for a member without speed relative to the third link of its gear set."""
         if name in self.still:
             message = f"{quoted(name)} does not turn against itself, expected its link"
             yield Problem("E880", f"{message}, or two links", path)
 
     def without_torque(self, name: str, path: Path) -> Iterator[Problem]:
-        """Yield the problem of a name of nothing with a torque of its own."""
+        """Yield an error if no link, member or shift element has a name."""
         known = [*self.with_torque, *self.firsts]
         if name not in known:
             yield self.fault(name, known, "link or member with a torque", path)
 
     @staticmethod
     def fault(name: str, known: Iterable[str], what: str, path: Path) -> Problem:
-        """Return the problem of an unknown name, with the nearest name."""
-        names = [*dict.fromkeys(known)]  # a device can have the name of its planet
+        """Return the error for an unknown name, with the most similar known name."""
+        names = [*dict.fromkeys(known)]  # a gear set can have the name of its planet
         hint = nearest(name, names) or f"; there are {listed(names, 12) or 'none'}"
         return Problem("E880", f"there is no {what} {quoted(name)}{hint}", path)

@@ -1,4 +1,4 @@
-"""Vehicle of a transmission: resistance on the road, engine and fuel map, or electric machine."""
+"""Vehicle with a transmission: road resistance, engine with fuel map, or electric machine."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
 
 EnginePoints = Sequence[tuple[float, float]]
-"""Points of engine speed [rad/s], in ascending order, and torque [N*m]."""
+"""Points (engine speed [rad/s], torque [N*m]) in ascending order of speed."""
 
 
 class Machine(NamedTuple):
@@ -32,12 +32,13 @@ class Machine(NamedTuple):
     torque : sequence of pairs
         Full-load curve: speed [rad/s], torque [N*m], interpolated linearly.
     generating : sequence of pairs
-        Largest braking torque, 0 or below; by default that of `torque` with a minus.
+        Points of the largest braking torque, which is 0 or below; by default `torque` with the
+        opposite sign.
     efficiency : float or Law
-        Efficiency, or a map or formula over speed and torque, which is below 0 where the machine
-        generates. [-]
+        Efficiency as a number, or a map or formula over speed and torque; the torque is below 0
+        where the machine generates. [-]
     battery_efficiency : float
-        Efficiency of the battery, when charged and when discharged. [-]
+        Efficiency of the battery in each direction, charging and discharging. [-]
 
     Examples
     --------
@@ -52,18 +53,18 @@ class Machine(NamedTuple):
 
     @property
     def braking(self) -> EnginePoints:
-        """Points of the largest braking torque [rad/s, N*m]."""
+        """Points of the largest braking torque of the machine [rad/s, N*m]."""
         return self.generating or [(speed, -torque) for speed, torque in self.torque]
 
     def electric_power(self, power: Floats, speed: Floats, torque: Floats) -> Floats:
-        """Return the electric power of a mechanical power; NaN where a formula gives no efficiency.
+        """Return electric powers [W] of mechanical powers; NaN where a formula gives no efficiency.
 
         Parameters
         ----------
         power : ndarray
             Mechanical power, below 0 where the machine generates. [W]
         speed, torque : ndarray
-            Magnitude of the speed [rad/s], torque along the speed [N*m].
+            Magnitude of the speed [rad/s], and torque in the direction of the speed [N*m].
 
         Examples
         --------
@@ -76,7 +77,7 @@ class Machine(NamedTuple):
         return electric
 
     def battery_power(self, electric: Floats) -> Floats:
-        """Return the power that the battery gives for an electric power; below 0 it is charged [W].
+        """Return the power drawn from the battery for an electric power; below 0 when charging [W].
 
         >>> machine = Machine([(0, 1)], battery_efficiency=0.8)
         >>> machine.battery_power(np.array([80.0, -10.0])).tolist()
@@ -109,17 +110,18 @@ class Vehicle(NamedTuple):
     drag_area : float
         Drag coefficient times frontal area. [m^2]
     final_drive : float
-        Output speed of the transmission divided by wheel speed, without sign. [-]
+        Output speed of the transmission divided by the wheel speed, as a magnitude. [-]
     engine : sequence of pairs
         Full-load curve: speed [rad/s], torque [N*m], interpolated linearly.
     overrun : sequence of pairs
-        Braking torque of the engine, 0 or below, with points as in `engine`; 0 without points.
+        Points of the largest braking torque of the engine, 0 or below, in the form of `engine`;
+        without points the engine cannot brake.
     fuel : str
-        File of the fuel map; empty without a map.
+        File name of the fuel map; empty without a map.
     machine : Machine, optional
         Electric machine instead of an engine.
     recuperation : float
-        Part of the braking force at the wheels that the machine is asked for, from 0 to 1. [-]
+        Share of the braking force at the wheels that the machine should supply, from 0 to 1. [-]
 
     Examples
     --------
@@ -140,17 +142,17 @@ class Vehicle(NamedTuple):
 
     @property
     def full_load(self) -> EnginePoints:
-        """Full-load points of the engine or the machine [rad/s, N*m]."""
+        """Full-load points of the engine or the electric machine [rad/s, N*m]."""
         return self.machine.torque if self.machine else self.engine
 
     @property
     def braking(self) -> EnginePoints:
-        """Points of the largest braking torque of the engine or the machine [rad/s, N*m]."""
+        """Points of the largest braking torque of engine or electric machine [rad/s, N*m]."""
         return self.machine.braking if self.machine else self.overrun
 
     @classmethod
     def of(cls, case: TransmissionFields) -> Vehicle | None:
-        """Return the vehicle of a case, if there is one."""
+        """Return the vehicle of a case, or None."""
         return as_type(case.vehicle, cls)
 
     @classmethod
@@ -160,7 +162,7 @@ class Vehicle(NamedTuple):
         Raises
         ------
         CaseError
-            If there is none.
+            If the case has no vehicle.
         """
         vehicle = cls.of(case)
         if vehicle is None:
@@ -169,9 +171,9 @@ class Vehicle(NamedTuple):
         return vehicle
 
     def resistance(self, speed: Any, slope: Any = 0.0) -> Any:
-        """Return the resistance [N] of rolling, ascent and air at a speed [m/s].
+        """Return the resistance of rolling, ascent and air [N] at a road speed [m/s].
 
-        The slope is the sine of the angle of ascent.
+        `slope` is the sine of the angle of ascent [-].
 
         >>> round(Vehicle(1000.0, 0.3, rolling=0.01, drag_area=0.5).resistance(10.0), 9)
         128.1
@@ -180,7 +182,7 @@ class Vehicle(NamedTuple):
         return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
 
     def full_torque(self, speed: Any) -> Any:
-        """Return the torque of engine or machine at full load [N*m] at a speed [rad/s].
+        """Return the full-load torque of the engine or the machine [N*m] at its speed [rad/s].
 
         Below the first point the torque is constant; beyond the last point it is 0.
 
@@ -190,12 +192,12 @@ class Vehicle(NamedTuple):
         return np.where(self.may_turn(speed), _between(self.full_load, speed), 0.0)
 
     def may_turn(self, speed: Any) -> Any:
-        """Return whether the drive can reach a speed, up to the last full-load point [rad/s]."""
+        """Return True where a speed is within the full-load curve of engine or machine [rad/s]."""
         last = self.full_load[-1][0] * (1 + SAME_SPEED) if self.full_load else math.inf
         return np.asarray(speed) <= last
 
     def overrun_torque(self, speed: Any) -> Any:
-        """Return the largest braking torque, 0 or below [N*m], at a speed [rad/s]."""
+        """Return the largest braking torque, 0 or below [N*m], at a speed of the engine [rad/s]."""
         if not self.braking:
             return np.zeros_like(speed)
         torques = _between(self.braking, speed)
@@ -221,14 +223,14 @@ def _between(points: EnginePoints, speed: Any) -> Any:
 
 
 def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
-    """Return the full-load curve of the vehicle, from rest on, and the curve of braking, if any.
+    """Return the full-load curve from speed 0, and the curve of braking torque, if any.
 
-    Each curve ends with torque 0 at the largest speed.
+    Each curve consists of points [rad/s, N*m] and ends with torque 0 at the largest speed.
 
     Raises
     ------
     CaseError
-        If the case has no vehicle, or the vehicle no full load.
+        If the case has no vehicle, or the vehicle has no full-load curve.
 
     Examples
     --------
@@ -256,11 +258,11 @@ def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
 
 
 def beside_engine(case: TransmissionFields, gear: Gear) -> str:
-    """Return the reason why a gear is not driven by the engine alone at a fixed ratio, or "".
+    """Return why the engine does not drive a gear alone at a fixed ratio; "" if it does.
 
-    A vehicle cannot be driven in such a gear: a case does not describe the control of other
-    machines, with a slip in rpm the ratio depends on the speed, and a slip relative to the engine
-    is unknown where a converter determines the engine speed.
+    A vehicle cannot be driven in a gear with such a reason: a case does not describe how other
+    machines are controlled; a slip in rpm makes the ratio depend on the speed; and a slip relative
+    to the engine is unknown if a converter determines the engine speed.
 
     >>> from vstatics import Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0)], [Gear(speeds={2: 0.4})])
@@ -283,7 +285,7 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
 
 
 def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """Return the vehicle of a case as a mapping of keys."""
+    """Return the key `vehicle` of a document, or None for a case without vehicle."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return None

@@ -1,4 +1,4 @@
-"""Checks of a vehicle, and warnings about the combination of vehicle and transmission."""
+"""Checks of a vehicle, and warnings about its combination with the transmission."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
 
 
 def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield warnings about probable mistakes."""
+    """Yield warnings about probable mistakes in the vehicle of a case."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return
@@ -94,7 +94,7 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Least inertia at the outputs that probably contains the vehicle mass, relative to its inertia."""
+"""Inertia at the outputs, relative to that of the vehicle mass, that may contain this mass."""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
@@ -115,13 +115,13 @@ def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]
 
 
 LARGEST_TYRE = 2.5
-"""Largest plausible radius of wheels, above tyres of dump trucks. [m]"""
+"""Largest plausible wheel radius, above that of dump trucks. [m]"""
 FASTEST_ENGINE = 3000.0
-"""Largest plausible speed of an engine or motor, 28,600 rpm. [rad/s]"""
+"""Largest plausible speed of an engine or electric machine, 28,600 rpm. [rad/s]"""
 
 
 def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield warnings about numbers probably written in mm or rpm without the unit."""
+    """Yield warnings about a radius or speed probably written in mm or rpm without the unit."""
     if vehicle.radius > LARGEST_TYRE:
         yield no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
     fastest = max((speed for speed, _ in vehicle.full_load), default=0.0)
@@ -142,7 +142,7 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield a note that runs and vibration omit the vehicle mass, unless inertias include it."""
+    """Yield a note that simulation and vibration ignore the mass, unless inertias contain it."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return
@@ -156,7 +156,7 @@ def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mapping[int, float]]:
-    """Return the vehicle mass, and inertias geared to the outputs, at output speed [kg*m^2]."""
+    """Return the inertia of the vehicle mass and of geared links, both at output speed [kg*m^2]."""
     outputs = case.outputs or (case.output,)
     mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
     return mass, {
@@ -167,10 +167,10 @@ def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mappi
 
 
 def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
-    """Return speeds of links geared to the outputs, relative to the output.
+    """Return link -> speed relative to the output, for links geared to the outputs [-].
 
-    Links that are geared to an input before the outputs belong to the engine side, as in a gearbox
-    with one gear: a flywheel there can have half the inertia of the vehicle.
+    Links that are geared to an input belong to the engine, not to the outputs, as in a gearbox with
+    a single gear: a flywheel can have half the inertia of the vehicle.
     """
     limits = {*outputs, 0}
     inputs = [link for gear in case.gears if (link := case.gear_input(gear)) not in limits]
@@ -182,7 +182,7 @@ def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int
 def _geared(
     case: TransmissionFields, starts: Sequence[int], limits: Collection[int]
 ) -> dict[int, float]:
-    """Return speeds of links geared to `starts`, relative to these, without passing `limits`."""
+    """Return links geared to `starts` without passing `limits`: link -> relative speed [-]."""
     speeds, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
     while new:
         link = new.pop()
@@ -194,10 +194,10 @@ def _geared(
 
 
 def _pairs(case: TransmissionFields) -> Iterator[tuple[int, int, float]]:
-    """Yield links joined at a fixed ratio, with the second speed relative to the first.
+    """Yield two links joined at a fixed ratio, with the speed of the second relative to the first.
 
-    These are gear pairs, sets with a link at the housing, and springs used as shafts, such as
-    tyres.
+    Such links are joined by a gear pair, by a gear set with a link on the housing, or by a spring
+    that represents a shaft or a tyre.
     """
     for mechanism in case.mechanisms:
         parts = {

@@ -1,5 +1,5 @@
-"""The commands `vstatics cycle` and `vstatics damage`, and options that others share with them.
+"""Commands `vstatics cycle` and `vstatics damage`, and options shared with other commands.
 
-`cycle` drives a case through a cycle of speeds, `damage` is the group of commands on life. `duty`
-has the options of duty cycles, `strengths` refuses cases without fatigue strengths.
+`cycle` drives a vehicle through a driving cycle, `damage` contains the commands on fatigue life.
+`duty` declares the options of duty cycles, `strengths` rejects cases without fatigue strengths.
 """

@@ -1,4 +1,4 @@
-"""`vstatics cycle`: a case with a vehicle, driven through a cycle of speeds."""
+"""Command `vstatics cycle`: drive a case with a vehicle through a driving cycle."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ if TYPE_CHECKING:
 
 
 _PARTS = {"battery_lost": "lost: battery", "machine_lost": "lost: machine"}
-"""Names of energies in the printed table, where they differ from those in JSON."""
+"""Name of an energy in JSON -> name in the printed table, where the two differ."""
 
 
 def _speed(text: str) -> float:
-    """Parse a speed of the engine with unit, in rad/s."""
+    """Parse an engine speed with unit, and return it in rad/s."""
     from vstatics.core.readers.named.units import quantity
 
     try:
@@ -232,12 +232,12 @@ def _as_sweep(driven: DriveCycle) -> Iterator[str]:
 def _driven(
     outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
 ) -> DriveCycle:
-    """Drive a case through a trace.
+    """Drive the vehicle of a case through a driving cycle.
 
     Raises
     ------
     ReadError
-        If the case, the trace or the fuel map is in error, with positions.
+        If the case, the driving cycle or the fuel map has errors; they have positions in the file.
     """
     from vstatics.vehicle.operation.drive_cycle import drive
     from vstatics.vehicle.operation.fuel_map import read_fuel_map
@@ -254,7 +254,7 @@ def _driven(
 
 
 def _placed(problem: Problem, trace: Trace, file: str) -> Problem:
-    """Return a problem, with its place in the trace or the file if it has no path in the case."""
+    """Return a problem with its row in the driving cycle, or, without a path, with a file name."""
     row = next(iter(problem.path), None)
     if isinstance(row, int):
         return problem._replace(path=(), place=trace.table.place(row))

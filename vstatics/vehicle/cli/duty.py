@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from vstatics.vehicle.life.classes import Classes
 
 MOST_CLASSES = 1000
-"""Largest number of classes of a load spectrum."""
+"""Largest number of torque classes of a load spectrum."""
 
 
 class DutyOptions(NamedTuple):
-    """Options of a duty cycle: a file of shares or points, and an exponent."""
+    """Options of a duty cycle: a file with shares or operating points, and an exponent."""
 
     duty: str | None
     exponent: float | None
@@ -31,11 +31,11 @@ class DutyOptions(NamedTuple):
 
     @property
     def files(self) -> list[str]:
-        """Input files: the duty cycle, if given."""
+        """Input files of these options: the duty cycle, if given."""
         return [] if self.duty is None else [self.duty]
 
     def read(self) -> DutyFile | DutyTable | None:
-        """Read the duty cycle, if given.
+        """Read the duty cycle; return None without a file.
 
         Raises
         ------
@@ -55,7 +55,7 @@ class DutyOptions(NamedTuple):
 
 
 def _classes(text: str) -> Classes:
-    """Parse a number of classes, or upper bounds of torques with a common unit."""
+    """Parse the number of torque classes, or their upper bounds with a common unit."""
     from vstatics.core.readers.named.scalars import number
     from vstatics.core.readers.named.units import common_unit, quantity
 
@@ -76,14 +76,14 @@ def _classes(text: str) -> Classes:
 
 
 def drawn_duty(asked: PictureFiles) -> DutyTable:
-    """Read the duty cycle of a picture, with its classes of torque.
+    """Read the duty cycle of a picture, with its torque classes.
 
     Raises
     ------
     ReadError
-        If the file is in error.
+        If the file has errors.
     ValueError
-        If there is no CSV of points, or the classes are wrong.
+        If no CSV of operating points is given, or if the torque classes are invalid.
     """
     from vstatics.vehicle.duty_file import read_duty_table
 
@@ -123,4 +123,4 @@ duty_options = gathered(
         "equal classes of torque, or their upper bounds, such as '50,100,200 N*m'.",
     ),
 )
-"""Decorator that adds both options; the command receives `duty`."""
+"""Decorator that adds the options of a duty cycle; the command receives `duty`."""

@@ -8,7 +8,7 @@ from vstatics.vehicle.case.fatigue import Fatigue
 
 
 def expect_damage(reading: Reading) -> None:
-    """Raise an error for a case without fatigue strength.
+    """Raise an error for a case in which no component has a fatigue strength.
 
     Raises
     ------

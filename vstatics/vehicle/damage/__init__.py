@@ -1,4 +1,4 @@
-"""Fatigue of components under varying torque: cycles, damage, life, resized shafts.
+"""Fatigue of components under varying torque: load cycles, damage, life, resized shafts.
 
 >>> import numpy as np
 >>> from vstatics.vehicle.damage.devices import damages
@@ -12,7 +12,7 @@
 >>> round(damage.largest_stress / 1e6), [cycle.range for cycle in damage.cycles]
 (100, [300.0, 500.0, 800.0])
 
-`rainflow` counts the cycles of a record, `devices` adds up the damage, `recorded` reads a record in
-CSV. `rayleigh` calculates the life under random stresses in closed form, `resize` a shaft for other
-torques; `tables` writes tables.
+`rainflow` counts the cycles of a record, `devices` adds up their damage, `recorded` reads a record
+in CSV. `rayleigh` calculates the life under random stresses in closed form, with `scatter` of
+strength and stress. `resize` calculates a shaft for other torques, `tables` returns the tables.
 """

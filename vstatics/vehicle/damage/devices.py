@@ -1,4 +1,4 @@
-"""Fatigue damage of components by a record of torques, by linear accumulation.
+"""Fatigue damage of components under a record of torques, by linear accumulation (Miner's rule).
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; numbers of equations
 are those of the book.
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class HasDamage(Protocol):
-    """Results that contain the fatigue damage of components, such as a run."""
+    """Protocol of results that contain the fatigue damage of components, such as a run."""
 
     @property
     def damage(self) -> Mapping[str, object]:
@@ -32,20 +32,20 @@ class HasDamage(Protocol):
 
 
 class DeviceDamage(NamedTuple):
-    """Fatigue damage of a component by a record of torques."""
+    """Fatigue damage of a component under a record of torques."""
 
     damage: float
-    """Damage; the component fails at `sum` of the fatigue strength. [-]"""
+    """Damage; the component fails when it reaches `sum` of its fatigue strength. [-]"""
     repeats: float | None
     """Number of repetitions of the record to failure; None for an unlimited number. [-]"""
     largest_stress: float
     """Largest equivalent stress amplitude of all cycles. [Pa]"""
     cycles: Sequence[LoadCycle]
-    """Torque cycles of the record, with ranges and means in N*m."""
+    """Torque cycles of the record; ranges and means are in N*m."""
 
     @classmethod
     def of(cls, motion: HasDamage) -> dict[str, DeviceDamage]:
-        """Return the damage in a run by component name."""
+        """Return the damage in a run: component name -> damage."""
         return {name: damage for name, damage in motion.damage.items() if isinstance(damage, cls)}
 
 
@@ -55,22 +55,22 @@ Damages = Mapping[str, DeviceDamage]
 
 @document("vstatics-damage")
 class DamageAnswer(NamedTuple):
-    """Damage of the components of a case by a record of torques."""
+    """JSON document with the damage of the components of a case under a record of torques."""
 
     case: str
     damage: Mapping[str, DeviceDamage]
 
 
 def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
-    """Return the damage of a record of torques [N*m], by (4.33), (4.34) and (4.38).
+    """Return the damage by a record of torques [N*m], by (4.33), (4.34) and (4.38).
 
-    The stress of a cycle is amplitude + asymmetry |mean|. If it reaches threshold * endurance, the
-    cycle causes the damage (stress/endurance)^exponent/cycles; smaller stresses cause none. The
-    damage is NaN if a torque is indeterminate or if the damage overflows.
+    The equivalent stress of a cycle is (amplitude + asymmetry |mean|)/modulus. If it reaches
+    threshold * endurance, the cycle causes the damage (stress/endurance)^exponent/cycles; smaller
+    stresses cause none. The damage is NaN if a torque is indeterminate or if the damage overflows.
 
     Examples
     --------
-    Half a cycle at the endurance, of 4e6 cycles:
+    Half a cycle at the endurance stress, under which the shaft fails after 4e6 cycles:
 
     >>> shaft = Fatigue(100e6, 3, 4e6, section_modulus=4e-6)
     >>> device_damage(shaft, np.array([400.0, -400.0])).damage
@@ -95,14 +95,14 @@ def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
 
 @refusing()
 def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, DeviceDamage]:
-    """Calculate the fatigue damage of the components of a case by records of torques.
+    """Calculate the fatigue damage of the components of a case under records of torques.
 
     Parameters
     ----------
     case : Transmission
         Case with `fatigue` of components.
     torques : mapping of str to array_like, shape (instants,)
-        Record of each component by name. [N*m]
+        Component name -> record of its torque. [N*m]
 
     Returns
     -------
@@ -119,7 +119,7 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
 
     Examples
     --------
-    Half a cycle each with ranges of 300, 500 and 800 N*m; 400 N*m correspond to 100 MPa:
+    Half cycles with ranges of 300, 500 and 800 N*m; a torque of 400 N*m causes 100 MPa:
 
     >>> from vstatics import Spring
     >>> strength = Fatigue(100e6, 3, 4e6, section_modulus=4e-6)

@@ -14,13 +14,13 @@ from vstatics.core.tables.answer import json_keys
 
 @json_keys("range", "mean", count="counted")
 class LoadCycle(NamedTuple):
-    """Cycle of a record, with the number of equal cycles."""
+    """Cycle of a record, and how often it is counted."""
 
     range: float
-    """Largest minus smallest value of the cycle, in the unit of the record."""
+    """Largest minus smallest value in the cycle, in the unit of the record."""
     mean: float
     counted: float
-    """Number of cycles; open ranges count half."""
+    """Number of such cycles; a range that is not closed counts as half a cycle."""
 
     @property
     def amplitude(self) -> float:
@@ -45,11 +45,11 @@ def extremes(values: Floats) -> Floats:
 
 
 def rainflow(values: Floats) -> list[LoadCycle]:
-    """Count the cycles of a record, sorted by range; equal cycles are one entry.
+    """Return the cycles of a record, sorted by range; equal cycles are counted together.
 
     Examples
     --------
-    The example of the standard: ranges 3, 4, 6, 8, 9 are counted 0.5, 1.5, 0.5, 1, 0.5 times.
+    In the example of the standard, ranges 3, 4, 6, 8, 9 are counted 0.5, 1.5, 0.5, 1, 0.5 times.
 
     >>> [(c.range, c.counted) for c in rainflow(np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2]))]
     [(3.0, 0.5), (4.0, 0.5), (4.0, 1.0), (6.0, 0.5), (8.0, 0.5), (8.0, 0.5), (9.0, 0.5)]
@@ -62,7 +62,7 @@ def rainflow(values: Floats) -> list[LoadCycle]:
 
 
 def _counted(turning: Iterable[float]) -> Iterator[tuple[float, float, float]]:
-    """Yield the first and the last value of each range, and the number of cycles."""
+    """Yield the first and last value of each range, and its count: 1 (closed) or 0.5."""
     open_: list[float] = []
     for value in turning:
         open_.append(value)

@@ -17,7 +17,7 @@ from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.scatter import LifeSamples, drawn
 
 LARGEST_LOG_OF_LIFE = 700.0
-"""Largest natural logarithm of a result, below the overflow of numbers."""
+"""Largest natural logarithm of a result; above it, floating-point numbers overflow."""
 
 
 @document("vstatics-rayleigh")
@@ -25,13 +25,14 @@ class RayleighLife(NamedTuple):
     """Life under stress amplitudes with a Rayleigh distribution."""
 
     integral: float
-    """Integral int_x0^inf x^(m+1) exp(-x^2/2) dx, with the exponent m of the S-N curve and
-    x0 = threshold*endurance/deviation. [-]"""
+    """Integral int_x0^inf x^(m+1) exp(-x^2/2) dx. [-]
+
+    m is the exponent of the S-N curve, and x0 = threshold*endurance/deviation.
+    """
     life: float | None
     """Life in cycles, or in km if cycles per km are given; None for unlimited life."""
     samples: Sometimes[LifeSamples] = None
-    """Distribution of lives if strength or stress scatter; integral and life are then those of
-    the medians or means."""
+    """Distribution of lives if strength or stress scatter; other fields ignore the scatter."""
 
 
 @refusing()
@@ -44,7 +45,7 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     deviation : float
         Standard deviation of the stress. [Pa]
     per_unit : float
-        Cycles per unit of life, such as a km or a second.
+        Stress cycles per unit of life, such as a km or a second.
 
     Returns
     -------
@@ -58,7 +59,7 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
 
     Examples
     --------
-    The book prints 3.62 and 51 000 km; all digits are 3.6191919 and 51 167.55 km.
+    The book prints 3.62 and 51 000 km; more digits are 3.6191919 and 51 167.55 km.
 
     >>> result = rayleigh_life(Fatigue(100e6, 3, 4e6), 60e6, per_unit=100)
     >>> round(result.integral, 6), round(result.life or 0.0)
@@ -84,7 +85,7 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
 def scattered_life(
     fatigue: Fatigue, deviation: float, per_unit: float, count: int, seed: int = 0
 ) -> RayleighLife:
-    """Return the life with the distribution of random samples of endurance and deviation.
+    """Return the life, with its distribution for random samples of endurance and deviation.
 
     Parameters
     ----------
@@ -93,13 +94,13 @@ def scattered_life(
     deviation : float
         Standard deviation of the stress, which can be `Scattered`. [Pa]
     per_unit : float
-        Cycles per unit of life.
+        Stress cycles per unit of life.
     count, seed : int
-        Number of samples, seed of the random numbers.
+        Number of samples, and seed of the random numbers.
 
     Examples
     --------
-    Without a threshold the life goes with the endurance to the power m, so it is lognormal, too:
+    Without a threshold, life is proportional to endurance to the power m, so it is lognormal, too:
 
     >>> from vstatics.vehicle.damage.scatter import Scattered
     >>> strength = Fatigue(Scattered(100e6, "lognormal", 0.08), 3, 4e6, threshold=0.0)
@@ -130,7 +131,7 @@ def torque_life(fatigue: Fatigue, deviation: float, crossings: float) -> float:
     deviation : float
         Standard deviation of the torque. [N*m]
     crossings : float
-        Upward crossings of the mean. [1/s]
+        Rate of upward crossings of the mean. [1/s]
 
     Returns
     -------

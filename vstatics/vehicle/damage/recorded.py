@@ -1,4 +1,4 @@
-"""Damage of the components of a case by a record of torques in CSV."""
+"""Damage of the components of a case under a record of torques in CSV."""
 
 from __future__ import annotations
 
@@ -15,28 +15,29 @@ from vstatics.vehicle.damage.devices import DeviceDamage, damages
 
 
 class RecordedDamage(NamedTuple):
-    """Damage by a record, with warnings."""
+    """Component name -> damage under a record, with warnings."""
 
     damage: Mapping[str, DeviceDamage]
     warnings: list[Problem]
 
 
 def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamage:
-    """Calculate the damage of the components with a fatigue strength by a record.
+    """Calculate the damage of components with a fatigue strength under a record of torques.
 
     Parameters
     ----------
     case : Transmission
     data : bytes
-        CSV with columns `torques[DEVICE]`; names are plain, or in quotes as `vstatics simulate`
-        writes them.
+        CSV with columns `torques[COMPONENT]`; names are without quotes, or in quotes as `vstatics
+        simulate` writes them.
     file : str
         Name of the file, for messages.
 
     Raises
     ------
     ReadError
-        If there is no such column, if no torque changes, or if a cell is not a number.
+        If no such column exists, if no torque changes, if a cell is not a number, or if a damage
+        overflows.
     """
     names, strengths = case.devices, Fatigue.of(case)
     headings = {name: f"torques[{written(names.index(name), names)}]" for name in strengths}

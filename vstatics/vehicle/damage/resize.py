@@ -12,14 +12,14 @@ from vstatics.core.arguments import refusing
 from vstatics.core.tables.answer import Sometimes, document
 
 SHAFT_EXPONENT = 6.0
-"""Exponent of the S-N curve of shafts, from the book. [-]"""
+"""Exponent of the S-N curve of shafts, from the source. [-]"""
 LARGEST_LOG_OF_DIAMETER_RATIO = 150.0
-"""Largest natural logarithm of the change of a diameter."""
+"""Largest natural logarithm of a diameter ratio; above it, numbers overflow."""
 
 
 @document("vstatics-resize")
 class ResizedShaft(NamedTuple):
-    """Shaft of equal life."""
+    """Shaft with the fatigue life of a given shaft."""
 
     diameter: float
     """Diameter, in the unit of the given diameter."""
@@ -33,17 +33,17 @@ class ResizedShaft(NamedTuple):
 def resized(
     diameter: float, torque: float, repeats: float, exponent: float = SHAFT_EXPONENT
 ) -> ResizedShaft:
-    """Return the shaft that has the life of a given shaft under other torques and cycles.
+    """Return a shaft with the life of a given shaft, under other torques and numbers of cycles.
 
-    The diameter is D (R N^(1/m))^(1/3): given diameter D, R times the torque, N times the cycles,
-    exponent m.
+    The diameter is D (R N^(1/m))^(1/3) for the given diameter D, R times the torque, N times the
+    cycles, and the exponent m.
 
     Parameters
     ----------
     diameter : float
         Given diameter, in any unit of length.
     torque, repeats : float
-        New values divided by old values. [-]
+        Torque and number of cycles, relative to those of the given shaft. [-]
     exponent : float, optional
         Exponent m of the S-N curve. [-]
 
@@ -78,7 +78,7 @@ def resized(
 def resized_by_ratio(
     diameter: float, ratio: float, exponent: float = SHAFT_EXPONENT
 ) -> ResizedShaft:
-    """Return the shaft behind a reduction: torques times the ratio, cycles divided by the ratio.
+    """Return a shaft of equal life after a reduction, with more torque and fewer cycles.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Scatter of strength and stress, and the distribution of lives that follows by random samples."""
+"""Scatter of strength and stress, and the resulting distribution of lives of random samples."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.core.readers.named.si_units import in_any_unit
 from vstatics.core.tables.answer import json_keys
 
 SHARES = np.arange(1, 100) / 100
-"""Shares of failed components at which the distribution of lives is given. [-]"""
+"""Shares of failed components for which the distribution states the life. [-]"""
 LARGEST_LOG_DEVIATION = 10.0
 """Largest standard deviation of the natural logarithm of a stress. [-]"""
 _DISTRIBUTION = re.compile(r"\s*(normal|lognormal)\s*\((.*),(.*)\)\s*")
@@ -24,7 +24,7 @@ _CALL = re.compile(r"\s*[A-Za-z]+\s*\(")
 
 
 class Scattered(float):
-    """Stress with a distribution; as a number it is the median or mean [Pa].
+    """Random stress; as a number it is the median (lognormal) or the mean (normal) [Pa].
 
     Examples
     --------
@@ -34,7 +34,7 @@ class Scattered(float):
 
     kind: Literal["normal", "lognormal"]
     spread: float
-    """Standard deviation of a normal distribution [Pa], or of the natural logarithm [-]."""
+    """Standard deviation of a normal stress [Pa], or of the logarithm of a lognormal stress [-]."""
     measure: Measure | None
 
     def __new__(
@@ -44,13 +44,13 @@ class Scattered(float):
         spread: float,
         measure: Measure | None = None,
     ) -> Self:
-        """Store the distribution with its median or mean."""
+        """Create a distribution with a median or mean `middle`."""
         scattered = super().__new__(cls, middle)
         scattered.kind, scattered.spread, scattered.measure = kind, spread, measure
         return scattered
 
     def samples(self, count: int, random: np.random.Generator) -> Floats:
-        """Return random stresses, drawn again where they are not above 0 [Pa]."""
+        """Return random stresses, all above 0: other samples are drawn again [Pa]."""
         if self.kind == "lognormal":
             return float(self) * np.exp(self.spread * random.standard_normal(count))
         drawn: Floats = random.normal(float(self), self.spread, count)
@@ -65,7 +65,7 @@ def read_scattered(text: str) -> Scattered | None:
     Raises
     ------
     ValueError
-        With what was expected.
+        If the distribution is invalid; the message states what was expected.
 
     Examples
     --------
@@ -95,7 +95,7 @@ def read_scattered(text: str) -> Scattered | None:
 
 
 def drawn(given: float, count: int, random: np.random.Generator) -> Floats:
-    """Return samples of a number, which are equal unless it is scattered."""
+    """Return random samples of a `Scattered` number; samples of other numbers are all equal."""
     if isinstance(given, Scattered):
         return given.samples(count, random)
     return np.full(count, float(given))
@@ -103,20 +103,20 @@ def drawn(given: float, count: int, random: np.random.Generator) -> Floats:
 
 @json_keys("B10", "B50", "mean", "curve", count="number")
 class LifeSamples(NamedTuple):
-    """Distribution of lives of random samples."""
+    """Distribution of the lives of random samples."""
 
     number: int
     B10: float
-    """Life that 10 % do not reach; NaN for unlimited life, as for the other numbers."""
+    """Life that 10 % of samples do not reach; like the other lives, infinite if unlimited."""
     B50: float
-    """Life that 50 % do not reach."""
+    """Life that 50 % of samples do not reach."""
     mean: float
     curve: Sequence[tuple[float, float]]
-    """Pairs of limited life and share that failed until then, at whole percents."""
+    """Pairs of a limited life and the share of samples that fail until then, at whole percents."""
 
     @classmethod
     def of(cls, lives: Floats) -> LifeSamples:
-        """Return the distribution of lives, which can be infinite.
+        """Return the distribution of given lives, some of which can be infinite.
 
         >>> LifeSamples.of(np.arange(1.0, 101.0))[1:4]
         (10.0, 50.0, 50.5)

@@ -11,7 +11,7 @@ from vstatics.vehicle.damage.resize import ResizedShaft
 
 
 def damage_grid(damages: Mapping[str, DeviceDamage], title: str = "Damage") -> Grid:
-    """Return a table with a row for each component.
+    """Return a table of damage with a row for each component.
 
     Examples
     --------
@@ -27,7 +27,7 @@ def damage_grid(damages: Mapping[str, DeviceDamage], title: str = "Damage") -> G
 
 
 def rayleigh_grid(life: RayleighLife, unit: str) -> Grid:
-    """Return a table of the life in a unit, km or cycles."""
+    """Return a table of a life in `unit`, km or cycles."""
     headings, row = ["integral", f"life [{unit}]"], [life.integral, life.life]
     if life.samples is not None:
         headings += [f"{name} [{unit}]" for name in ("B10", "B50", "mean life")]
@@ -36,7 +36,7 @@ def rayleigh_grid(life: RayleighLife, unit: str) -> Grid:
 
 
 def resized_grid(shaft: ResizedShaft, unit: str) -> Grid:
-    """Return a table of a shaft, with the diameter in a unit, if given."""
+    """Return a table of a resized shaft, with the unit of its diameter, if given."""
     headings = f"diameter [{unit}]" if unit else "diameter", "compliance", "reduced compliance"
     title = "Shaft of equal fatigue strength"
     return grid_of(title, headings, [shaft], key="resize", optional=headings[2:])

@@ -1,5 +1,6 @@
-"""Load spectra and life of members and bearings over a duty cycle of points.
+"""Load spectra and life of members and bearings over a duty cycle of operating points.
 
-`member_rows` holds torque and speed of each member at each point. `classes` counts them by torque,
-`strength` and `bearing_life` sum up the damage of members and of bearings.
+`member_rows` contains torque and revolutions of each member at each point. `classes` counts
+revolutions and time in classes of torque; `strength` and `bearing_life` sum up the damage of
+members and of bearings.
 """

@@ -15,32 +15,32 @@ from vstatics.vehicle.life.member_rows import MemberRows
 from vstatics.vehicle.life.strength import life_of
 
 RATED_REVOLUTIONS = 1e6
-"""Revolutions that 90 % of bearings endure under the dynamic load rating. [-]"""
+"""Revolutions that 90 % of bearings endure under their dynamic load rating. [-]"""
 
 
 class BearingLife(NamedTuple):
     """Damage and life L10 of a bearing over a duty cycle."""
 
     damage: float
-    """Damage of one cycle; 10 % have failed at 1. [-]"""
+    """Damage by one duty cycle; at a damage of 1, 10 % of bearings have failed. [-]"""
     revolutions: float
     equivalent_load: float
-    """``(sum n P^p/sum n)^(1/p)`` with loads P, turns n and life exponent p; NaN at rest. [N]"""
+    """``(sum n P^p/sum n)^(1/p)``: loads P, revolutions n, life exponent p; NaN without n. [N]"""
     repeats: float | None
-    """Number of cycles to a damage of 1; None without damage. [-]"""
+    """Number of duty cycles to a damage of 1; None without damage. [-]"""
     hours: float | None
-    """Life; None without damage. [h]"""
+    """Life L10; None without damage. [h]"""
 
 
 def bearing_lives(case: Transmission, rows: MemberRows) -> dict[str, BearingLife]:
     """Return the life of each bearing of a case.
 
-    Under the load P a bearing endures ``L10 = (dynamic/P)^exponent`` million turns; the damage of
-    a row is its turns divided by L10.
+    Under the load P, 90 % of bearings endure ``L10 = (dynamic/P)^exponent`` million revolutions.
+    The damage at an operating point is its revolutions divided by L10.
 
     Examples
     --------
-    A thousand turns at the load rating, 10 N/(N*m) by 100 N*m:
+    A thousand revolutions at the load rating, 10 N per N*m of a torque of 100 N*m:
 
     >>> from vstatics import Bearing, Gear, Mechanism
     >>> bearings = {"b": Bearing("1", 10.0, 1000.0)}
@@ -75,7 +75,7 @@ def _life(bearing: Bearing, rows: MemberRows) -> BearingLife:
 
 
 def bearing_grid(lives: Mapping[str, BearingLife]) -> Grid:
-    """Return a table with a row for each bearing."""
+    """Return a table of lives with a row for each bearing."""
     rows = [(name, *life) for name, life in lives.items()]
     headings = ("bearing", "damage", "turns", "equivalent load, N", "repeats", "L10, h")
     return grid_of("Life of bearings", headings, rows, key="duty bearings")

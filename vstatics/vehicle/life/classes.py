@@ -1,4 +1,4 @@
-"""Load duration distribution: revolutions, contacts and time of members in classes of torque."""
+"""Load duration distributions: revolutions, contacts and time of members in torque classes."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ from vstatics.vehicle.tolerances import SAME_TORQUE_CLASS
     speed="speed",
 )
 class LoadClass(NamedTuple):
-    """Class of torques of one sign, from above `from_` up to `to` in magnitude."""
+    """Class of torques of a common sign, with magnitudes above `from_` and up to `to`."""
 
     from_: float
-    """End that is nearer to 0. [N*m]"""
+    """Bound nearer to 0, which does not belong to the class. [N*m]"""
     to: float
-    """End that belongs to the class; NaN above the last given bound. [N*m]"""
+    """Bound farther from 0, which belongs to the class; NaN above the last given bound. [N*m]"""
     revolutions: float
     contacts: float
-    """Revolutions times the flanks that a tooth meets in a turn."""
+    """Number of contacts of a tooth: revolutions times its contacts in a turn. [-]"""
     time: float
-    """Duration [s], or share."""
+    """Duration [s], or share of time [-]."""
     speed: float
-    """Mean speed; NaN of an empty class. [rpm]"""
+    """Mean speed; NaN for an empty class. [rpm]"""
 
 
 class IdleTime(NamedTuple):
-    """Revolutions and duration [s] without torque."""
+    """Revolutions, and duration [s] or share of time [-], without torque."""
 
     revolutions: float
     time: float
@@ -50,12 +50,12 @@ class MemberSpectrum(NamedTuple):
     """Load duration distribution of a member."""
 
     classes: Sequence[LoadClass]
-    """Classes of torques above 0, then of those below 0, each from 0 on."""
+    """Classes of torques above 0, then classes of torques below 0, each in the order from 0."""
     idle: IdleTime
 
 
 Classes = int | Sequence[float]
-"""Number of equal classes, or upper bounds of classes. [N*m]"""
+"""Number of classes of equal width, or upper bounds of classes. [N*m]"""
 
 
 def spectra(rows: MemberRows, classes: Classes) -> dict[str, MemberSpectrum]:
@@ -65,8 +65,8 @@ def spectra(rows: MemberRows, classes: Classes) -> dict[str, MemberSpectrum]:
     ----------
     rows : MemberRows
     classes : int or sequence of float
-        Number of equal classes up to the largest torque of each member, or upper bounds, above the
-        last of which there is one more class. [N*m]
+        Number of classes of equal width up to the largest torque of each member; or upper bounds,
+        with a further class above the last bound. [N*m]
 
     Examples
     --------

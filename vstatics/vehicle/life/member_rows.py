@@ -1,4 +1,4 @@
-"""Torque and speed of links, members, planets and shift elements at the points of a duty cycle."""
+"""Torque and revolutions of links, members, planets and shift elements in a duty cycle."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from vstatics.vehicle.case.members import Members
 
 
 class MemberRow(NamedTuple):
-    """Torques and revolutions of a member at the points that move, shape (points,)."""
+    """Torques and revolutions of a member at the points with motion, shape (points,)."""
 
     torques: Floats
-    """Torque; NaN of a planet. [N*m]"""
+    """Torques; NaN for a planet. [N*m]"""
     turns: Floats
-    """Revolutions during each point, 0 or more. [-]"""
+    """Revolutions during each point, 0 or more; per second if points have shares. [-]"""
 
     @property
     def has_torque(self) -> bool:
-        """True if a torque other than 0 occurs."""
+        """True if any torque differs from 0."""
         return bool(np.nan_to_num(self.torques).any())
 
 
 class MemberRows(NamedTuple):
-    """Members at the points of a duty cycle."""
+    """Torques and revolutions of all members at the operating points of a duty cycle."""
 
     rows: Mapping[str, MemberRow]
     weights: Floats
-    """Durations [s], or shares with the sum 1, of the points that move."""
+    """Durations [s], or shares of time [-], of the points with motion."""
     standing: float
-    """Duration [s] or share of the points at standstill."""
+    """Duration [s] or share of time [-] at standstill."""
     members: Members
     speeds: Floats
     """Speeds of links with the housing first, shape (points, links). [rad/s]"""
@@ -48,7 +48,7 @@ class MemberRows(NamedTuple):
         standing: float,
         speeds: Floats,
     ) -> MemberRows:
-        """Return members from their torques [N*m] and speeds [rad/s]."""
+        """Return rows of members from name -> torques [N*m] and speeds [rad/s] at each point."""
         rows = {
             name: MemberRow(torques, np.nan_to_num(np.abs(speed)) * weights / (2 * math.pi))
             for name, (torques, speed) in members.items()
@@ -57,21 +57,21 @@ class MemberRows(NamedTuple):
 
     @property
     def duration(self) -> float:
-        """Duration of the cycle [s]; 1 with shares."""
+        """Duration of the duty cycle [s]; 1 if points have shares."""
         return float(self.weights.sum()) + self.standing
 
     def row(self, name: str, *, turning: bool = False) -> MemberRow:
-        """Return a member, see `Members.resolved`; a planet without speeds stands still."""
+        """Return torques and revolutions by a name as in `Members.resolved`; at rest if unknown."""
         resolved = self.members.resolved(name, turning=turning)
         nothing = MemberRow(np.full(len(self.weights), math.nan), np.zeros(len(self.weights)))
         return self.rows.get(resolved, nothing)
 
     def contacts(self, name: str) -> float:
-        """Return the flanks that a tooth of a member meets in a turn."""
+        """Return the contacts of a tooth of a member in a turn."""
         return float(self.members.contacts.get(self.members.resolved(name), 1))
 
     def turns_between(self, first: str, second: str) -> Floats:
-        """Return the revolutions of a link against another during each point."""
+        """Return the revolutions of a link relative to another link during each point."""
         places = [["housing", *self.members.links].index(name) for name in (first, second)]
         both = self.speeds[:, places].T
         relative: Floats = rounding_as_zero(np.array([*both, both[0] - both[1]]))[-1]

@@ -1,4 +1,4 @@
-"""Life of members by the torques of a duty cycle: contacts, damage by Miner's rule."""
+"""Life of members under the torques of a duty cycle: tooth contacts, damage by Miner's rule."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ class MemberLife(NamedTuple):
     """Damage and life of a member over a duty cycle."""
 
     damage: float
-    """Damage of one cycle, up to `sum` at failure; NaN if a torque is unknown. [-]"""
+    """Damage by one duty cycle, compared with `sum` of the strength; NaN without a torque. [-]"""
     contacts: float
-    """Contacts of a tooth under torque in one cycle. [-]"""
+    """Contacts of a tooth under torque in one duty cycle. [-]"""
     repeats: float | None
-    """Number of cycles to failure; None without damage. [-]"""
+    """Number of duty cycles to failure; None without damage. [-]"""
     hours: float | None
-    """Life; None without damage. [h]"""
+    """Life of the member; None without damage. [h]"""
 
 
 def lives(case: Transmission, rows: MemberRows) -> dict[str, MemberLife]:
     """Return the life of each member with a strength under torque.
 
-    A row with torque T causes the damage ``contacts/cycles (|T|/torque)^exponent``, unless |T| is
-    below the threshold.
+    A point with the torque T causes the damage ``contacts/cycles (|T|/torque)^exponent``; 0 if
+    |T|/torque is below the threshold.
 
     Examples
     --------
-    A thousand turns at the torque that is endured for a million:
+    A thousand revolutions at the torque that is endured for a million contacts:
 
     >>> from vstatics import Gear, Mechanism, TorqueStrength
     >>> strength = TorqueStrength(50.0, 6.0, 1e6)
@@ -70,12 +70,12 @@ def _life(name: str, strength: TorqueStrength, rows: MemberRows) -> MemberLife:
 
 
 def _worse(torques: Floats, harm: Floats) -> float:
-    """Return the larger damage of the two signs of torque."""
+    """Return the larger of the damages by positive and by negative torques."""
     return max(float(harm[torques > 0].sum()), float(harm[torques < 0].sum()))
 
 
 def life_of(damage: float, at_failure: float, duration: float) -> tuple[float | None, float | None]:
-    """Return the repeats of a cycle until failure, and the hours; None without damage."""
+    """Return duty cycles and hours until the damage `at_failure`; None without damage."""
     if not damage > 0:
         return None, None
     repeats = at_failure / damage
@@ -83,7 +83,7 @@ def life_of(damage: float, at_failure: float, duration: float) -> tuple[float | 
 
 
 def life_grid(lives: Mapping[str, MemberLife]) -> Grid:
-    """Return a table with a row for each member."""
+    """Return a table of lives with a row for each member."""
     rows = [(name, *life) for name, life in lives.items()]
     headings = ("member", "damage", "contacts", "repeats", "life, h")
     return grid_of("Life of members", headings, rows, key="duty life")

@@ -1,11 +1,11 @@
-"""Gear of a vehicle whose converter finds its speed ratio i.
+"""Gear of a vehicle with a free converter: its speed ratio i follows from the torque on its pump.
 
 Engine and output turn independently: each link has the speed ``a w + b x`` at the engine speed w
-and the output speed x. Together they give i, and the pump takes ``lambda(i) w_P |w_P|``. The engine
-speed follows from the torque M that the train brings to the pump, with all losses, as a root of
-``(M - lambda(i) w_P |w_P|)/w^2``. This is nearly a quadratic polynomial of 1/w between the points
-of engine and converter. Roots are bracketed between these points, and approached by the Illinois
-rule (Dowell, Jarratt 1971).
+and the output speed x. Both speeds give i, and at the speed w_P the pump takes the torque
+``lambda(i) w_P |w_P|``. The gearbox supplies the torque M, with all losses, to the pump. The engine
+speed is a root of the surplus of torque, ``(M - lambda(i) w_P |w_P|)/w^2``. The surplus is nearly a
+quadratic polynomial of 1/w between the points of engine and converter. Roots are bracketed between
+these points, and approached by the Illinois rule (Dowell, Jarratt 1971).
 """
 
 from __future__ import annotations
@@ -26,27 +26,27 @@ from vstatics.vehicle.case.vehicle import beside_engine
 from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
 
 INTERVALS = 2
-"""Number of intervals between neighbouring points in which a sign change is sought."""
+"""Number of intervals between neighbouring points, in which sign changes are sought."""
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
 MOST_DOUBLINGS = 40
-"""Largest number of doublings of an engine torque until the pump gets enough torque."""
+"""Largest number of doublings of the engine torque in a search for enough torque on the pump."""
 MOST_POINTS_AT_ONCE = 100_000
-"""Largest number of points calculated at once, which limits memory."""
+"""Largest number of operating points that are solved at once, which limits memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
 """Engine speeds near 0 at which roots are bracketed, relative to the last engine speed. [-]"""
 FASTEST_OF_SEARCH = 1e7
 """Largest engine speed of the search. [rad/s]"""
 
 Brought = Callable[[Integers, Floats], Floats]
-"""Torque brought to the pump [N*m], at rows and their engine speeds [rad/s] or torques [N*m]."""
+"""Function of row indices and engine speeds or torques that returns torques on the pump [N*m]."""
 
 Limits = tuple[float, float, float]
 """Largest speed ratio [-], smallest and largest inverse engine speed [s/rad]."""
 
 
 def free_ratio(points: Floats) -> float:
-    """Return the largest speed ratio at which a converter takes no braking torque [-].
+    """Return the largest speed ratio at which the pump of a converter does not brake [-].
 
     >>> free_ratio(np.array([[0, 2, 0.002], [0.9, 1, 0.001], [1.1, 1, -0.001]])).__round__(9)
     1.0
@@ -61,9 +61,9 @@ def free_ratio(points: Floats) -> float:
 
 
 def bare(case: Transmission) -> Transmission:
-    """Return the case without operating points and coasting, for calculations at any point.
+    """Return a case without operating points and coasting, for calculations at any point.
 
-    Converters that find their speed ratios have the largest without braking torque.
+    Free converters have the largest speed ratio without braking torque.
     """
     gears = []
     for gear in case.gears:
@@ -76,7 +76,7 @@ def bare(case: Transmission) -> Transmission:
 
 
 def converters_of(case: Transmission) -> dict[int, ConverterGear]:
-    """Return the gears with the engine alone whose converters find their ratios, by index.
+    """Return index -> gear with a free converter, for gears that the engine alone drives.
 
     Raises
     ------
@@ -92,38 +92,40 @@ def converters_of(case: Transmission) -> dict[int, ConverterGear]:
 
 
 class EngineSearch(NamedTuple):
-    """Result of a search for engine speeds, one for each row."""
+    """Result of a search for engine speeds at given output speeds (rows)."""
 
     engine: Floats
-    """Engine speed at the largest speed ratio with a solution; NaN without solution. [rad/s]"""
+    """Engine speeds, at the largest speed ratio of all solutions; NaN without solution. [rad/s]"""
     surplus: Floats
-    """Sign of the surplus of torque on the pump at the largest speed ratio with torques, and at the
-    smallest speed ratio, shape (rows, 2)."""
+    """Sign of the surplus of torque at the largest and smallest speed ratio, shape (rows, 2).
+
+    The largest ratio is the largest at which the converter has torques.
+    """
     ends: Floats
-    """Engine speeds at the largest and smallest speed ratio, shape (rows, 2). [rad/s]"""
+    """Engine speeds at the largest and the smallest speed ratio, shape (rows, 2). [rad/s]"""
 
 
 class ConverterGear(NamedTuple):
-    """Gear with a converter that finds its speed ratio."""
+    """Gear with a free converter, whose speed ratio follows from the torque on its pump."""
 
     case: Transmission
     """Case with this gear only."""
     name: str
     """Name of the converter."""
     path: str
-    """Path of the speed ratio among varied numbers."""
+    """Path of the speed ratio in `vary` of `solve`."""
     row: int
-    """Row of the torque on the pump in the torques of results."""
+    """Index of the torque on the pump in the torques of results."""
     points: Floats
-    """Points of speed ratio, torque ratio and lambda, with the free ratio, shape (points, 3)."""
+    """Rows of speed ratio, torque ratio and lambda, one at the free ratio, shape (points, 3)."""
     per_engine: Floats
-    """Speeds of pump, turbine and links per engine speed, with the output at rest. [-]"""
+    """Speeds of pump, turbine and links per engine speed, output at rest. [-]"""
     per_output: Floats
-    """Speeds of pump, turbine and links per magnitude of the output speed. [-]"""
+    """Speeds of pump, turbine and links per magnitude of output speed, engine at rest. [-]"""
 
     @classmethod
     def of(cls, case: Transmission, index: int) -> ConverterGear | None:
-        """Return a gear whose converter finds its ratio; None without speeds.
+        """Return a gear with its free converter; None if its speeds are indeterminate.
 
         Raises
         ------
@@ -157,7 +159,7 @@ class ConverterGear(NamedTuple):
 
     @property
     def free_ratio(self) -> float:
-        """Largest speed ratio without braking torque [-]."""
+        """Largest speed ratio at which the pump does not brake [-]."""
         return free_ratio(self.points)
 
     def _ratio(self, engine: Floats, output: Floats) -> Floats:
@@ -167,9 +169,10 @@ class ConverterGear(NamedTuple):
         return ratio
 
     def ratio(self, engine: Floats, output: Floats) -> Floats:
-        """Return speed ratios within the points, at engine and output speeds [rad/s].
+        """Return speed ratios, limited to the points, at engine and output speeds [rad/s].
 
-        Rounding noise near a point is removed: beyond the ratio 1 a converter can gain power.
+        Ratios that differ from a point by rounding noise become equal to it: slightly above the
+        ratio 1, a converter would gain power.
         """
         ratio = self._ratio(engine, output)
         for point in self.points[:, 0]:
@@ -177,7 +180,7 @@ class ConverterGear(NamedTuple):
         return np.clip(ratio, self.points[0, 0], self.points[-1, 0])
 
     def _inverse(self, ratios: Floats, output: Floats) -> Floats:
-        """Return inverse engine speeds at speed ratios, shape (rows, ratios) [s/rad]."""
+        """Return inverse engine speeds at given speed ratios, shape (rows, ratios) [s/rad]."""
         (pump, turbine), (by_pump, by_turbine) = self.per_engine[:2], self.per_output[:2]
         with np.errstate(all="ignore"):
             inverse: Floats = (ratios * pump - turbine) / (
@@ -192,10 +195,10 @@ class ConverterGear(NamedTuple):
         return factors * pump * np.abs(pump), np.sign(pump)
 
     def is_driving(self, engine: Floats, output: Floats) -> Booleans:
-        """Return whether a torque along the speed of the pump drives the output.
+        """Return True where a torque in the direction of the pump speed drives the output.
 
-        By virtual work of both torques at a constant speed of the engine; in some power splits it
-        brakes the output.
+        The direction follows from the virtual work of the torques on pump and turbine at constant
+        engine speed; in some power splits such a torque brakes the output.
         """
         factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 1])
         _, direction = self.taken(engine, output)
@@ -209,18 +212,18 @@ class ConverterGear(NamedTuple):
         ratios: Floats,
         further: Mapping[str, Floats],
     ) -> Floats:
-        """Return the torque that the train brings to the pump, with all losses [N*m].
+        """Return the torque that the gearbox supplies to the pump, with all losses [N*m].
 
         Parameters
         ----------
         case : Transmission
-            `self.case`, or the same with input and output exchanged.
+            `self.case`, or this case with input and output exchanged.
         load : tuple of ndarray
-            Speeds [rad/s] and torques [N*m] of the input.
+            Speeds [rad/s] and torques [N*m] of the input of `case`.
         ratios : ndarray
             Speed ratios of the converter. [-]
         further : mapping
-            Values of other numbers by path.
+            Path of another number -> values.
         """
         if not len(ratios):
             return np.zeros(0)
@@ -231,18 +234,18 @@ class ConverterGear(NamedTuple):
     def search(
         self, inverse: Floats, limits: Limits, output: Floats, brought: Brought
     ) -> EngineSearch:
-        """Search for engine speeds at which the pump takes the torque that it gets.
+        """Search for engine speeds at which the pump takes the torque that is supplied to it.
 
         Parameters
         ----------
         inverse : ndarray, shape (points,)
-            Inverse engine speeds at which the torque can bend. [s/rad]
+            Inverse engine speeds at which the slope of the torque can change. [s/rad]
         limits : tuple of float
             Largest speed ratio [-], smallest and largest inverse engine speed [s/rad].
         output : ndarray, shape (rows,)
             Magnitudes of output speeds. [rad/s]
         brought : callable
-            Torque brought to the pump in rows, at engine speeds.
+            Function of row indices and engine speeds that returns the torques supplied to the pump.
         """
         count = max(1, MOST_POINTS_AT_ONCE // (INTERVALS * (len(inverse) + len(self.points) + 1)))
         parts = []
@@ -253,7 +256,7 @@ class ConverterGear(NamedTuple):
         return EngineSearch(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
 
     def _places(self, inverse: Floats, limits: Limits, output: Floats) -> Floats:
-        """Return inverse engine speeds in the order of falling speed ratio; NaN after the last."""
+        """Return inverse engine speeds by descending speed ratio, padded by NaN [s/rad]."""
         top, least, most = limits
         ratios = np.append(self.points[self.points[:, 0] < top, 0], top)
         at_points = self._inverse(ratios, output)
@@ -268,16 +271,16 @@ class ConverterGear(NamedTuple):
             valid &= (ratio >= ratios[0] - room) & (ratio <= top + room)
         (pump, turbine), (by_pump, by_turbine) = self.per_engine[:2], self.per_output[:2]
         order = -1.0 if pump * by_turbine > turbine * by_pump else 1.0
-        places = order * np.sort(np.where(valid, order * places, np.nan), axis=1)  # NaN at the end
+        places = order * np.sort(np.where(valid, order * places, np.nan), axis=1)  # NaN comes last
         parts = np.arange(INTERVALS) / INTERVALS
         between = places[:, :-1, None] * (1 - parts) + places[:, 1:, None] * parts
-        between[:, :, 0] = places[:, :-1]  # also before NaN
+        between[:, :, 0] = places[:, :-1]  # even if the next is NaN
         return np.concatenate([between.reshape(len(output), -1), places[:, -1:]], axis=1)
 
     def _searched(
         self, rows: Integers, places: Floats, output: Floats, brought: Brought
     ) -> EngineSearch:
-        """Return the search in some rows; empty rows have NaN."""
+        """Search for engine speeds in given rows; results of rows without `places` are NaN."""
         known = np.isfinite(places)
         at, columns = np.nonzero(known)
 
@@ -289,12 +292,12 @@ class ConverterGear(NamedTuple):
         values = np.full(places.shape, np.nan)
         values[at, columns] = surplus(at, places[at, columns])
         signs = np.sign(values)
-        changes = signs[:, :-1] * signs[:, 1:] <= 0  # False next to NaN
+        changes = signs[:, :-1] * signs[:, 1:] <= 0  # False if one is NaN
         first = changes.argmax(axis=1)
         solved = np.flatnonzero(changes.any(axis=1))
         inverse = np.full(len(places), np.nan)
         ends = (solved, first[solved]), (solved, first[solved] + 1)
-        # Near rest the surplus is nearly linear in the square of the inverse speed.
+        # At low engine speeds the surplus is nearly linear in the square of the inverse speed.
         squares = _root(
             lambda part, x: surplus(solved[part], np.sqrt(x)),
             (places[ends[0]] ** 2, places[ends[1]] ** 2),
@@ -311,20 +314,22 @@ class ConverterGear(NamedTuple):
         )
 
     def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
-        """Return engine torques at which the pump gets the torque that it takes; else NaN [N*m].
+        """Return engine torques that supply the pump with the torque that it takes; else NaN [N*m].
 
         Parameters
         ----------
         engine, output : ndarray, shape (rows,)
-            Speeds of the engine, and magnitudes of output speeds. [rad/s]
+            Engine speeds, and magnitudes of output speeds. [rad/s]
         brought : callable
-            Torque brought to the pump in rows, at engine torques.
+            Function of row indices and engine torques that returns the torques supplied to the
+            pump.
         """
         taken, direction = self.taken(engine, output)
         everywhere = np.arange(len(engine))
 
         def surplus(at: Integers, torque: Floats) -> Floats:
-            # A pump that would gain power gets too little, or brakes too little.
+            # The torque is NaN if the converter would gain power: then its pump gets too little
+            # torque, or brakes too little.
             left = direction[at] * (brought(at, torque) - taken[at])
             return np.where(np.isnan(left), -gained[at], left)
 
@@ -355,13 +360,13 @@ class ConverterGear(NamedTuple):
 
 
 def _with_point(points: Floats, ratio: float) -> Floats:
-    """Return points of a converter with a further point on its lines, at a speed ratio."""
+    """Return points of a converter with a point interpolated at a given speed ratio."""
     ratios = np.union1d(points[:, 0], [ratio])
     return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
 
 
 def _root(function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]) -> Floats:
-    """Return the roots of a function between ends with values of different signs."""
+    """Return the roots of a function between `ends`, where its values have opposite signs."""
     (low, high), (at_low, at_high) = map(np.copy, ends), map(np.copy, values)
     swap = np.abs(at_low) < np.abs(at_high)
     low[swap], high[swap] = high[swap], low[swap]

@@ -1,8 +1,9 @@
-"""Steps of a driving cycle in a gear whose converter finds its speed ratio.
+"""Steps of a driving cycle in a gear with a free converter.
 
-The ratio is the largest at which speed and torque at the wheels fit the pump, with the engine at
-its first point or above. If the converter gives too much even at its largest ratio, the engine
-turns at this ratio and gives the torque that the pump takes; the brakes take the excess.
+The speed ratio is the largest at which the speed and torque at the wheels agree with the torque of
+the pump, with the engine at its first full-load point or above. If the converter drives too much
+even at its largest ratio, the engine turns at this ratio and supplies the torque that the pump
+takes; the brakes absorb the excess.
 """
 
 from __future__ import annotations
@@ -25,18 +26,18 @@ from vstatics.vehicle.operation.converter import (
 
 
 class ConverterSteps(NamedTuple):
-    """Steps in one gear."""
+    """Steps of a driving cycle in a gear with a free converter."""
 
     converter: ConverterGear
     vehicle: Vehicle
     cases: tuple[Transmission, Transmission]
-    """Case with this gear only, and the same with output and input exchanged."""
+    """Case with this gear only, and this case with output and input exchanged."""
     further: Sequence[Mapping[str, Floats]]
-    """Values of other numbers by path, for both cases."""
+    """Path of another number -> values at the steps, for both cases."""
     load: tuple[Floats, Floats]
     """Speeds [rad/s] and torques [N*m] of the output, as the input of the second case."""
     rows: Integers
-    """Indices of the steps in the cycle, for messages."""
+    """Indices of these steps in the cycle."""
 
     @property
     def _output(self) -> Floats:
@@ -45,7 +46,7 @@ class ConverterSteps(NamedTuple):
     def _brought(
         self, place: int, rows: Integers, load: tuple[Floats, Floats], engine: Floats
     ) -> Floats:
-        """Return torques on the pump in the first or second case, at speeds of the engine [N*m]."""
+        """Return torques on the pump by the case `cases[place]`, at engine speeds [N*m]."""
         ratios = self.converter.ratio(engine, self._output[rows])
         further = {path: numbers[rows] for path, numbers in self.further[place].items()}
         return self.converter.brought(self.cases[place], load, ratios, further)
@@ -54,7 +55,7 @@ class ConverterSteps(NamedTuple):
         return self._brought(0, rows, (engine, torque), engine)
 
     def _search(self, brought: Brought, points: Sequence[float] = ()) -> EngineSearch:
-        """Search for engine speeds; `points` are speeds at which the torque bends [rad/s]."""
+        """Search for engine speeds; at `points` the slope of the torque changes [rad/s]."""
         full = self.vehicle.full_load
         first = full[0][0] if full else 0.0
         speeds = [first, *(point for point in points if point > first), FASTEST_OF_SEARCH]
@@ -64,9 +65,9 @@ class ConverterSteps(NamedTuple):
         return self.converter.search(inverse, limits, self._output, brought)
 
     def from_wheels(self) -> tuple[Floats, Floats]:
-        """Return speeds [rad/s] and torques [N*m] of the engine that the wheels ask for.
+        """Return engine speeds [rad/s] and torques [N*m] for given wheel forces.
 
-        Torques are NaN where the wheels determine them, and numbers where brakes take an excess.
+        Torques are NaN, except in steps whose brakes absorb an excess.
 
         Raises
         ------
@@ -82,7 +83,7 @@ class ConverterSteps(NamedTuple):
         return self._settled(self._search(brought), are_braking)
 
     def at_overrun(self) -> tuple[Floats, Floats]:
-        """Return speeds [rad/s] and torques [N*m] of the engine that brakes as much as it can.
+        """Return engine speeds [rad/s] and torques [N*m] at overrun of the engine.
 
         Raises
         ------
@@ -100,7 +101,7 @@ class ConverterSteps(NamedTuple):
         return engine, np.where(np.isnan(torques), overrun(engine), torques)
 
     def _settled(self, search: EngineSearch, are_braking: Booleans) -> tuple[Floats, Floats]:
-        """Return engine speeds [rad/s], and torques [N*m] at the largest ratio without solution."""
+        """Return engine speeds [rad/s], and torques [N*m] of steps held at the largest ratio."""
         engine = search.engine.copy()
         torques = np.full(len(engine), np.nan)
         surplus = search.surplus[:, 0]  # NaN where no speed ratio gives torques

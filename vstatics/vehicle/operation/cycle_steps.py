@@ -1,4 +1,4 @@
-"""Steps of a driving cycle: gears, speeds, forces and losses."""
+"""Time steps of a driving cycle: gears, speeds, forces and losses."""
 
 from __future__ import annotations
 
@@ -32,33 +32,33 @@ from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE, SAME_POWER
 
 
 class GearChoice(NamedTuple):
-    """Rule for the gears of a trace without gears."""
+    """Rule that chooses the gears of a trace without gears."""
 
     least_speed: float | None = None
-    """Least speed of the engine. [rad/s]"""
+    """Least engine speed; each step has the highest gear that reaches it. [rad/s]"""
     shifts: Sequence[ShiftSpeed] = ()
     least_loss: bool = False
-    """Whether the gear with the least energy of engine or battery is chosen in each step."""
+    """If True, each step has the gear that needs the least energy of engine or battery."""
 
     @property
     def slowest(self) -> float | None:
-        """Least speed of the engine, for `least_loss` in steps with no gear within full load."""
+        """Least engine speed; 0 with `least_loss`, for steps beyond full load [rad/s]."""
         return 0.0 if self.least_loss else self.least_speed
 
 
 class CycleLosses(NamedTuple):
-    """Losses over the steps, and torques of engaged shift elements."""
+    """Losses over the steps of a cycle, and torques of engaged shift elements."""
 
     energies: dict[str, float]
-    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``. [J]"""
+    """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy. [J]"""
     outside: dict[str, None]
-    """Names of the laws that were evaluated outside their points."""
+    """Names of laws that were evaluated outside their points, as keys."""
 
     held_torques: Floats
-    """Torques of engaged shift elements, shape (steps, shift elements). [N*m]"""
+    """Torque magnitudes of engaged shift elements, shape (steps, shift elements). [N*m]"""
 
     def add(self, loads: PointLoads, rows: Integers, duration: Floats) -> None:
-        """Add the losses in some steps of given durations [s]."""
+        """Add the losses of the steps `rows`, which have given durations [s]."""
         self.held_torques[rows] = loads.held_torques
         self.outside.update(dict.fromkeys(loads.outside))
         for name, powers in (loads.losses() | loads.other_losses()).items():
@@ -66,7 +66,7 @@ class CycleLosses(NamedTuple):
 
 
 class CycleSteps(NamedTuple):
-    """Steps of a trace, each in a gear."""
+    """Time steps of a trace, each in a gear."""
 
     case: Transmission
     vehicle: Vehicle
@@ -75,24 +75,26 @@ class CycleSteps(NamedTuple):
     ratios: Floats
     """Link speeds divided by output speed, shape (gears, links). [-]
 
-    The signs are such that the engine turns forward. In a gear whose converter finds its ratio,
-    they are the changes of link speeds with output speed at a constant speed of the engine.
+    Signs are those with a positive engine speed. In a gear with a free converter, ratios are the
+    changes of link speeds per change of output speed at constant engine speed.
     """
     converters: Mapping[int, ConverterGear]
-    """Gears whose converters find their speed ratios, by index."""
+    """Gear index -> gear with a free converter, whose speed ratio follows from torques."""
     engine_ratios: Floats
-    """Engine speed divided by output speed, shape (gears,); of a converter at its free ratio. [-]
+    """Engine speed divided by output speed, shape (gears,). [-]
+
+    Free converters have their largest speed ratio without braking torque.
     """
     engine_speeds: Floats
-    """Speeds of the engine, as magnitudes. [rad/s]"""
+    """Magnitudes of engine speeds, shape (steps,). [rad/s]"""
     guessed: Sequence[str]
-    """Names of gears that count as forward only because of their place in the order."""
+    """Names of gears that count as forward only because they are written first."""
 
     @classmethod
     def of(
         cls, case: Transmission, vehicle: Vehicle, trace: Trace, choice: GearChoice
     ) -> CycleSteps:
-        """Return the steps of a trace with gears.
+        """Return the steps of a trace, with the gears of the trace or chosen gears.
 
         Raises
         ------
@@ -107,7 +109,7 @@ class CycleSteps(NamedTuple):
         indices = np.arange(len(outputs))
         with np.errstate(all="ignore"):
             ratios = results.speeds / results.speeds[indices, outputs][:, None]
-            ratios *= np.sign(ratios[indices, inputs])[:, None]  # the engine turns forward
+            ratios *= np.sign(ratios[indices, inputs])[:, None]  # positive engine speed
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine_ratios = np.abs(ratios[indices, inputs])
         for index, converter in converters.items():
@@ -140,10 +142,10 @@ class CycleSteps(NamedTuple):
         return self._replace(gears=gears, engine_speeds=output * self.engine_ratios[gears])
 
     def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
-        """Return the forward gears in which engine or battery give least, or take back most.
+        """Return the forward gear of each step that needs the least power of engine or battery.
 
-        Gears beyond full load or the last speed are left out; where none remains, the gears stay.
-        Of gears with equal powers the smallest ratio is chosen.
+        Gears that exceed full load or the last engine speed are left out; a step without another
+        gear keeps its gear. Of gears with equal powers, the gear with the smallest ratio is chosen.
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
@@ -155,9 +157,9 @@ class CycleSteps(NamedTuple):
         return gears
 
     def powers_of(self, rows: Integers) -> tuple[Integers, Floats]:
-        """Return steps within full load and speed, with the power of engine or battery there [W].
+        """Return those of the steps `rows` within full load, with powers of engine or battery [W].
 
-        Steps without torques are left out.
+        Steps without torques, or beyond the last engine speed, are left out, too.
         """
         rows = rows[self.vehicle.may_turn(self.engine_speeds[rows])]
         torques = turning = np.zeros(0)
@@ -184,7 +186,7 @@ class CycleSteps(NamedTuple):
         return rows, powers
 
     def at(self, rows: Integers) -> CycleSteps:
-        """Return some of the steps; the trace keeps the whole table."""
+        """Return the steps `rows`; their trace still contains the whole table."""
         complete = self.trace
         trace = complete._replace(
             duration=complete.duration[rows],
@@ -197,27 +199,27 @@ class CycleSteps(NamedTuple):
 
     @property
     def forces(self) -> Floats:
-        """Wheel forces for road resistance and acceleration of the mass; 0 at standstill [N]."""
+        """Wheel forces for road resistance and acceleration of the vehicle; 0 at standstill [N]."""
         trace, vehicle = self.trace, self.vehicle
         force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
         return np.where(trace.speed > 0, force, 0.0)
 
     @property
     def asked_forces(self) -> Floats:
-        """Wheel forces that the engine is asked for, or the machine, whose part may be less [N]."""
+        """Wheel forces by engine or machine; of braking forces, the share `recuperation` [N]."""
         forces = self.forces
         return np.where(forces < 0, self.vehicle.recuperation * forces, forces)
 
     @property
     def output_speeds(self) -> Floats:
-        """Speeds of the output [rad/s]."""
+        """Output speeds, with the sign of the direction of travel [rad/s]."""
         links = np.array([self.case.gear_output(gear) - 1 for gear in self.case.gears])
         output = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive  # without sign
         speeds: Floats = output * self.ratios[self.gears, links[self.gears]]
         return speeds
 
     def course(self, engine: Floats) -> dict[str, Floats]:
-        """Return the columns of the steps by heading, with values at mid-step."""
+        """Return heading -> column of values at the middle of the steps."""
         drive = "machine" if self.vehicle.machine else "engine"
         starts = np.array(self.trace.table.numbers["time"][:-1])
         return {
@@ -230,9 +232,9 @@ class CycleSteps(NamedTuple):
         }
 
     def input_course(self, engine: Floats) -> dict[str, Floats]:
-        """Return the columns of the input link, as points of a duty cycle.
+        """Return heading -> column of the input, for the operating points of a duty cycle.
 
-        The torque is that of the engine less that of the inertia of the input link.
+        The torque is the engine torque minus the torque that accelerates the input link.
         """
         moving = self.trace.speed > 0
         entering = engine + self._input_inertia(np.arange(len(engine)))
@@ -243,7 +245,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _input_inertia(self, rows: Integers) -> Floats:
-        """Return the inertia torques of the input link in some steps [N*m]."""
+        """Return the inertia torques ``-J dw/dt`` of the input link in the steps `rows` [N*m]."""
         inputs = np.array([self.case.gear_input(gear) for gear in self.case.gears])[self.gears]
         torques = np.zeros(len(rows))
         for link in np.unique(inputs[rows]).tolist():
@@ -252,19 +254,19 @@ class CycleSteps(NamedTuple):
         return torques
 
     def _inertia_torque(self, rows: Integers, link: int) -> Floats:
-        """Return the inertia torque ``-J dw/dt`` of a link in some steps [N*m]."""
+        """Return the inertia torques ``-J dw/dt`` of a link in the steps `rows` [N*m]."""
         change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
         inertia = self.case.heavy.get(link, 0.0)
-        # A link of unknown speed turns freely, so nothing accelerates it.
+        # A link of unknown speed turns freely and is not accelerated.
         ratios = np.nan_to_num(self.ratios[self.gears[rows], link - 1])
         torque: Floats = -inertia * ratios * change
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return inertia torques on links that are neither outputs nor held, by path [N*m].
+        """Return path -> inertia torques on links that are neither outputs nor held [N*m].
 
-        The loss of a gear depends on the torque that enters it, so its load contains the inertia
-        of the input link.
+        The input link of a gear with a loss as a whole is left out: this loss depends on the torque
+        that remains for the gear after the inertia of the input link.
         """
         return {
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
@@ -275,9 +277,9 @@ class CycleSteps(NamedTuple):
         }
 
     def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
-        """Return the torque that the outputs of a case give to their load [N*m]."""
+        """Return the torques of the outputs of a case on their loads in the steps `rows` [N*m]."""
         torque = loads.taken(loads.results.lossy_output_torque_Nm)
-        # No torque can be given on an output, so its inertia is added here.
+        # A case cannot have a given torque on an output, so its inertia torque is added here.
         for number, gear in enumerate(case.gears):
             added = self._inertia_torque(rows, case.gear_output(gear))
             torque = np.where(self.gears[rows] == number, torque + added, torque)
@@ -285,7 +287,7 @@ class CycleSteps(NamedTuple):
 
     @property
     def inertia_energies(self) -> Floats:
-        """Increase of the kinetic energy of links during the steps, link by link [J]."""
+        """Increases of kinetic energy, for each link all steps, shape (links * steps,) [J]."""
         before, after = self.trace.ends
         factor = self.vehicle.final_drive / self.vehicle.radius
         energies = [np.zeros(0)]
@@ -302,19 +304,19 @@ class CycleSteps(NamedTuple):
         return np.concatenate(energies)
 
     def _from_wheels(self, rows: Integers) -> PointLoads:
-        """Solve the transmission with output and input exchanged."""
+        """Solve the steps `rows` backwards, with output and input exchanged."""
         points = DutyPoints(self.gears[rows], *self._load_of_wheels(rows), np.ones(len(rows)))
         return self._solved(turned(self.case, self.ratios), rows, points)
 
     def _load_of_wheels(self, rows: Integers) -> tuple[Floats, Floats]:
-        """Return speeds [rad/s] and torques [N*m] of the output as the input of the calculation."""
+        """Return output speeds [rad/s] and torques [N*m], the input of a backward solution."""
         here = self.at(rows)
         speeds = here.output_speeds
         torques = -here.asked_forces * self.vehicle.radius / self.vehicle.final_drive
         return speeds, torques * np.sign(speeds)
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
-        """Solve the transmission at the operating points of some steps.
+        """Solve a case at the operating points of the steps `rows`.
 
         Raises
         ------
@@ -329,7 +331,7 @@ class CycleSteps(NamedTuple):
             raise at_rows(error, rows) from None
 
     def _speed_ratios(self, rows: Integers) -> dict[str, Floats]:
-        """Return the speed ratios of converters that find them, by path [-]."""
+        """Return path -> speed ratios of a free converter in the steps `rows` [-]."""
         here = self.at(rows)
         output = np.abs(here.output_speeds)
         return {
@@ -342,7 +344,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _with_converters(self, rows: Integers) -> Iterator[ConverterSteps]:
-        """Yield the steps whose converters find their ratios, by gear."""
+        """Yield the steps among `rows` of each gear with a free converter."""
         for gear, converter in self.converters.items():
             places = rows[self.gears[rows] == gear]
             if places.size:
@@ -352,7 +354,7 @@ class CycleSteps(NamedTuple):
                 yield ConverterSteps(converter, self.vehicle, cases, further, load, places)
 
     def driven(self, rows: Integers) -> DrivenSteps:
-        """Return some of the steps with speeds and torques of the engine, within its overrun.
+        """Return the steps with engine speeds and torques in `rows`, limited to its overrun torque.
 
         Raises
         ------
@@ -377,7 +379,7 @@ class CycleSteps(NamedTuple):
         return DrivenSteps(self._replace(engine_speeds=speeds), torques, limited | over)
 
     def engine_torques(self, rows: Integers) -> Floats:
-        """Return engine torques with all losses, in the direction of the engine [N*m].
+        """Return engine torques in the steps `rows`, with all losses; positive if driving [N*m].
 
         Raises
         ------
@@ -398,7 +400,7 @@ class CycleSteps(NamedTuple):
     def _with_loss(
         self, rows: Integers, of_gear: Integers, speeds: Floats, torques: Floats
     ) -> Floats:
-        """Return torques entering a gear, for those without its loss as a whole [N*m]."""
+        """Return the input torques of a gear, increased by its loss as a whole [N*m]."""
         loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
         if loss is None:
             return torques[of_gear]
@@ -418,9 +420,9 @@ class CycleSteps(NamedTuple):
         return with_loss
 
     def add_losses(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
-        """Add the losses of rows without braking beyond the overrun.
+        """Add the losses of steps in which the engine or machine is not limited.
 
-        Return the energy of the brakes, which take the part that a machine is not asked for [J].
+        Return the energy of the brakes, which supply the braking force beyond `recuperation` [J].
         """
         lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
         here = self.at(rows)
@@ -439,7 +441,7 @@ class CycleSteps(NamedTuple):
         return float(power @ here.trace.duration)
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
-        """Add the losses of rows in which brakes take the excess, and return its energy [J]."""
+        """Add the losses of steps in which brakes absorb an excess, and return its energy [J]."""
         here = self.at(rows)
         has_loss = np.array([gear.loss is not None for gear in self.case.gears])[here.gears]
         entering = engine[rows] + np.where(has_loss, self._input_inertia(rows), 0.0)
@@ -453,25 +455,25 @@ class CycleSteps(NamedTuple):
 
 
 class DrivenSteps(NamedTuple):
-    """Steps of a cycle with the engine."""
+    """Time steps of a cycle with engine torques."""
 
     steps: CycleSteps
     torques: Floats
-    """Torques of the engine. [N*m]"""
+    """Engine torques, shape (steps,). [N*m]"""
     limited: Booleans
-    """Steps in which the wheels get more force than asked, or less braking; brakes take it."""
+    """True in steps whose wheels are driven too much or braked too little; brakes correct this."""
 
 
 def turned(case: Transmission, ratios: Floats) -> Transmission:
     """Return a case with output and input exchanged, and without losses of gears as a whole.
 
-    `ratios` are the speeds of links per output speed, shape (gears, links) [-].
+    `ratios` are link speeds divided by output speed, shape (gears, links) [-].
     """
     gears = []
     for gear, by_output in zip(case.gears, ratios, strict=True):
         ends = case.gear_input(gear), case.gear_output(gear)
         ratio = float(by_output[ends[0] - 1] / by_output[ends[1] - 1])
-        driven = not math.isnan(ratio)  # no vehicle is driven in a gear without a ratio
+        driven = not math.isnan(ratio)  # a gear without a ratio drives no vehicle
         slip = {n: slip * ratio if slip and driven else 0.0 for n, slip in gear.slip.items()}
         gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
     return case.replace(gears=gears, outputs=())
@@ -480,7 +482,7 @@ def turned(case: Transmission, ratios: Floats) -> Transmission:
 def _gears(
     case: Transmission, trace: Trace, choice: GearChoice, engine: EngineSpeeds, ratios: Floats
 ) -> Integers:
-    """Return the gear of each step: from the trace, by shift speeds, or the highest possible.
+    """Return the gear index of each step: from the trace, by shift speeds, or the highest possible.
 
     Parameters
     ----------

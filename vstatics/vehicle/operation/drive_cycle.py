@@ -1,13 +1,14 @@
 """Driving cycle: engine torque, energies and fuel over a trace.
 
-Between two rows of a trace, the acceleration is constant, the speed is the mean, and gear and slope
-are those of the first row. The wheel force follows from these. The transmission is solved
-backwards, with its output as the input of the calculation, which gives the engine torque with all
-losses; inertias J act as torques ``-J dw/dt`` on their links. If the engine would have to brake
-more than its overrun, the brakes take the rest. At standstill all torques are zero.
+In a step between two rows of a trace, the acceleration is constant, the speed is the mean speed,
+and the first row gives gear and slope. The wheel force follows from these quantities. The
+transmission is solved backwards, with its output as the input of the calculation, which gives the
+engine torque with all losses; inertias J act as torques ``-J dw/dt`` on their links. If the engine
+would have to brake more than its overrun torque, the brakes supply the rest. At standstill all
+torques are zero.
 
-An electric machine is asked for a part of each braking force at the wheels. Its mechanical power P
-takes P/e from the battery, or gives it P e.
+An electric machine supplies a share of each braking force at the wheels. With the efficiency e, its
+mechanical power P requires the electric power P/e, or P e if it generates.
 """
 
 from __future__ import annotations
@@ -47,22 +48,22 @@ J_OF_KWH = 3.6e6
     *("wheels", "inertias", "brakes", "lost"),
 )
 class CycleEnergy(NamedTuple):
-    """Energies of a cycle [J].
+    """Energies of a driving cycle [J].
 
-    That of the engine or the machine is the sum of wheels, inertias, brakes and lost energies.
+    The energy of the engine or machine is the sum of `wheels`, `inertias`, `brakes` and `lost`.
     """
 
     engine: Sometimes[float]
-    """Energy of the engine; None with an electric machine."""
+    """Energy supplied by the engine; None with an electric machine."""
     wheels: float
-    """Energy of road resistance and vehicle mass."""
+    """Energy of road resistance and acceleration of the vehicle mass."""
     inertias: float
-    """Energy of rotating parts, including sudden changes of speed in shifts."""
+    """Energy that accelerates rotating parts, including sudden changes of speed at shifts."""
     brakes: float
     lost: Mapping[str, float]
-    """Lost energy by mechanism, and by ``drag.LINK``, ``drag.CLUTCH`` and ``gear.GEAR``."""
+    """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy."""
     machine: Sometimes[float] = None
-    """Mechanical energy of the electric machine."""
+    """Mechanical energy supplied by the electric machine."""
     machine_lost: Sometimes[float] = None
     """Energy lost in the machine."""
     battery_lost: Sometimes[float] = None
@@ -70,14 +71,14 @@ class CycleEnergy(NamedTuple):
 
     @property
     def battery(self) -> Sometimes[float]:
-        """Energy of the battery, the sum of the machine and the losses of both."""
+        """Energy from the battery: of the machine, with the losses in machine and battery."""
         if self.machine is None or self.machine_lost is None or self.battery_lost is None:
             return None
         return self.machine + self.machine_lost + self.battery_lost
 
 
 class BatteryEnergy(NamedTuple):
-    """Energies that a battery gives and gets back over a cycle [J]."""
+    """Energies that leave a battery (`out`) and return to it in a driving cycle [J]."""
 
     out: float
     returned: float
@@ -92,7 +93,7 @@ class DriveCycle(NamedTuple):
     distance: float
     """Distance that the vehicle covers. [m]"""
     fuel: float
-    """Fuel; NaN without a fuel map. [g]"""
+    """Fuel consumed; NaN without a fuel map. [g]"""
     energy: CycleEnergy
     gears: Sequence[str]
     """Gear of each step."""
@@ -101,23 +102,23 @@ class DriveCycle(NamedTuple):
     messages: Sequence[Message]
     """Warnings and notes."""
     steps: Mapping[str, Floats]
-    """Columns of the steps by heading with unit, with values at mid-step."""
+    """Heading with unit -> column of values at the middle of the steps."""
     battery: Sometimes[BatteryEnergy] = None
     """Energies of the battery of an electric machine."""
     consumption: Sometimes[float] = None
-    """Energy of the battery per distance; NaN without a distance. [kWh/100 km]"""
+    """Energy from the battery per distance; NaN without a distance. [kWh/100 km]"""
 
 
 def drive(
     case: Transmission, trace: Trace, choice: GearChoice, fuel: FuelMap | None = None
 ) -> DriveCycle:
-    """Drive a case with a vehicle through a trace.
+    """Drive a case with a vehicle through a driving cycle.
 
     Raises
     ------
     CaseError
-        If the case has no vehicle, or if a gear is not in the case or has no torques; paths of
-        problems are rows of the trace.
+        If the case has no vehicle, or if a gear is not in the case or has no torques; the path of a
+        problem is a row of the trace.
 
     Examples
     --------
@@ -178,7 +179,7 @@ def drive(
 
 
 def _losses(driven: DrivenSteps) -> tuple[CycleLosses, float]:
-    """Return the losses, and the energy of the brakes [J]."""
+    """Return the losses of a driving cycle, and the energy of the brakes [J]."""
     steps, engine, limited = driven
     is_moving = steps.trace.speed > 0
     lost = CycleLosses({}, {}, np.zeros((len(engine), len(steps.case.shift_elements))))
@@ -206,11 +207,11 @@ class ElectricSupply(NamedTuple):
     electric: Floats
     battery: Floats
     is_outside: bool
-    """Whether the efficiency was evaluated outside its map."""
+    """True if the efficiency was evaluated outside its map."""
 
     @classmethod
     def of(cls, machine: Machine, speeds: Floats, torques: Floats) -> ElectricSupply:
-        """Return the powers at speeds [rad/s] and torques along them [N*m].
+        """Return the powers at speeds [rad/s] and torques in their direction [N*m].
 
         Raises
         ------
@@ -237,7 +238,7 @@ class ElectricSupply(NamedTuple):
         return cls(mechanical, electric, machine.battery_power(electric), is_outside)
 
     def energies(self, energy: CycleEnergy, duration: Floats) -> CycleEnergy:
-        """Return energies of a cycle with those of machine and battery instead of an engine."""
+        """Return the energies of a cycle with machine and battery instead of the engine."""
         return energy._replace(
             engine=None,
             machine=energy.engine,
@@ -253,7 +254,7 @@ def _blocks(are_wanted: Booleans) -> Iterator[Integers]:
 
 
 def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
-    """Yield warnings about guessed gears, engine speeds and engine torques."""
+    """Yield warnings about guessed forward gears, and too high engine speeds and torques."""
     if steps.guessed:
         text = f"forward is taken as {listed(steps.guessed)}, which are written first"
         yield Message(
@@ -276,7 +277,7 @@ def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
 
 
 def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterator[Message]:
-    """Yield warnings about overloaded shift elements, by (steps, elements) torques [N*m]."""
+    """Yield warnings about overloaded shift elements, by torques (steps, elements) [N*m]."""
 
     def where(row: int) -> str:
         start = steps.trace.table.numbers["time"][row]

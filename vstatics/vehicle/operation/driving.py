@@ -1,4 +1,4 @@
-"""Python function `cycle`: a case with a vehicle in a driving cycle."""
+"""Python function `cycle`, which drives a case with a vehicle through a driving cycle."""
 
 from __future__ import annotations
 
@@ -29,36 +29,36 @@ def cycle(  # noqa: PLR0913
     strategy: Literal["least-loss"] | None = None,
     fuel: str | os.PathLike[str] | FuelMap | None = None,
 ) -> DriveCycle:
-    """Drive a case with a `vehicle` through a cycle of speeds.
+    """Drive a case with a `vehicle` through a driving cycle.
 
     Parameters
     ----------
     case : Transmission
     trace : path-like or Trace
-        Table with columns time [s], speed [km/h], and optionally gear, and slope, a sine [-], or
-        grade, the rise over the horizontal distance [-].
+        Table with the columns time [s], speed [km/h], and optionally gear, and slope (sine of the
+        angle) or grade (rise divided by horizontal distance) [-].
     least_speed : float, optional
-        Least engine speed: choose the highest gear that reaches it, otherwise the lowest gear that
-        does not exceed the last engine speed. [rad/s]
+        Least engine speed: choose the highest gear that reaches it; if no gear does, the lowest
+        gear that does not exceed the last engine speed. [rad/s]
     shifts : str, optional
-        Shift speeds of the vehicle, up and down: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
+        Road speeds of upshifts and downshifts: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
     strategy : {"least-loss"}, optional
-        Choose in each step the gear in which engine or battery give least energy, or take back
-        most, within full load.
+        Choose in each step the gear that needs the least energy of engine or battery, within full
+        load.
     fuel : path-like or FuelMap, optional
-        CSV with columns speed, torque, fuel; the file named in a case is not used.
+        CSV with the columns speed, torque and fuel; the file that a case names is not read.
 
     Returns
     -------
     DriveCycle
-        Energies [J], losses [J], fuel [g], steps, and messages.
+        Energies and losses [J], fuel [g], steps, and messages.
 
     Raises
     ------
     CaseError
         If the case has no vehicle, or a gear is not in the case or has no torques.
     ReadError
-        If a file is in error, with every problem and its position.
+        If a file has errors, with every problem and its position.
     OSError
         If a file cannot be opened.
 

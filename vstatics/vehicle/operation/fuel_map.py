@@ -43,7 +43,7 @@ class FuelMap(NamedTuple):
     """Fuel rates, shape (speeds, torques). [g/s]"""
 
     def at(self, speeds: Floats, torques: Floats) -> Floats:
-        """Return the fuel rates at points [g/s]; negative torques count as 0."""
+        """Return fuel rates at engine speeds and torques [g/s]; negative torques count as 0."""
         grid = LookupTable(
             tuple(self.speeds.tolist()),
             tuple(map(tuple, self.fuel.tolist())),
@@ -52,7 +52,7 @@ class FuelMap(NamedTuple):
         return grid.along(speeds, np.maximum(torques, 0.0))
 
     def is_beyond(self, speeds: Floats, torques: Floats) -> Booleans:
-        """Return whether points exceed the largest speed or torque of the grid.
+        """Return True where a speed or torque exceeds the largest of the grid.
 
         >>> FuelMap(np.array([100.0]), np.array([50.0]), np.zeros((1, 1))).is_beyond(
         ...     np.array([100.0, 101.0]), np.array([50.0, 0.0]))
@@ -69,7 +69,7 @@ def read_fuel_map(data: bytes, file: str) -> FuelMap:
     Raises
     ------
     ReadError
-        If the file is in error, with every problem and its position.
+        If the file has errors, with every problem and its position.
 
     Examples
     --------

@@ -1,6 +1,6 @@
-"""Duty cycle by points: gear, speed and torque of the input, with times or shares.
+"""Duty cycle given by operating points: gear, input speed and torque, with time or share.
 
-Results are the energies of ports and losses, and the loads of links, members and clutches.
+Results are input and output energies, losses, and the loads of links, members and shift elements.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
 
 EXPONENT = 3.0
-"""Exponent of equivalent torques, near that of tooth roots and roller bearings (10/3). [-]"""
+"""Exponent of equivalent torques, close to that of roller bearings (10/3). [-]"""
 
 LARGEST_DUTY = 1e30
-"""Largest number of a point in SI units, which keeps energies and sums finite."""
+"""Largest speed, torque or time of a point in SI units, which keeps energies and sums finite."""
 
 
 class LargestValue(NamedTuple):
-    """Value with the largest magnitude, and its row, from 1."""
+    """Value with the largest magnitude, and number of its operating point from 1; 0 if unknown."""
 
     largest: float
     row: int
@@ -46,48 +46,49 @@ class MemberLoad(NamedTuple):
     """Load of a link, a member of a mechanism, or a shift element over a duty cycle."""
 
     torque: LargestValue
-    """Largest torque; for a link, the sum of all positive torques on it; NaN for a planet. [N*m]"""
+    """Largest torque; for a link, the largest sum of positive torques; NaN for a planet. [N*m]"""
     speed: LargestValue
-    """Largest speed; of a member or planet relative to the third link, of a shift element the slip.
-    [rpm]"""
+    """Largest speed, relative to the third link for members and planets; slip of clutches. [rpm]"""
     revolutions: float
-    """Number of revolutions at this kind of speed; per second if points have shares. [-]"""
+    """Number of revolutions by the speeds of `speed`; per second if points have shares. [-]"""
     equivalent_torque: float
-    """``(sum |T|^p n t / sum n t)^(1/p)`` with exponent p, torques T, speeds n, times or shares t;
-    NaN if the member never turns under torque. [N*m]"""
+    """``(sum |T|^p n t / sum n t)^(1/p)``; NaN if the member never turns under torque. [N*m]
+
+    T are the torques, n the speeds, t the times or shares, and p the exponent.
+    """
 
 
 @json_keys(in_="in_", out="out", lost="lost")
 class DutyEnergy(NamedTuple):
-    """Energies of a duty cycle [J]; with shares, mean powers [W]."""
+    """Energies of a duty cycle [J]; mean powers [W] if points have shares."""
 
     in_: float
     out: float
     lost: Mapping[str, float]
-    """Lost energy by name of a mechanism, and by ``drag.LINK`` and ``drag.CLUTCH``."""
+    """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy."""
 
 
 @json_keys("energy", "efficiency", "exponent", "members", "spectrum", "life", "bearings")
 class Spectrum(NamedTuple):
-    """Results of a duty cycle by points."""
+    """Results of a duty cycle given by operating points."""
 
     energy: DutyEnergy
     efficiency: float
     members: Mapping[str, MemberLoad]
     messages: Sequence[Message]
-    """Warnings about laws outside their points, and overloaded shift elements."""
+    """Warnings about laws evaluated outside their points, and about overloaded shift elements."""
     are_shares: bool
-    """True if points have shares, not times: energies are mean powers, revolutions per second."""
+    """True if points have shares; energies are then powers, and revolutions are per second."""
     damage: Mapping[str, DeviceDamage]
-    """Damage of components with a fatigue strength, with the points in order as a record."""
+    """Component name -> fatigue damage by its torques at the points, taken as a record."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
     spectrum: Sometimes[Mapping[str, MemberSpectrum]] = None
-    """Load duration distribution of members with a torque, if requested."""
+    """Member -> load duration distribution, if requested."""
     life: Sometimes[Mapping[str, MemberLife]] = None
-    """Life of members with a strength under torque."""
+    """Member -> life, for members with a torque strength."""
     bearings: Sometimes[Mapping[str, BearingLife]] = None
-    """Life of bearings."""
+    """Bearing -> life."""
 
     def grids(self) -> Iterator[Grid]:
         """Yield tables of a summary: energies, loads of links, members and clutches, damage."""
@@ -135,7 +136,7 @@ class Spectrum(NamedTuple):
 
 
 DutyResults = Cycle | Spectrum
-"""Results over a duty cycle of shares by gear, or of points."""
+"""Results of a duty cycle given by shares of gears, or by operating points."""
 
 
 def spectrum(
@@ -144,7 +145,7 @@ def spectrum(
     exponent: float = EXPONENT,
     classes: Classes | None = None,
 ) -> Spectrum:
-    """Calculate a duty cycle by points; points with a speed of 0 are time and nothing else.
+    """Calculate a duty cycle of operating points; points with a speed of 0 only count as time.
 
     Parameters
     ----------
@@ -154,14 +155,14 @@ def spectrum(
     exponent : float
         Exponent of the equivalent torque. [-]
     classes : int or sequence of float, optional
-        Number of classes of torque of the load spectra, or their upper bounds [N*m]; no spectra if
-        omitted.
+        Number of torque classes of the load spectra, or upper bounds of the classes [N*m]; without
+        it, no spectra are calculated.
 
     Raises
     ------
     CaseError
-        If a point has no torques, or no point moves; the paths of problems are the indices of
-        points.
+        If a point has no torques, or if all speeds are 0; the path of a problem is the index of its
+        point.
 
     Examples
     --------
@@ -212,7 +213,7 @@ def spectrum(
 
 
 def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> PointLoads:
-    """Solve the points that move; problems keep the indices of all points."""
+    """Solve the points with indices `moving`; problems have the index of a point in `points`."""
     parts = points._replace(
         gears=points.gears[moving],
         speeds=points.speeds[moving],
@@ -228,9 +229,10 @@ def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> Point
 def _without_rounding(
     members: Iterable[tuple[str, tuple[Floats, Floats]]],
 ) -> dict[str, tuple[Floats, Floats]]:
-    """Return torques and speeds with 0 for what is rounding beside the largest of a point.
+    """Return name -> torques and speeds, with rounding noise relative to the largest set to 0.
 
-    Otherwise a gear set that rotates as a block turns, and an unloaded link has torques.
+    Otherwise members of a gear set that rotates as a block would have small relative speeds, and
+    unloaded links would have small torques.
     """
     names, loads = zip(*members, strict=True)
     torques, speeds = (rounding_as_zero(np.array(kind)) for kind in zip(*loads, strict=True))
@@ -249,7 +251,7 @@ def _doubts(case: Transmission, loads: PointLoads, moving: Integers) -> Iterator
 def _member(
     torques: Floats, speeds: Floats, weights: Floats, exponent: float, places: Integers
 ) -> MemberLoad:
-    """Return the load of a member, from torques [N*m] and speeds [rad/s] at some places."""
+    """Return the load of a member by its torques [N*m] and speeds [rad/s] at points `places`."""
     sizes = np.abs(torques)
     turned = np.nan_to_num(np.abs(speeds)) * weights
     total = float(turned.sum())
@@ -274,7 +276,7 @@ def _largest(values: Floats, places: Integers) -> LargestValue:
 def points_of(
     case: Transmission, gears: Sequence[str], numbers: Mapping[str, Sequence[float]]
 ) -> DutyPoints:
-    """Return points from columns by name: speed, torque, and time or share.
+    """Return operating points from the columns speed, torque, and time or share.
 
     Raises
     ------

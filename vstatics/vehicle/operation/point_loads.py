@@ -1,4 +1,4 @@
-"""Loads of links, members and shift elements at points of speed and torque."""
+"""Loads of links, members and shift elements at operating points."""
 
 from __future__ import annotations
 
@@ -22,30 +22,30 @@ from vstatics.core.statics.solve import solve
 from vstatics.vehicle.tolerances import NO_DRAG
 
 MOST_REASONS = 20
-"""Largest number of points without torques whose reason is given; each is solved again."""
+"""Largest number of points without torques for which a reason is given by solving again."""
 REASONS = (
     *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
     *("W433", "W438"),
 )
-"""Ids of messages about gears without speeds or torques, most important first."""
+"""Ids of messages on gears without speeds or torques, most important first."""
 
 
 class DutyPoints(NamedTuple):
-    """Points of a duty cycle, as arrays of equal length."""
+    """Operating points of a duty cycle, as arrays of equal length."""
 
     gears: Integers
-    """Index of the gear of each point."""
+    """Gear index of each point."""
     speeds: Floats
-    """Speeds of the input. [rad/s]"""
+    """Input speeds. [rad/s]"""
     torques: Floats
-    """Torques of the input. [N*m]"""
+    """Input torques. [N*m]"""
     weights: Floats
-    """Durations [s], or shares of any sum."""
+    """Durations [s], or shares of time with an arbitrary sum."""
     are_shares: bool = False
 
 
 def at_rows(error: CaseError, rows: Integers) -> CaseError:
-    """Return an error whose problems at points of a part have the rows of these points."""
+    """Return an error whose paths contain rows of a table, instead of indices in `rows`."""
     problems = []
     for problem in error.problems:
         first = next(iter(problem.path), None)
@@ -55,7 +55,7 @@ def at_rows(error: CaseError, rows: Integers) -> CaseError:
 
 
 class PointLoads(NamedTuple):
-    """Results of all points, in the gear of each point; arrays of shape (points, ...)."""
+    """Results of operating points, each in its gear; arrays have the shape (points, ...)."""
 
     case: Transmission
     points: DutyPoints
@@ -67,12 +67,12 @@ class PointLoads(NamedTuple):
     ) -> PointLoads:
         """Solve all points in all gears.
 
-        `further` gives values of other numbers of the case by path, as `vary` of `solve`.
+        `further` contains path -> values at the points of other numbers, as `vary` of `solve`.
 
         Raises
         ------
         CaseError
-            If a point has no torques; the paths of problems are indices of points.
+            If a point has no torques; the path of a problem is the index of its point.
         """
         gears = [gear._replace(load=None) for gear in case.gears]
         bare = replace(case, gears=gears, load=Load(1000.0, 1.0))
@@ -80,7 +80,7 @@ class PointLoads(NamedTuple):
         vary |= further or {}
         loads = cls(bare, points, solve(bare, vary=vary))
         lacking = ~np.isfinite(loads.taken(loads.results.lossy_output_torque_Nm))
-        most = 0 if further else MOST_REASONS  # a single point has no inertia torques
+        most = 0 if further else MOST_REASONS  # a point alone lacks inertia torques
         problems = [
             Problem("E424", loads._lacking(row, has_reason=place < most), (row,))
             for place, row in enumerate(np.flatnonzero(lacking).tolist())
@@ -90,7 +90,7 @@ class PointLoads(NamedTuple):
         return loads
 
     def _lacking(self, row: int, *, has_reason: bool) -> str:
-        """Return the message about a point without torques, with a reason if requested."""
+        """Return the error message for a point without torques, with a reason if requested."""
         gear = self.case.gears[int(self.points.gears[row])]
         text = f"gear {gear.name} has no torques with losses at this speed and torque"
         if not has_reason:
@@ -102,31 +102,31 @@ class PointLoads(NamedTuple):
         return ": ".join((text, *reasons[:1]))
 
     def taken(self, array: Any) -> Floats:
-        """Return an array of results by point, in the gear of each point."""
+        """Return the rows of a results array (points, gears, ...) for the gear of each point."""
         values: Floats = array[np.arange(len(self.points.gears)), self.points.gears]
         return values
 
     @property
     def input_torques(self) -> Floats:
-        """Input torque at each point, acting against the speed if the case coasts [N*m]."""
+        """Input torques; while the case coasts, they are opposite to the speeds [N*m]."""
         assert self.results.points is not None  # noqa: S101 - loads vary
         units = self.taken(self.results.points.scales["Nm"])
         return np.where(self.points.torques == 0, 0.0, units)
 
     @property
     def outside(self) -> list[str]:
-        """Names of laws that the gears of the points evaluate outside their range."""
+        """Names of laws that are evaluated outside their range at some point."""
         assert self.results.points is not None  # noqa: S101 - loads vary
         return [law for law, at in self.results.points.outside.items() if self.taken(at).any()]
 
     def losses(self) -> dict[str, Floats]:
-        """Return the power loss at each point, by gear set [W]."""
+        """Return gear set -> power loss at each point [W]."""
         powers = 1e3 * self.taken(self.results.losses_kW)
         names = [device.name for device in self.case.own_devices]
         return {name: np.nan_to_num(column) for name, column in zip(names, powers.T, strict=True)}
 
     def port_powers(self) -> tuple[Floats, Floats]:
-        """Return the power entering and leaving by all ports [W]."""
+        """Return the total input power, and the total output power, at each point [W]."""
         results = self.results
         return 1e3 * self.taken(results.input_power_kW), 1e3 * self.taken(results.output_power_kW)
 
@@ -137,7 +137,7 @@ class PointLoads(NamedTuple):
         return np.concatenate([np.zeros((len(speeds), 1)), speeds], axis=1)
 
     def elements(self) -> Iterator[tuple[str, Floats, Floats]]:
-        """Yield each shift element with the torque on the first link [N*m], and slip [rad/s]."""
+        """Yield shift elements: name, torques on the first link [N*m], and slips [rad/s]."""
         torques = self.taken(self.results.lossy_torques_Nm)
         slips = self.taken(self.results.slip_speeds_rpm) * math.pi / 30
         for place, element in enumerate(self.case.shift_elements):
@@ -145,16 +145,16 @@ class PointLoads(NamedTuple):
 
     @property
     def held_torques(self) -> Floats:
-        """Magnitudes of torques of engaged shift elements, (points, shift elements) [N*m]."""
+        """Torque magnitudes of engaged shift elements, else 0; shape (points, elements) [N*m]."""
         holds, results = self.taken(self.results.holds), self.results
         sizes = larger_torques(results.torques_Nm, results.lossy_torques_Nm)
         return np.where(holds, self.taken(sizes)[:, : holds.shape[1]], 0.0)
 
     def device_torques(self) -> dict[str, Floats]:
-        """Return the torque on the first link of each shift element, mechanism and spring [N*m].
+        """Return shift element, mechanism or spring -> torques on its first link [N*m].
 
-        A gear set is represented by its mechanism, or by the mechanisms of its meshes, as in
-        simulations.
+        A gear set has the torque of its mechanism, or torques of the mechanisms of its meshes, as
+        in simulations.
         """
         rows, results = all_row_names(self.case), self.results
         torques = self.taken(results.lossy_torques_Nm).T
@@ -166,7 +166,7 @@ class PointLoads(NamedTuple):
         return by_name
 
     def member_torques(self) -> dict[tuple[int, str], Floats]:
-        """Return the torque that a link gives to a member [N*m], by device index and member."""
+        """Return (gear set index, member) -> torque that a link exerts on the member [N*m]."""
         torques = self.taken(self.results.lossy_torques_Nm)
         first = len(self.case.shift_elements)
         places = [
@@ -182,7 +182,7 @@ class PointLoads(NamedTuple):
             first_part, second_part, _ = column_of(mechanism, self._ratios(number))
             with np.errstate(all="ignore"):
                 second = second_part / first_part * on_first
-            if mechanism.kind != "converter":  # the torque ratio of a converter includes losses
+            if mechanism.kind != "converter":  # its torque ratio includes losses
                 second = second * self._loss_factor(number, on_first)
             by_name = {"first": on_first, "second": second, "third": -on_first - second}
             for device, name in places:
@@ -191,7 +191,7 @@ class PointLoads(NamedTuple):
         return by_member
 
     def _ratios(self, number: int) -> Floats:
-        """Return the ratio of a mechanism at each point: of the gear, or by the speeds."""
+        """Return the ratios of a mechanism at the points, as given or by its speeds [-]."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         by_gear = [self.case.gear_ratios(gear)[number] for gear in self.case.gears]
         given = np.array(by_gear, dtype=float)[self.points.gears]
@@ -202,7 +202,7 @@ class PointLoads(NamedTuple):
         return np.where(np.isfinite(turned), turned, given)
 
     def _loss_factor(self, number: int, on_first: Floats) -> Floats:
-        """Return ``1 - loss/power`` of a mechanism, by the power at its first link; else 1."""
+        """Return ``1 - loss/power`` of a mechanism, with the power at its first link [-]."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         power = on_first * (speeds[:, mechanism.first] - speeds[:, mechanism.third])
         lost = list(self.losses().values())[number]
@@ -211,7 +211,7 @@ class PointLoads(NamedTuple):
         return np.where(np.isfinite(factor), factor, 1.0)
 
     def link_torques(self) -> tuple[dict[int, list[Floats]], dict[int, Floats]]:
-        """Return torques on links by components and from outside, and drag of links [N*m]."""
+        """Return link -> all torques on the link, and link -> drag torque [N*m]."""
         case, results, count = self.case, self.results, len(self.points.gears)
         on_link: dict[int, list[Floats]] = {link: [] for link in range(case.own_links + 1)}
         for place, (_, torque, _) in enumerate(self.elements()):
@@ -247,7 +247,7 @@ class PointLoads(NamedTuple):
         return on_link, drags
 
     def other_losses(self) -> dict[str, Floats]:
-        """Return the power lost outside gear sets: to drag, slip, and by gears as a whole [W].
+        """Return the powers lost outside gear sets: by drag, by slip, and by a gear as a whole [W].
 
         The names are ``drag.NAME``, ``slip.NAME`` and ``gear.NAME``.
         """
@@ -269,7 +269,7 @@ class PointLoads(NamedTuple):
         return losses | self._slip_losses() | wholes
 
     def _slip_losses(self) -> dict[str, Floats]:
-        """Return the power lost by each shift element that slips in some gear [W]."""
+        """Return ``slip.NAME`` -> power lost, for shift elements that slip in some gear [W]."""
         slipping = sorted({number for gear in self.case.gears for number in gear.slip})
         if not slipping:
             return {}
@@ -278,7 +278,7 @@ class PointLoads(NamedTuple):
         return {slip_name(elements[number - 1]): powers[:, number - 1] for number in slipping}
 
     def _gear_losses(self) -> dict[str, Floats]:
-        """Return the power that gears lose as a whole, 0 in the points of other gears [W]."""
+        """Return ``gear.NAME`` -> power lost by a gear as a whole; 0 at points of others [W]."""
         if all(gear.loss is None for gear in self.case.gears):
             return {}
         powers = 1e3 * np.nan_to_num(np.abs(self.taken(self.results.gear_losses_kW)))
@@ -289,7 +289,7 @@ class PointLoads(NamedTuple):
         }
 
     def members(self) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
-        """Yield names of links, members and shift elements, torques [N*m] and speeds [rad/s]."""
+        """Yield links, members, planets, shift elements: name, torques [N*m], speeds [rad/s]."""
         case, speeds = self.case, self.speeds
         on_link, _ = self.link_torques()
         for link in range(1, case.own_links + 1):

@@ -1,7 +1,7 @@
 """Choice of gears in a driving cycle: by shift speeds, or the highest possible gear.
 
-The last engine speed is the last point of the full-load curve. No rule chooses a gear in which the
-engine exceeds it if another gear avoids this.
+The last engine speed is that of the last full-load point. A gear in which the engine would exceed
+this speed is only chosen if no other gear is possible.
 """
 
 from __future__ import annotations
@@ -22,23 +22,23 @@ from vstatics.vehicle.operation.trace import blocks
 
 
 class ShiftSpeed(NamedTuple):
-    """Shift speeds between two neighbouring gears."""
+    """Road speeds of shifts between two neighbouring gears."""
 
     low: str
     high: str
     up: float
-    """Mean vehicle speed of a step from which the higher gear is engaged. [m/s]"""
+    """Mean road speed of a step, at or above which the higher gear is engaged. [m/s]"""
     down: float
-    """Mean vehicle speed of a step below which the lower gear is engaged. [m/s]"""
+    """Mean road speed of a step, below which the lower gear is engaged. [m/s]"""
 
 
 def read_shifts(text: str) -> list[ShiftSpeed]:
-    """Parse shift speeds, from the lowest pair of gears upwards.
+    """Parse shift speeds of neighbouring gears, from the lowest gears upwards.
 
     Raises
     ------
     ValueError
-        If the text is invalid, with the expected form.
+        If the text is invalid; the message states the expected form.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
 
 
 def _two_speeds(text: str) -> tuple[float | None, float | None]:
-    """Parse two speeds with units, separated by a slash, which units can contain [m/s]."""
+    """Parse two speeds separated by a slash; their units can contain slashes, too [m/s]."""
     for at, letter in enumerate(text):
         if letter == "/":
             try:
@@ -78,7 +78,7 @@ def _two_speeds(text: str) -> tuple[float | None, float | None]:
 
 
 def directions(ratios: Floats, names: Sequence[str]) -> list[list[int]]:
-    """Return the gears of each direction, lowest first; the first direction is forward.
+    """Return gear indices by direction, lowest gear first; the first direction is forward.
 
     >>> directions(np.array([-3.3, 1.0, 4.7, np.nan]), ["R", "2", "1", "N"])
     [[2, 1], [0]]
@@ -87,19 +87,19 @@ def directions(ratios: Floats, names: Sequence[str]) -> list[list[int]]:
 
 
 class EngineSpeeds(NamedTuple):
-    """Speeds of the engine in each gear at the steps of a cycle."""
+    """Engine speeds in each gear at the steps of a driving cycle."""
 
     output: Floats
-    """Speeds of the output, shape (steps,). [rad/s]"""
+    """Magnitudes of output speeds, shape (steps,). [rad/s]"""
     ratios: Floats
-    """Speeds of the engine relative to the output, shape (gears,). [-]"""
+    """Engine speed divided by output speed, shape (gears,). [-]"""
     may_turn: Callable[[Floats], Booleans]
-    """Function that returns whether the engine can reach a speed. [rad/s]"""
+    """Function that returns True for speeds [rad/s] that the engine can reach."""
     slipping: Collection[int] = ()
-    """Indices of gears whose converters slip: of two equal ratios, the lower gear."""
+    """Indices of gears with slipping converters, which count as lower than gears of equal ratio."""
 
     def of(self, gear: int, rows: slice = slice(None)) -> Floats:
-        """Return the speeds in a gear at some steps [rad/s]."""
+        """Return the engine speeds in a gear at selected steps [rad/s]."""
         speeds: Floats = self.output[rows] * self.ratios[gear]
         return speeds
 
@@ -111,7 +111,7 @@ def by_shift_speeds(
     engine: EngineSpeeds,
     ratios: Floats,
 ) -> Integers:
-    """Return the indices of gears at mean speeds [m/s], starting in the first gear.
+    """Return the gear index of each step by shift speeds, starting in the lowest gear of `shifts`.
 
     An upshift occurs at the last engine speed at the latest.
 
@@ -120,7 +120,7 @@ def by_shift_speeds(
     case : Transmission
     shifts : sequence of ShiftSpeed
     speeds : ndarray, shape (steps,)
-        Speeds of the vehicle. [m/s]
+        Mean road speeds. [m/s]
     engine : EngineSpeeds
     ratios : ndarray, shape (gears,)
         Ratios of the case; NaN if other machines drive, too. [-]
@@ -175,10 +175,10 @@ def by_shift_speeds(
 
 
 def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
-    """Return the highest gears in which the engine reaches a least speed.
+    """Return the highest gear, for each step, in which the engine reaches a least speed.
 
-    If no gear reaches it, the lowest gear below the last engine speed is chosen, or else the
-    highest.
+    If no gear reaches it, the lowest gear within the last engine speed is chosen; if all gears
+    exceed the last engine speed, the highest.
 
     Parameters
     ----------
@@ -190,8 +190,8 @@ def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> 
 
     Examples
     --------
-    Between 100 and 600 rad/s: the first gear is too fast and the second too slow; then both gears
-    are too fast.
+    The engine speed should be from 100 to 600 rad/s. In the first step, the engine is too fast in
+    gear 0 and too slow in gear 1; in the second step it is too fast in both.
 
     >>> outputs, ratios = np.array([90.0, 700.0]), np.array([7.0, 1.0])
     >>> engine = EngineSpeeds(outputs, ratios, lambda speeds: speeds <= 600)

@@ -1,7 +1,7 @@
 """Driving cycle in CSV: time, speed, and optionally gear and slope of the road.
 
-The slope is the sine of the angle of ascent. Published cycles have a grade instead: the rise over
-the horizontal distance.
+The slope is the sine of the angle of ascent. Published cycles have a grade instead: the rise
+divided by the horizontal distance.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from vstatics.core.readers.unit_table import UnitTable, read_unit_table
 
 SLOPE = "as it is the sine of the angle"
 _TIMES = ("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time")
-_SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # FASTSim, VECTO
+_SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # of FASTSim, VECTO
 _SPEEDS = (
     *("v", "velocity", "vehicle speed", "vehicle velocity", "target speed", "target velocity"),
     *("road speed", "cycle speed", "reference speed", "set speed", "speed target"),
@@ -60,17 +60,16 @@ COLUMNS = (
     ),
 )
 LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
-"""Largest time [s], speed [m/s] and acceleration [m/s^2] of a trace, far above any vehicle, which
-keep energies finite."""
+"""Largest time [s], speed [m/s] and acceleration [m/s^2], which keep the energies finite."""
 
 BLOCK_ROWS = 20_000
-"""Number of steps calculated together, which bounds the memory of long cycles."""
+"""Number of steps that are calculated together, which limits the memory for long cycles."""
 MOST_SHOWN_FAULTS = 20
-"""Largest number of rows with a reported fault."""
+"""Largest number of reported errors."""
 
 
 def blocks(count: int) -> Iterator[slice]:
-    """Yield the blocks of `count` steps that are calculated together.
+    """Yield blocks of `count` steps, each of which is calculated together.
 
     >>> list(blocks(25_000))
     [slice(0, 20000, None), slice(20000, 40000, None)]
@@ -80,29 +79,29 @@ def blocks(count: int) -> Iterator[slice]:
 
 
 class Trace(NamedTuple):
-    """Driving cycle as steps between rows."""
+    """Driving cycle as time steps between consecutive rows."""
 
     duration: Floats
-    """Time between both rows of a step. [s]"""
+    """Time between the two rows of a step. [s]"""
     speed: Floats
-    """Mean of the speeds in both rows. [m/s]"""
+    """Mean of the road speeds in the two rows. [m/s]"""
     acceleration: Floats
-    """Constant acceleration between both rows. [m/s^2]"""
+    """Constant acceleration between the two rows. [m/s^2]"""
     slope: Floats
-    """Sine of the ascent in the first row. [-]"""
+    """Sine of the angle of ascent, from the first row of a step. [-]"""
     gears: list[str]
-    """Gears in the first rows; empty without a column of gears."""
+    """Gear names, from the first row of each step; empty without a column `gear`."""
     table: UnitTable
 
     @property
     def ends(self) -> tuple[Floats, Floats]:
-        """Speeds in both rows [m/s]."""
+        """Road speeds at the beginnings and at the ends of the steps [m/s]."""
         change = self.acceleration * self.duration / 2
         return self.speed - change, self.speed + change
 
     @property
     def notes(self) -> list[Problem]:
-        """Notes about skipped columns, with position."""
+        """Notes about skipped columns, with the position of the headings."""
         skipped = [f"`{heading}`" for heading in self.table.head.skipped if heading]
         if not skipped:
             return []
@@ -112,7 +111,7 @@ class Trace(NamedTuple):
 
     @property
     def place(self) -> Place:
-        """Position of the headings."""
+        """Position of the headings in the file."""
         return self.table.head_place
 
 
@@ -122,7 +121,7 @@ def read_trace(data: bytes, file: str) -> Trace:
     Raises
     ------
     ReadError
-        If the file is in error, with every problem and its position.
+        If the file has errors, with every problem and its position.
 
     Examples
     --------

@@ -1,13 +1,13 @@
 """Traction of a vehicle: wheel force in each gear, top speed, slope, acceleration.
 
 The wheel force is ``F = Mx final_drive/radius``, with the output torque Mx at full load with
-losses. The acceleration is the largest of all gears of ``(F - R)/(m + sum J k^2)``, with the
-road resistance R, the vehicle mass m, and for each inertia J the speed w of its link divided by
-the vehicle speed v, ``k = w/v``.
+losses. The acceleration is ``(F - R)/(m + sum J k^2)`` in the gear where it is largest, with the
+road resistance R, the vehicle mass m, and for each inertia J the speed w of its link divided by the
+road speed v, ``k = w/v``.
 
-The engine finds the speed ratio of a converter at each speed of the vehicle. Where it would exceed
-its last point, it stays there and gives what the pump takes. Then k is the change of w with v at a
-constant speed of the engine.
+The speed ratio of a free converter follows from the torque on its pump at each road speed. Where
+the engine would exceed its last full-load point, it remains there and supplies the torque that the
+pump takes. In such a gear, k is the change of w with v at constant engine speed.
 """
 
 from __future__ import annotations
@@ -44,11 +44,11 @@ HUNDRED = 100 / KMH
 SPEEDS_OF_ENGINE = 256
 """Number of intervals of the engine speed in each narrowing of a search."""
 NARROWINGS = 5
-"""Number of narrowings, which give a relative accuracy of 1e-12."""
+"""Number of narrowings of the interval, which give a relative accuracy of 1e-12."""
 STEPS_TO_100 = 2000
-"""Number of intervals of the integral of time, in addition to points of the engine."""
+"""Number of intervals in the integration of the time to 100 km/h, in addition to engine points."""
 CONVERTER_POINTS = 2049
-"""Number of speeds at which the force of a converter is calculated for the integral of time."""
+"""Number of speeds between which forces of a gear with a free converter are interpolated."""
 
 
 class GearPerformance(NamedTuple):
@@ -57,11 +57,11 @@ class GearPerformance(NamedTuple):
     top_speed: float
     """Top speed on a level road. [km/h]"""
     slope: float
-    """Sine of the steepest ascent; 1 if the force exceeds the weight. [-]"""
+    """Sine of the angle of the steepest ascent; 1 if the wheel force exceeds the weight. [-]"""
 
 
 class Performance(NamedTuple):
-    """Performance of a vehicle at full load.
+    """Performance of a vehicle at full load of its engine.
 
     Examples
     --------
@@ -69,7 +69,7 @@ class Performance(NamedTuple):
     >>> engine = Vehicle(1000, 0.5, engine=[(0, 125), (400, 125)])
     >>> summary = summarize(solve(example("simpson").replace(vehicle=engine)))
     >>> performance = Performance.of(summary)
-    >>> performance.top_speed if performance else 0.0  # direct drive: 400 rad/s, 0.5 m
+    >>> performance.top_speed if performance else 0.0  # 400 rad/s, wheels of 0.5 m
     720.0
     """
 
@@ -77,15 +77,15 @@ class Performance(NamedTuple):
     top_speed: float
     """Top speed of all forward gears. [km/h]"""
     time_to_100: float
-    """Time from rest to 100 km/h at full load, without shift times; NaN if unreachable. [s]"""
+    """Time from rest to 100 km/h at full load, with shifts in no time; NaN if unreachable. [s]"""
 
     @classmethod
     def of(cls, summary: Summary) -> Performance | None:
-        """Return the performance of a summary, if the case has a vehicle with an engine."""
+        """Return the performance in a summary; None if the case has no vehicle with an engine."""
         return as_type(summary.vehicle, cls)
 
     def grids(self) -> Iterator[Grid]:
-        """Yield tables for a summary: by gear, and of the vehicle."""
+        """Yield tables for a summary: of the gears, and of the vehicle."""
         rows = [(name, gear.top_speed, gear.slope) for name, gear in self.gears.items()]
         headings = "gear", "top speed, km/h", "slope"
         yield grid_of("Vehicle at full load", headings, rows, key="vehicle gears")
@@ -94,7 +94,7 @@ class Performance(NamedTuple):
 
 
 def vehicle_section(case: Transmission) -> Performance | None:
-    """Return the performance of a case, if its vehicle has an engine."""
+    """Return the performance of a case; None without a vehicle that has a full-load curve."""
     vehicle = Vehicle.of(case)
     return performance(case) if vehicle and vehicle.full_load else None
 
@@ -104,8 +104,9 @@ def performance(case: Transmission) -> Performance:
 
     Examples
     --------
-    A force of 1000 N up to 100 rad/s of wheels of 0.5 m, without resistance: the last engine speed
-    limits 1000 kg to 180 km/h, and 100 km/h are reached in 27.8 s.
+    A vehicle of 1000 kg with a wheel force of 1000 N up to a wheel speed of 100 rad/s, at a radius
+    of 0.5 m, without resistance: the last engine speed limits it to 180 km/h, and it reaches 100
+    km/h in 27.8 s.
 
     >>> from vstatics import Gear, Mechanism
     >>> car = Vehicle(1000, 0.5, engine=[(0.0, 125.0), (400.0, 125.0)])
@@ -129,7 +130,7 @@ def performance(case: Transmission) -> Performance:
 
 
 class Traction:
-    """Wheel force and resistance over the speed of a vehicle.
+    """Wheel force and road resistance over road speed.
 
     >>> from vstatics import Gear, Mechanism
     >>> car = Vehicle(1000, 0.5, engine=[(0.0, 125.0), (400.0, 125.0)])
@@ -139,9 +140,9 @@ class Traction:
     """
 
     def __init__(self, case: Transmission, vehicle: Vehicle) -> None:
-        """Solve the speeds of a case, for a vehicle with an engine."""
+        """Calculate the speeds of the gears of a case, for a vehicle with an engine."""
         self.converters = converters_of(case)
-        """Gears whose converters find their speed ratios, by index."""
+        """Gear index -> gear with a free converter, whose speed ratio follows from torques."""
         is_alone = [not beside_engine(case, gear) for gear in case.gears]
         self.case = case = bare(case)
         self.vehicle = vehicle
@@ -151,7 +152,10 @@ class Traction:
         speeds = results.speeds
         output = speeds[np.arange(len(outputs)), outputs]
         output = np.where(is_alone, output, math.nan)
-        """Output speed per unit of engine speed, by gear; of a converter at its free ratio."""
+        """Output speed divided by engine speed, by gear. [-]
+
+        Free converters have their largest speed ratio without braking torque.
+        """
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
             links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
@@ -159,23 +163,24 @@ class Traction:
             for gear, converter in self.converters.items():
                 turns[gear] = converter.per_output[2:] * vehicle.final_drive / vehicle.radius
             turned = np.where(links > 0, links * turns**2, 0.0)
-            self.mass = vehicle.mass + np.nan_to_num(turned).sum(axis=1)  # free links are NaN
-        """Mass by gear, including rotating parts. [kg]"""
+            self.mass = vehicle.mass + np.nan_to_num(turned).sum(axis=1)  # NaN: a free link
+        """Vehicle mass in each gear, including the inertias of rotating parts. [kg]"""
         with np.errstate(divide="ignore"):
             ranges = directions(1 / output, [gear.name for gear in case.gears])
         self.ahead = next(iter(ranges), [])
         """Indices of the forward gears."""
 
     def slowest(self, gear: int) -> float:
-        """Return the lowest speed that `forces` takes in a gear [rad/s]."""
+        """Return the lowest speed for which `forces` is calculated in a gear [rad/s]."""
         return 0.0 if gear in self.converters else self.first
 
     def forces(self, gear: int, speeds: Floats) -> Floats:
-        """Return wheel forces in the direction of the output, at speeds of the engine [N].
+        """Return wheel forces in the direction of the output, at given engine speeds [N].
 
-        Below the first point of the engine, the force is as at the first point. A converter that
-        finds its speed ratio has these speeds of the engine at its largest ratio without braking
-        torque; they stand for the speed of the vehicle.
+        Below the first full-load point, the force is that at the first point. With a free
+        converter, a given speed only represents the road speed: it is the speed that the engine
+        would have with the converter at its `free_ratio`, the largest speed ratio without braking
+        torque.
         """
         factor = self.vehicle.final_drive / self.vehicle.radius
         if gear in self.converters:
@@ -192,19 +197,19 @@ class Traction:
         return torque * factor
 
     def engine_speeds(self, gear: int, speeds: Floats) -> Floats:
-        """Return the speeds of the engine at full load, at speeds as in `forces` [rad/s]."""
+        """Return engine speeds at full load, for `speeds` as in `forces` [rad/s]."""
         if gear not in self.converters:
             return speeds
         return self._matched(self.converters[gear], self._output(gear, speeds))[0]
 
     def _output(self, gear: int, speeds: Floats) -> Floats:
-        """Return magnitudes of output speeds, slightly above 0, where losses have a direction."""
+        """Return magnitudes of output speeds for `speeds` as in `forces`, all above 0 [rad/s]."""
         per_output = self.per_engine[gear] * self.vehicle.final_drive / self.vehicle.radius
         output: Floats = np.maximum(speeds, AT_REST * self.last) * per_output
         return output
 
     def _matched(self, converter: ConverterGear, output: Floats) -> tuple[Floats, Floats]:
-        """Return speeds [rad/s] and torques [N*m] of the engine; NaN without a solution."""
+        """Return engine speeds [rad/s] and torques [N*m] at full load; NaN without a solution."""
         vehicle, case, last = self.vehicle, converter.case, self.last
 
         def brought(rows: Integers, engine: Floats, torque: Floats) -> Floats:
@@ -220,8 +225,8 @@ class Traction:
         )
         engine = search.engine
         torque = np.where(np.isfinite(engine), vehicle.full_torque(engine), np.nan)
-        # The engine reaches its last point, at the smallest speed ratio, with too much torque.
-        ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)  # a split can end before, at i = 0
+        # These engines have too much torque even at their last point and the smallest speed ratio.
+        ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)  # else it ends at i = 0
         fast = np.flatnonzero(np.isnan(engine) & ends_last & (search.surplus[:, 1] > 0))
         engine[fast] = last
         torque[fast] = converter.torque_at(
@@ -232,7 +237,7 @@ class Traction:
         return engine, torque
 
     def _converter_torques(self, converter: ConverterGear, output: Floats) -> Floats:
-        """Return torques of the output in its direction, at magnitudes of its speed [N*m]."""
+        """Return output torques, positive if driving, at magnitudes of output speeds [N*m]."""
         engine, torque = self._matched(converter, output)
         torques = np.full(len(output), math.nan)
         rows = np.flatnonzero(np.isfinite(torque))
@@ -245,7 +250,7 @@ class Traction:
         return torques
 
     def top_speed(self, gear: int) -> float:
-        """Return the speed at which force equals resistance, or the engine ends; else NaN [m/s]."""
+        """Return the top speed on a level road, up to the last engine speed; else NaN [m/s]."""
         ratio = self.per_engine[gear]
         if not (math.isfinite(ratio) and ratio > 0):
             return math.nan
@@ -279,14 +284,14 @@ class Traction:
         )
 
     def largest_speed(self, gear: int) -> float:
-        """Return the speed of the vehicle at the last engine speed [m/s]."""
+        """Return the road speed at the last engine speed [m/s]."""
         return float(self.per_engine[gear] * self.last)
 
     def slope(self, gear: int) -> float:
-        """Return the sine of the steepest ascent, at most 1; NaN in a gear without drive.
+        """Return the sine of the steepest ascent, at most 1; NaN in a gear without drive [-].
 
-        It is ``(F - R)/(m g)`` with the largest wheel force F, and R on a level road at speed 0. A
-        converter that finds its speed ratio has the wheel force at rest.
+        It is ``(F - R)/(m g)`` with the largest wheel force F, and the resistance R on a level road
+        at speed 0. In a gear with a free converter, F is the wheel force at rest.
         """
         weight = self.vehicle.mass * GRAVITY
         if not math.isfinite(self.per_engine[gear]):
@@ -297,7 +302,7 @@ class Traction:
         return part if math.isnan(part) else min(1.0, part)
 
     def accelerations(self, speeds: Floats) -> Floats:
-        """Return the largest acceleration of all forward gears, at vehicle speeds [m/s^2]."""
+        """Return the largest acceleration of all forward gears, at road speeds [m/s^2]."""
         largest = np.full(speeds.shape, -math.inf)
         for gear in self.ahead:
             engine = speeds / self.per_engine[gear]
@@ -309,14 +314,14 @@ class Traction:
         return largest
 
     def _forces_between(self, gear: int, speeds: Floats) -> Floats:
-        """Return wheel forces at many speeds, with a converter interpolated linearly [N]."""
+        """Return wheel forces as `forces`, interpolated for a free converter at many speeds [N]."""
         if gear not in self.converters or len(speeds) <= CONVERTER_POINTS:
             return self.forces(gear, speeds)
         places = np.linspace(0.0, speeds.max(), CONVERTER_POINTS)
         return np.interp(speeds, places, self.forces(gear, places))
 
     def time_to_100(self) -> float:
-        """Return the time from rest to 100 km/h, by Gaussian quadrature [s]."""
+        """Return the time from rest to 100 km/h, by Gaussian quadrature; NaN if unreachable [s]."""
         ends = {0.0, HUNDRED, *np.linspace(0.0, HUNDRED, STEPS_TO_100 + 1).tolist()}
         for gear in self.ahead:
             ends |= {float(self.per_engine[gear] * point) for point, _ in self.vehicle.full_load}

@@ -1,4 +1,4 @@
-"""Gears that drive a vehicle, and a panel over road speed."""
+"""Gears that drive a vehicle, and a panel with an axis of road speed."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.traction import KMH, Traction
 
 DRIVE_PANEL_HEIGHT = 250.0
-"""Height of the panel. [pt]"""
+"""Height of the panel without scales. [pt]"""
 BELOW_SPEEDS = 24.0
-"""Distance from the panel to the title of the speed scale. [pt]"""
+"""Distance from the panel to the title of the axis of road speed. [pt]"""
 ROOM_OVER_LINES = 0.04
-"""Margin above the highest value, relative to the value."""
+"""Margin beyond the largest value of an axis, relative to this value. [-]"""
 NAME_CLEARANCE = 3.0
-"""Clearance around the name of a gear on a line. [pt]"""
+"""Additional width for the name of a gear on a line. [pt]"""
 
 
 class DrivenGear(NamedTuple):
-    """Gear that drives a vehicle."""
+    """Gear that is drawn because it drives the vehicle."""
 
     place: int
     """Index of the gear in the case."""
@@ -39,7 +39,7 @@ class DrivenGear(NamedTuple):
 
 
 class DrivenVehicle(NamedTuple):
-    """Vehicle with the gears to be drawn."""
+    """Vehicle with the gears that are drawn."""
 
     vehicle: Vehicle
     pull: Traction
@@ -47,12 +47,12 @@ class DrivenVehicle(NamedTuple):
 
     @property
     def fastest(self) -> float:
-        """Largest speed of all gears [m/s]."""
+        """Largest road speed of all drawn gears [m/s]."""
         return max(gear.largest_speed for gear in self.gears)
 
 
 def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicle:
-    """Return the vehicle of a case with the gears that drive it: all, or those in `shown`.
+    """Return the vehicle of a case, with all gears that drive it, or those numbered in `shown`.
 
     Raises
     ------
@@ -89,14 +89,14 @@ def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
     above: float,
     style: Style,
 ) -> Pen:
-    """Draw a panel over road speed up to the fastest [m/s], as wide as the page.
+    """Draw an empty panel over road speeds up to `fastest` [m/s], as wide as the page.
 
     Parameters
     ----------
     names : tuple of str
-        Titles of the horizontal and vertical scales.
+        Titles of the horizontal and the vertical axis.
     right, above : float
-        Space for labels at the right of the panel and above it. [pt]
+        Space for labels to the right of the panel and above it. [pt]
     """
     numbers = ticks(up.low, up.high, 8)
     left = widest(tick_texts(numbers)) + 2 * SIZE + MARGIN
@@ -114,7 +114,7 @@ def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
 
 
 def name_on_line(pen: Pen, places: Iterable[Point], name: str, taken: Taken) -> None:
-    """Write a name at the first of some places where it covers no other name."""
+    """Write a name at the first of `places` where it covers no other name, if there is one."""
     long, tall = width(name) + NAME_CLEARANCE, LINE_HEIGHT * SIZE
     place = first_free(places, long, tall, pen.size, taken)
     if place:

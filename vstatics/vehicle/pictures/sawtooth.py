@@ -1,4 +1,4 @@
-"""Engine speed over road speed: a ray for each gear, and upshifts at the last engine speed."""
+"""Engine speed over road speed: a line for each gear, and upshifts at the last engine speed."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ from vstatics.vehicle.operation.traction import KMH
 from vstatics.vehicle.pictures.driven import DrivenGear, DrivenVehicle, driven, speed_panel
 
 POINTS_OF_CONVERTER = 120
-"""Number of points of a line in a gear whose converter finds its speed ratio."""
+"""Number of points of the line of a gear with a free converter."""
 
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
 ) -> list[Canvas]:
-    """Draw the engine speed over road speed in all gears, or in some.
+    """Draw engine speed over road speed, in all gears or in the selected gears.
 
     Parameters
     ----------
     alike : sequence of Results
-        Further cases with common scales.
+        Further cases that should have the same scales.
 
     Raises
     ------
@@ -90,7 +90,7 @@ def _draw_gear(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear) -> None:
 
 
 def _course(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear, slowest: float) -> list[Point]:
-    """Return points of engine speed from a road speed to the largest of a gear.
+    """Return points of the line of engine speed, up to the largest road speed of a gear.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def _forward(results: Results, vehicle: DrivenVehicle) -> list[DrivenGear]:
 
 
 def _teeth(pen: Pen, vehicle: DrivenVehicle, gears: Sequence[DrivenGear]) -> Iterator[list[Point]]:
-    """Yield the points of each tooth: in a gear up to the last engine speed."""
+    """Yield the points of each tooth: from the upshift into a gear to its last engine speed."""
     speed = 0.0
     for gear in gears:
         yield _course(pen, vehicle, gear, speed)
@@ -125,7 +125,7 @@ def _teeth(pen: Pen, vehicle: DrivenVehicle, gears: Sequence[DrivenGear]) -> Ite
 
 
 def _name_drops(pen: Pen, drops: Sequence[Point]) -> None:
-    """Write the engine speed after each shift, if there is space."""
+    """Write the engine speed after each upshift, where there is space."""
     taken: Taken = []
     high = pen.y.high / pen.size[1]
     for x, y in drops:

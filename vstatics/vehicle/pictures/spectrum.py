@@ -1,4 +1,4 @@
-"""Load duration distributions over a duty cycle: revolutions of each member by class of torque."""
+"""Load duration distributions over a duty cycle: revolutions of members by torque class."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ SPECTRUM_SIZE = (128.0, 80.0)
 SPECTRUM_SCALE_WIDTH, SPECTRUM_SCALE_HEIGHT = 44.0, 32.0
 """Width and height of the scales of a panel. [pt]"""
 NAME_ROOM = 2 * LINE_HEIGHT * SIZE + 4.0
-"""Height of the name of a member and the time without torque above a panel. [pt]"""
+"""Height of two lines above a panel: the name of the member, and the time without torque. [pt]"""
 MOST_SPECTRA = 60
 """Largest number of drawn members."""
 
 
 class _Sheet(NamedTuple):
-    """Members with a common scale of revolutions."""
+    """Drawn members, with a common scale of revolutions."""
 
     spectra: Mapping[str, MemberSpectrum]
     revolutions: AxisScale
@@ -45,12 +45,12 @@ class _Sheet(NamedTuple):
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
-    """Draw a panel for each member with a torque.
+    """Draw a panel for each member that turns under torque, up to `MOST_SPECTRA`.
 
     Raises
     ------
     CaseError
-        If no member has a torque.
+        If no member turns under torque.
     ReadError
         If the duty cycle does not fit the case.
     """
@@ -100,7 +100,7 @@ def _bar(style: Style, *, is_open: bool) -> Look:
 
 
 def _ends(each: LoadClass, classes: Sequence[LoadClass]) -> tuple[float, float]:
-    """Return the ends of a bar; a class without an end is as wide as the class before."""
+    """Return the bounds of a bar; without an upper bound, it is as wide as the bar before [N*m]."""
     if not math.isnan(each.to):
         return each.from_, each.to
     wide = next(

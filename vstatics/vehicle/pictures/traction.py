@@ -1,4 +1,4 @@
-"""Wheel force over road speed in each gear, with all losses, and road resistance."""
+"""Wheel force over road speed in each gear, with all losses; and road resistance."""
 
 from __future__ import annotations
 
@@ -27,24 +27,24 @@ from vstatics.vehicle.pictures.driven import (
 )
 
 SLOPES = (0, 5, 10, 15, 20, 30)
-"""Slopes of the road: rise over run. [%]"""
+"""Drawn slopes of the road: rise divided by horizontal distance. [%]"""
 POINTS_OF_LINE = 240
-"""Number of points of a line, in addition to engine points."""
+"""Number of points of a line, in addition to full-load points of the engine."""
 KILO = 1000.0
 """Factor from N to kN, and from W to kW."""
 NAME_PLACES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)
-"""Possible places of the name of a gear, relative to the line."""
+"""Possible positions of the name of a gear along its line, relative to its length. [-]"""
 
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
 ) -> list[Canvas]:
-    """Draw the wheel force at full load in all gears, or in some.
+    """Draw the wheel force at full load, in all gears or in the selected gears.
 
     Parameters
     ----------
     alike : sequence of Results
-        Further cases with common scales.
+        Further cases that should have the same scales.
 
     Raises
     ------
@@ -90,14 +90,14 @@ def draw(
 
 
 def _highest(vehicle: DrivenVehicle) -> float:
-    """Return the largest finite force of all lines [N]."""
+    """Return the largest finite wheel force of all gears [N]."""
     forces = [vehicle.pull.largest_force(gear.place) for gear in vehicle.gears]
     steepest = float(vehicle.vehicle.resistance(0.0, sine(SLOPES[-1])))
     return max(steepest, *(force for force in forces if math.isfinite(force)))
 
 
 def sine(slope: float) -> float:
-    """Return the sine of the angle of a slope [%].
+    """Return the sine of the angle of a slope in % [-].
 
     >>> round(sine(30), 4)
     0.2873
@@ -121,7 +121,7 @@ def _fastest(style: Style) -> Look:
 def _ends(
     vehicle: DrivenVehicle, fastest: float, largest: float, style: Style
 ) -> tuple[list[LineEnd], list[Label]]:
-    """Return the labels of slopes whose lines end at the right, and at the top of the panel.
+    """Return labels of the lines of slopes: at the right edge of the panel, and at its upper edge.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def _draw_road(pen: Pen, vehicle: DrivenVehicle, unit: float) -> None:
 
 
 def _draw_hyperbola(pen: Pen, vehicle: DrivenVehicle, unit: float) -> None:
-    """Draw the wheel force at full engine power without losses."""
+    """Draw the hyperbola of wheel force at the largest engine power, without losses."""
     power = vehicle.pull.largest_power
     slowest = KMH * power / unit / pen.y.high
     speeds = np.geomspace(slowest, max(pen.x.high, 2 * slowest), POINTS_OF_LINE)

@@ -1,4 +1,4 @@
-"""Choice of the instants of a run on a page, by the accuracy of straight lines between them."""
+"""Choice of the instants of a run on a page, so that straight lines between them are accurate."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
 NEAR = 5e-4
-"""Largest deviation of straight lines from a column, as a fraction of the range of the column.
+"""Allowed deviation of straight lines from a column, relative to the range of the column.
 
-This is half of a visible difference.
+It is half of a visible difference.
 """
 
 
@@ -21,18 +21,18 @@ class ChosenInstants(NamedTuple):
     """Chosen instants of a run."""
 
     mask: Booleans
-    """Mask of the chosen instants."""
+    """True for the chosen instants."""
     off: float
-    """Largest deviation of the lines from a column, as a fraction of the range. [-]"""
+    """Largest deviation of the lines from a column, relative to its range. [-]"""
 
 
 def chosen_instants(
     times: Floats, columns: Floats, most: int, must: Floats | tuple[float, ...] = ()
 ) -> ChosenInstants:
-    """Choose the instants that draw columns, largest deviation first.
+    """Choose the instants that draw columns with straight lines, largest deviation first.
 
-    Ends, jumps, extremes of each column, required times, and both sides of undefined values are
-    always chosen.
+    Ends, jumps, extremes of each column, required times, and both neighbours of undefined values
+    are always chosen.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def chosen_instants(
         Sorted times; an instant of a jump appears twice. [s]
     columns : ndarray, shape (instants, columns)
     most : int
-        Largest number of instants, apart from required instants.
+        Largest number of instants, unless more are always chosen.
     must : sequence of float
         Times whose nearest instants are required. [s]
 
@@ -78,11 +78,11 @@ def chosen_instants(
 
 
 _Gap = tuple[float, int, int, int]
-"""Negative largest deviation from a line; indices of the first, farthest and last instant."""
+"""Interval: negative largest deviation from its line; indices of first, farthest, last instant."""
 
 
 def _gaps(chosen: Integers, times: Floats, values: Floats) -> Iterator[_Gap]:
-    """Yield the gap between consecutive instants, if other instants are between."""
+    """Yield the intervals between consecutive chosen instants that contain other instants."""
     for first, last in zip(chosen[:-1].tolist(), chosen[1:].tolist(), strict=True):
         inner = slice(first + 1, last)
         if last - first < 2 or times[first] == times[last]:

@@ -1,6 +1,6 @@
-"""Levers of a case without numbers, for a script that sets the speeds at an instant.
+"""Lever diagrams of a case, in which a script shows the speeds at the selected time.
 
-As in lever diagrams, points have true distances, and speeds are to the right of them.
+The points on a lever have true distances; speeds are drawn to the right of the points.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from vstatics.pictures.lever.routes import LeverRow
 from vstatics.pictures.paged.drawn import PAGE, in_spoken
 
 BESIDE = 8.0
-"""Distance between a lever, the names of points and the speeds. [pt]"""
+"""Distance from a lever to the names of points, and to the speeds. [pt]"""
 ACROSS = 130.0
-"""Width of the range of speeds, from the lowest to the highest speed of a run. [pt]"""
+"""Width from the lowest to the highest speed of a run. [pt]"""
 NUMBER = 48.0
-"""Width of the number of a speed. [pt]"""
+"""Width of a printed speed. [pt]"""
 LARGER = 1.25
-"""Pixels of the figure on the page per point."""
+"""Pixels on the page per pt of the figure."""
 MARGIN = 4.0
 """Margin above and below a lever. [pt]"""
 
 
 def moving_levers(case: Transmission) -> Iterator[Markup]:
-    """Yield a figure for each lever of a case; shafts alone have no lever.
+    """Yield a figure for each lever of a case; shafts without gear sets have no lever.
 
-    A point is ``<g data-link="sun">``; the point of the housing has no link. The script sets the
-    bar, the number, and the line through all points, as speeds are linear in the distance.
+    A point is ``<g data-link="sun">``; the point of the housing has no `data-link`. The script sets
+    the bar and number of each speed, and the line through the speeds of all points.
 
     Examples
     --------
@@ -82,7 +82,7 @@ def _lever(case: Transmission, cell: LeverCell) -> Markup:
 def _point(
     case: Transmission, link: int, row: LeverRow, top: float, across: tuple[float, float]
 ) -> Markup:
-    """Return the line of a link, bent to the point on the lever, with the name."""
+    """Return the line from the name of a link to its point on the lever, and its speed."""
     (at, wide), y, point = across, _length(top - row.y), _length(top - row.at)
     texts = row.name.split("\n")
     lines = [

@@ -1,4 +1,4 @@
-// The panels of a run: lines drawn by uPlot, zoomed together, with a cursor and numbers at a time.
+// Panels of a run: lines drawn by uPlot, zoomed together, with values at the selected time.
 "use strict";
 (() => {
   const HEIGHT = 170, LEFT = 70, ROW = 22;
@@ -6,7 +6,7 @@
   const css = (name) => getComputedStyle(root).getPropertyValue(`--${name}`).trim();
   const known = (value) => (Number.isFinite(value) ? value : null);
 
-  function shown(value) { // four digits, as pictures have them
+  function shown(value) { // text with four digits, as in pictures
     if (value === 0) return "0";
     if (!Number.isFinite(value)) return "\u2013";
     const size = Math.abs(Number(value.toPrecision(4)));
@@ -15,12 +15,12 @@
     return /[1-9]/.test(text) ? text.replace("-", "\u2212") : text.replace("-", "");
   }
 
-  // Of axes: as tables have them, not with the marks for thousands of the language of the browser
+  // Numbers at axes, as in tables: without the separators for thousands of the browser's language.
   const ticks = (plotted, places) => places.map((place) => (
     place === null ? "" : String(Number(place.toPrecision(12))).replaceAll("-", "\u2212")));
 
   class Panels {
-    constructor(run, closed) { // titles of those that are folded
+    constructor(run, closed) { // closed: titles of folded panels
       this.run = run;
       this.closed = closed;
       this.place = run.box.querySelector(".run-panels");
@@ -86,7 +86,7 @@
       this.plot({ one, plot, told, lines }, data, series, { range }, { size: LEFT });
     }
 
-    range(low, high, limits) { // with 0, if the whole run is shown, and capacities that are near
+    range(low, high, limits) { // limits of a scale, with 0 if the whole run is shown, and with near capacities
       if (this.run.isWhole) [low, high] = [Math.min(low, 0), Math.max(high, 0)];
       const most = 1.25 * Math.max(Math.abs(low), Math.abs(high));
       const [from, to] = [this.run.before(this.run.low), this.run.before(this.run.high)];
@@ -100,7 +100,7 @@
       return [low - room, high + room];
     }
 
-    // what shift elements do, and the gears that hold, in rows
+    // rows with the states of shift elements, and with engaged gears
     rows() {
       const { elements, gears } = this.run.record;
       const moving = elements.filter((one) => one.slips?.length || one.sticks?.length);

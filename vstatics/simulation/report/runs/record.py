@@ -1,4 +1,4 @@
-"""Run as plain data for the script of its page: columns, panels, states, gears, events."""
+"""Run as JSON data for the script of its page: columns, panels, states, gears, events."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from vstatics.simulation.report.runs.instants import chosen_instants
 from vstatics.simulation.tolerances import NO_RANGE
 
 MOST_NUMBERS = 25_000
-"""Largest number of values of all columns, about 140 kilobytes of a page."""
+"""Largest number of values in all columns, about 140 kilobytes of a page."""
 WORDS = ("gear", "open", "sticks", "slips")
-"""Words of the script for a gear and for the states of shift elements."""
+"""Words that the script prints for a gear and for the states of shift elements."""
 _TABLES = {
     "speed": "speeds",
     "slip": "slips",
@@ -35,11 +35,11 @@ _TABLES = {
     "acceleration": "vehicle_acceleration",
     "output": "output_torque",
 }
-"""Tables of a run by kind of panel; all other kinds have the names of their tables."""
+"""Names of tables by kind of panel; other kinds are names of tables."""
 
 
 class _RunColumns:
-    """Columns of a run on a page; equal columns are stored once."""
+    """Columns of a run in a page; equal columns are stored once."""
 
     def __init__(self) -> None:
         self.values: list[Floats] = []
@@ -55,7 +55,7 @@ class _RunColumns:
         return place
 
     def moving(self) -> Iterator[Floats]:
-        """Yield columns that change by more than rounding noise of their table."""
+        """Yield the columns that change by more than rounding noise of their table."""
         peaks = [float(np.fmax.reduce(np.abs(values))) for values in self.values]
         largest: dict[str, float] = {}
         for table, peak in zip(self._tables, peaks, strict=True):
@@ -66,15 +66,15 @@ class _RunColumns:
 
 
 class PageRun(NamedTuple):
-    """Run reduced to the instants of a page."""
+    """Run reduced to the instants that a page contains."""
 
     motion: Motion
     off: float
-    """Largest deviation of lines between the instants, relative to the range of a column. [-]"""
+    """Largest deviation of straight lines from a column, relative to its range. [-]"""
 
 
 def page_run(results: Results, motion: Motion) -> PageRun:
-    """Return a run at enough instants to draw the page with straight lines.
+    """Reduce a run to instants between which straight lines are accurate.
 
     Events and extremes of all columns are included.
     """
@@ -98,7 +98,7 @@ def page_run(results: Results, motion: Motion) -> PageRun:
 
 
 def recorded(results: Results, motion: Motion) -> dict[str, Any]:
-    """Return a run with its panels as plain data; columns are in SI units with all digits.
+    """Return a run with its panels as JSON data; columns are in SI units without loss of digits.
 
     Parameters
     ----------
@@ -145,10 +145,10 @@ def _data(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, A
 
 
 def _packed(values: Floats) -> str:
-    """Encode numbers without loss: in base64, all least significant bytes first.
+    """Encode numbers without loss in base64, byte position by byte position.
 
-    Similar bytes, such as signs and exponents, are adjacent, which compresses well. A constant
-    column is encoded as one number.
+    The least significant bytes of all numbers come first, the bytes with sign and exponent last:
+    similar bytes are adjacent and compress well. A constant column is encoded as one number.
 
     >>> _packed(np.array([1.0, 2.0])), _packed(np.array([1.0, 1.0]))
     ('AAAAAAAAAAAAAAAA8AA/QA==', 'AAAAAAAA8D8=')
@@ -213,7 +213,7 @@ def _lines(
 def _heading(table: str, name: str, motion: Motion) -> str:
     """Return the heading of a column as in `vstatics simulate -f csv`: ``speeds[in]``.
 
-    The torque of the output, and columns without a name, have no row.
+    The heading of the output torque, or of a column without a name, is the name of the table.
     """
     names = {"speeds": motion.links, "slips": motion.elements, "torques": motion.devices}
     rows: Sequence[str] = names.get(table, (name,))
@@ -223,7 +223,7 @@ def _heading(table: str, name: str, motion: Motion) -> str:
 
 
 def _look(look: Look) -> dict[str, Any]:
-    """Return the name of the colour of a line on the page, and its dashes from the start [pt].
+    """Return the name of the colour of a line, and its dash pattern, shifted to begin at 0 [pt].
 
     >>> _look({"color": Style().colour(1), "linestyle": (10.0, (5.0, 10.0))})
     {'colour': 'colour1', 'dash': (0.0, 5.0, 5.0, 5.0)}
@@ -231,6 +231,6 @@ def _look(look: Look) -> dict[str, Any]:
     dash: tuple[float, ...] = ()
     if not isinstance(look["linestyle"], str):
         start, dash = look["linestyle"]
-        if start:  # the dashes lie in the gaps of the dashes of other lines
+        if start:  # an offset lets dashes of several lines alternate
             dash = (0.0, sum(dash) - start, dash[0], start - dash[0])
     return {"colour": colour_name(look["color"]), "dash": dash}

@@ -1,13 +1,13 @@
-// A run that moves: a time that panels, levers, tables and the stick diagram follow; keys, CSV.
+// Interactive run: panels, levers, tables and the stick diagram at a selected time; keys, CSV.
 "use strict";
 (() => {
   const RPM = 30 / Math.PI, { Panels, shown, known } = globalThis.runPanels;
-  const numbers = (text) => { // all first bytes stand together, then all second ones
+  const numbers = (text) => { // decodes numbers: the first bytes of all numbers, then all second bytes
     const parts = atob(text), count = parts.length / 8;
     return new Float64Array(Uint8Array.from(parts, (_, n) => parts.charCodeAt((n % 8) * count + (n >> 3))).buffer);
   };
 
-  // what is chosen outlives the section, which a page that is served replaces
+  // Choices outlive the section, because a served page replaces it after each change of the case.
   const kept = { time: null, low: null, high: null, closed: new Set(), focused: false };
 
   class Run {
@@ -17,7 +17,7 @@
       box.removeAttribute("data-record");
       this.time = numbers(this.record.time);
       this.columns = this.record.columns.map((text) => {
-        const values = numbers(text); // one where all are equal
+        const values = numbers(text); // a constant column has one number
         return values.length === this.time.length ? values : this.time.map(() => values[0]);
       });
       this.first = this.time[0];
@@ -27,19 +27,19 @@
       this.high = Math.min(kept.high ?? this.last, this.last);
       if (!(this.low < this.high)) [this.low, this.high] = [this.first, this.last];
       this.now = Math.min(Math.max(kept.time ?? this.first, this.first), this.last);
-      this.under = null; // the time under a pointer
+      this.under = null; // time under the pointer, if any
       box.hidden = false;
       box.parentElement.querySelector(".run-still")?.classList.add("paper");
       this.panels = new Panels(this, kept.closed);
       this.listen();
       this.show();
-      dispatchEvent(new Event("resize")); // what is too wide is a stop of the Tab key
+      dispatchEvent(new Event("resize")); // elements wider than the page become stops of the Tab key
       if (kept.focused) this.slider.focus({ preventScroll: true });
     }
 
     // --- numbers at a time -------------------------------------------------------------------
 
-    before(time) { // the last instant that is not after it; of a jump the second
+    before(time) { // index of the last instant up to a time; at a jump, the second instant
       let low = 0, high = this.time.length - 1;
       while (low < high) {
         const middle = (low + high + 1) >> 1;
@@ -61,11 +61,11 @@
       return within(element.sticks) ? "sticks" : within(element.slips) ? "slips" : "open";
     }
 
-    // --- what is chosen ----------------------------------------------------------------------
+    // --- selected time and section of time ----------------------------------------------------------------------
 
     get isWhole() { return this.low === this.first && this.high === this.last; }
 
-    point(time) { // at a time, which is shown as long as the pointer is there; null: at none
+    point(time) { // shows a time while the pointer is there; null: the pointer has left
       this.under = time;
       this.later();
     }
@@ -89,7 +89,7 @@
       this.later();
     }
 
-    nearer(part) { // what is seen becomes so many times as long about the time
+    nearer(part) { // scales the visible section by a factor about the selected time
       this.zoom(this.now - part * (this.now - this.low), this.now + part * (this.high - this.now));
     }
 
@@ -98,7 +98,7 @@
       kept.low = kept.high = null;
     }
 
-    later() { // once for all that moves before the next picture
+    later() { // shows all changes together in the next animation frame
       if (this.waits) return;
       this.waits = true;
       requestAnimationFrame(() => { this.waits = false; this.show(); });
@@ -144,7 +144,7 @@
       }
     }
 
-    levers(time) { // all to one scale, so that they can be compared
+    levers(time) { // with a common scale, so that levers can be compared
       const { links } = this.record;
       this.ends ??= [...new Set([...this.box.querySelectorAll(".levers-now [data-link]")].map((one) => links[one.dataset.link]))]
         .reduce(([low, high], column) => this.columns[column].reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [low, high]), [0, 0]);
@@ -174,7 +174,7 @@
 
     // --- keys, buttons -----------------------------------------------------------------------
 
-    beside(way, isEvent) { // the next instant, or event, that way
+    beside(way, isEvent) { // the next instant, or event, in a direction
       const times = isEvent ? this.record.events.map(({ time }) => time) : Array.from(this.time);
       return (way > 0 ? times.find((one) => one > this.now) : times.findLast((one) => one < this.now)) ?? this.now;
     }
@@ -192,7 +192,7 @@
         const act = keys[event.key], moves = event.target === this.slider || event.target.matches(".run-buttons button");
         if (!act || !moves || event.altKey || event.ctrlKey || event.metaKey) return;
         event.preventDefault();
-        event.stopPropagation(); // left and right would choose gears
+        event.stopPropagation(); // otherwise the arrow keys would choose gears
         act(event);
       });
       this.slider.addEventListener("input", () => this.go(this.slider.valueAsNumber));
@@ -200,12 +200,12 @@
       for (const one of this.box.querySelectorAll("[data-run]")) one.addEventListener("click", buttons[one.dataset.run]);
       for (const one of this.box.querySelectorAll("[data-run=whole], [data-run=zoom-out]")) one.disabled = this.isWhole;
       this.slider.addEventListener("focus", () => { kept.focused = true; });
-      this.slider.addEventListener("blur", () => setTimeout(() => { // where the section is not just replaced
+      this.slider.addEventListener("blur", () => setTimeout(() => { // unless a new section replaces this section
         if (this.slider.isConnected) kept.focused = false;
       }));
     }
 
-    // --- what is seen, as CSV: headings, units and digits as `vstatics simulate -f csv` has them
+    // --- visible section as CSV, with headings, units and digits of `vstatics simulate -f csv`
 
     csv() {
       const columns = new Map([["time", this.time]]);
@@ -236,7 +236,7 @@
     if (run && !run.box.isConnected) { run.panels.end(); run = null; }
     const box = document.querySelector(".run-moves[data-record]");
     if (box) run = new Run(box);
-    else run?.show(); // the stick diagram may be new
+    else run?.show(); // the stick diagram can be new
   }
   begin();
   addEventListener("shown", begin);

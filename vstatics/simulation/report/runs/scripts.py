@@ -1,4 +1,4 @@
-"""Scripts and style of a page with an interactive run."""
+"""JavaScript and style sheet of a page with an interactive run."""
 
 from __future__ import annotations
 
@@ -17,5 +17,5 @@ SCRIPTS = (
     _resource("panels.js"),
     _resource("run.js"),
 )
-"""Plotter with licence, and the scripts of a run."""
+"""Plotting library uPlot with its licence, then the scripts of a run."""
 STYLE = Markup(f"{_resource('uPlot.min.css').strip()}\n{_resource('run.css')}")

@@ -1,7 +1,8 @@
 """Campbell diagram: natural frequencies of gears and orders over the speed of the input.
 
-A panel with linear scales shows all gears up to the end of the highest order. The strip at the
-side shows the frequencies gear by gear, and the table below the panel lists resonances.
+A panel with linear scales shows the modes of all gears as horizontal lines, and orders as lines
+through 0. The strip at the side shows the frequencies gear by gear, and the table below the panel
+lists resonances.
 """
 
 from __future__ import annotations
@@ -33,19 +34,19 @@ from vstatics.torsion.pictures.orders.running import draw_running, running_sign
 PANEL_HEIGHT = 250.0
 """Usual height of the panel. [pt]"""
 TALLEST_PANEL = 340.0
-"""Largest height of the panel, on a page with room. [pt]"""
+"""Largest height of the panel, if the page has room. [pt]"""
 FREQUENCY_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 52.0, 46.0
-"""Width and height of the scales. [pt]"""
+"""Width of the scale of frequencies, and height of the scale of speeds. [pt]"""
 ORDERS_PART = 0.6
-"""Largest fraction of the right edge for names of orders, if names of modes need room too."""
+"""Largest share of the right edge for names of orders, if names of modes also need room."""
 ABOVE_PANEL = 16.0
-"""Height of the title of the strip of gears. [pt]"""
+"""Height above the panel for the title of the strip of gears. [pt]"""
 BEFORE_STRIP = 6.0
 """Gap between names of orders and the strip of gears. [pt]"""
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
-    """Draw the diagram of all gears of a case, or of some, on pages.
+    """Draw the Campbell diagram of all gears of a case, or of given gears, on pages.
 
     Raises
     ------
@@ -57,7 +58,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
 
 
 def _mode_look(style: Style, *, is_common: bool) -> Look:
-    """Return the line style of a natural frequency, in ink, as only links have colours."""
+    """Return the line style of a natural frequency, in black, as only links have colours."""
     return {"color": style.ink, "width": 1.3 if is_common else 0.5}
 
 
@@ -79,7 +80,7 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
 
 
 def _pages(sheet: CampbellSheet) -> Iterator[Canvas]:
-    """Draw the panel with the tables that fit on its page, then pages with the other tables."""
+    """Draw a page with the panel and the tables that fit, then pages with the other tables."""
     style, across = sheet.style, sheet.style.width
     text, room = title(sheet.case, style.text("Campbell diagram")), across - 2 * MARGIN
     tables = resonance_tables(
@@ -107,7 +108,7 @@ def _pages(sheet: CampbellSheet) -> Iterator[Canvas]:
 
 
 def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> None:
-    """Draw the diagram and the strip of gears above an ordinate, with a height [pt]."""
+    """Draw the panel and the strip of gears; `place` is lower edge and height [pt]."""
     (low, high), style = place, sheet.style
     strip = GearStrip(sheet.gears, sheet.modes, sheet.top, style)
     is_lone = len(sheet.gears) == 1
@@ -132,7 +133,7 @@ def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> N
 
 
 def _mode_ends(sheet: CampbellSheet) -> list[LineEnd]:
-    """Return the names of the modes of a single gear, with arrows at modes above the scale."""
+    """Return the names of the modes of a single gear; modes above the scale have arrows."""
     ends = []
     for mode in sheet.modes:
         above = " ↑" if mode.frequency > sheet.top else ""
@@ -142,7 +143,7 @@ def _mode_ends(sheet: CampbellSheet) -> list[LineEnd]:
 
 
 def thinned(ends: Sequence[LineEnd], room: float) -> list[LineEnd]:
-    """Choose names at even steps so that they fit into a height [pt].
+    """Choose every n-th name so that the names fit into a height [pt].
 
     >>> ends = [LineEnd(0.1 * n, (str(n),)) for n in range(9)]
     >>> [end.names[0] for end in thinned(ends, 60.0)]
@@ -162,14 +163,14 @@ def _draw_scales(pen: Pen, sheet: CampbellSheet) -> None:
     pen.frame()
     rpm = style.text("rpm")
     name = style.text("speed of {input}, {rpm}", input=sheet.input, rpm=rpm)
-    if not sheet.input or width(name) >= wide:  # a link with a long name is the input
+    if not sheet.input or width(name) >= wide:  # several inputs, or a long name
         name = style.text("speed of the input, {rpm}", rpm=rpm)
     pen.name("bottom", name, 28)
     pen.name("left", style.text("frequency, Hz"), widest(texts) + 16)
 
 
 def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
-    """Draw the lines of modes, and the lines of orders over the modes."""
+    """Draw the lines of modes, and on top of these the lines of orders."""
     style, (wide, _) = sheet.style, pen.size
     for mode in sheet.shared:
         if mode.frequency <= sheet.top:

@@ -33,13 +33,13 @@ class CampbellSheet(NamedTuple):
     gears: Sequence[str]
     """Names of gears with modes."""
     said: Sequence[str]
-    """Reasons why gears have no modes."""
+    """Texts about gears without modes, each with the reason."""
     input: str
-    """Link whose speed is the abscissa; empty if gears have different inputs."""
+    """Name of the input link, whose speed is the abscissa; empty if gears have different inputs."""
     modes: Sequence[GearMode]
     orders: Sequence[Order]
     running: Sequence[float]
-    """Speeds of the input, ascending. [rpm]"""
+    """Speeds at which the input runs, ascending. [rpm]"""
     fastest: float
     """Highest speed of the diagram. [rpm]"""
     slowest: float
@@ -48,26 +48,26 @@ class CampbellSheet(NamedTuple):
 
     @property
     def top(self) -> float:
-        """Frequency at the end of the highest order [Hz]."""
+        """Highest frequency of the diagram: the highest order at the highest speed [Hz]."""
         return self.orders[-1].frequency(self.fastest)
 
     @property
     def shared(self) -> list[SharedMode]:
-        """Modes, with equal modes of several gears combined."""
+        """Modes; nearly equal modes of several gears are combined."""
         return shared_modes(self.modes)
 
     @property
     def meetings(self) -> list[Meeting]:
-        """All resonances."""
+        """All resonances in the diagram."""
         return list(meetings(self.modes, self.orders, self.fastest, self.slowest))
 
     def hertz(self, frequency: float) -> str:
-        """Return the text of a frequency with the unit."""
+        """Return the text of a frequency with its unit."""
         return f"{number(frequency)} {self.style.text('Hz')}"
 
     @property
     def order_ends(self) -> list[LineEnd]:
-        """Names of orders, each with a piece of the line of the order."""
+        """Names of orders, each with a sample of its line."""
         top = self.orders[-1].number
         return [
             LineEnd(order.number / top, (order.name,), (order_look(order, self.style),))
@@ -104,12 +104,12 @@ class CampbellSheet(NamedTuple):
 
 
 def campbell_sheet(results: Results, style: Style, gears: Sequence[int]) -> CampbellSheet:
-    """Return the content of the diagram of some gears, or of all gears of a case.
+    """Return the content of the diagram of given gears, or of all gears of a case.
 
     Raises
     ------
     CaseError
-        If `modes_of` raises it.
+        If scipy is not installed, or no gear has a mode.
     """
     case = results.case
     numbers = list(gears) or list(range(1, len(case.gears) + 1))

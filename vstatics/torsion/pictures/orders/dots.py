@@ -1,4 +1,7 @@
-"""Dots of resonances: the size shows the participation of the input, and the fill the damping."""
+"""Dots of resonances: their size shows the participation of the input, their fill the damping.
+
+The participation is the amplitude of the input relative to the largest amplitude of the mode.
+"""
 
 from __future__ import annotations
 
@@ -11,11 +14,11 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.resonances import Meeting
 
 LARGEST_DOT, LEAST_DOT = 6.0, 1.6
-"""Diameters of dots for a participation of 1, and for the smallest participation. [pt]"""
+"""Diameter of a dot for a participation of 1, and smallest diameter. [pt]"""
 PER_DECADE = 1.4
-"""Decrease of the diameter per decade of the participation. [pt]"""
+"""Decrease of the diameter per power of ten of the participation. [pt]"""
 LITTLE_DAMPED, MUCH_DAMPED = 0.02, 0.1
-"""Damping ratios below which dots are filled, and from which dots are open."""
+"""Damping ratio below which dots are filled, and damping ratio from which dots are open."""
 
 
 def dot_size(participation: float) -> float:
@@ -28,14 +31,14 @@ def dot_size(participation: float) -> float:
 
 
 def dot_fill(damping_ratio: float, colour: str, style: Style) -> str:
-    """Return the fill of a dot: the colour of the order, a faint colour or paper."""
+    """Return the fill of a dot: the colour of its order, a faint colour, or the colour of paper."""
     if damping_ratio >= MUCH_DAMPED:
         return style.paper
     return style.faint if damping_ratio >= LITTLE_DAMPED else colour
 
 
 def dot_look(met: Meeting, style: Style) -> Look:
-    """Return the dot of a resonance, in the colour of the order."""
+    """Return the style of the dot of a resonance, in the colour of its order."""
     return _look(met.mode.participation, met.mode.damping_ratio, style, fires=met.order.fires)
 
 

@@ -1,4 +1,4 @@
-"""Strip at the side of a Campbell diagram with the natural frequencies gear by gear."""
+"""Strip at the side of a Campbell diagram, with a column of natural frequencies for each gear."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.resonances import GearMode
 
 GEAR_PITCH = 12.0
-"""Distance between neighbouring gears. [pt]"""
+"""Distance between the columns of neighbouring gears. [pt]"""
 MOST_STRIP_WIDTH = 150.0
 """Largest width of the columns of all gears together. [pt]"""
 HALF_MARK = 0.36
-"""Half width of the mark of a frequency, relative to the pitch."""
+"""Half width of the mark of a frequency, relative to the distance of columns."""
 
 
 class GearStrip(NamedTuple):
-    """Strip of gears with marks of modes."""
+    """Strip with a column for each gear, and marks at its natural frequencies."""
 
     gears: Sequence[str]
     modes: Sequence[GearMode]
@@ -39,7 +39,7 @@ class GearStrip(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """Width of the strip, including the numbers of modes at its end [pt]."""
+        """Width of the strip, including the numbers of modes at its right edge [pt]."""
         return self.across + width_of(self._ends)
 
     @property
@@ -49,7 +49,7 @@ class GearStrip(NamedTuple):
 
     @property
     def _ends(self) -> list[LineEnd]:
-        """Numbers of modes at the right edge, at the frequencies in the last gear."""
+        """Numbers of modes at the right edge, at their frequencies in the last gear."""
         lasts = [(number, modes[-1].frequency) for number, modes in self._by_mode.items()]
         return [LineEnd(last / self.top, (str(number),)) for number, last in lasts]
 

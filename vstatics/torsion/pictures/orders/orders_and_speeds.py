@@ -14,29 +14,29 @@ from vstatics.pictures.drawing.style import Excitation
 from vstatics.torsion.clutch.clutch_dump import ClutchDump
 
 ORDERS = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
-"""Orders shown for an unknown number of cylinders of a four-stroke engine.
+"""Orders shown if the number of cylinders is unknown, for four-stroke engines.
 
-These are the half order, the order of the shaft, and the firing of 4, 6, 8 and 12 cylinders.
+They are the half order, the order of the shaft, and the firing orders of 4, 6, 8 and 12 cylinders.
 """
 FASTEST_INPUT = 6000.0
-"""Largest speed of a diagram if no speed of the input is known. [rpm]"""
+"""Largest upper end of a diagram if no speed of the input is known. [rpm]"""
 ABOVE_ONE, ABOVE_RANGE = 1.25, 1.05
-"""Highest speed of a diagram, relative to a single known speed, or to the highest of several."""
+"""Upper end of a diagram, relative to a single known speed, or to the highest of several."""
 PER_MINUTE = 60.0
 """Number of seconds per minute."""
 
 
 class Order(NamedTuple):
-    """Order of an excitation."""
+    """Order of an excitation: number of its periods per revolution."""
 
     number: float
     """Number of periods per revolution."""
     fires: bool
-    """True for the firing order of the cylinders and multiples of the firing order."""
+    """True for the firing order of the cylinders and its multiples."""
 
     @property
     def name(self) -> str:
-        """Name of the order.
+        """Name of the order, as printed.
 
         >>> Order(0.5, False).name
         '0.5×'
@@ -55,8 +55,8 @@ class Order(NamedTuple):
 def orders_of(case: Transmission, asked: Excitation) -> list[Order]:
     """Return the requested orders, or the orders of the engine, ascending.
 
-    Of N cylinders N/2 fire per revolution. By default the orders 0.5, 1, N/2 and N are shown. Links
-    other than the input have no firing orders.
+    In a four-stroke engine N/2 of N cylinders fire per revolution. By default the orders 0.5, 1,
+    N/2 and N are shown. Links other than the input have no firing orders.
 
     Examples
     --------
@@ -83,8 +83,8 @@ def _fires(order: float, cylinders: int | None) -> bool:
 def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation) -> list[float]:
     """Return the known speeds of the input of a case, ascending [rpm].
 
-    Known speeds are the requested speeds, and the speeds of loads, of the engine of the vehicle and
-    of a clutch dump.
+    They are the requested speeds, and the speeds of loads, of the vehicle's engine and of a clutch
+    dump.
 
     Examples
     --------
@@ -100,7 +100,7 @@ def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation)
 
 @runtime_checkable
 class HasEngine(Protocol):
-    """Vehicle with an engine."""
+    """Part of a vehicle that this module reads: its engine."""
 
     @property
     def engine(self) -> Sequence[tuple[float, float]]:
@@ -122,7 +122,8 @@ def _engine_speeds(case: Transmission) -> Iterator[float]:
 def highest_speed(known: Sequence[float], frequencies: Sequence[float], lowest: float) -> float:
     """Return a round speed above all known speeds [rpm].
 
-    If no speed is known, the lowest order meets all natural frequencies below the speed.
+    If no speed is known, it is a speed up to which the lowest order meets all natural frequencies,
+    but `FASTEST_INPUT` at most.
 
     Parameters
     ----------
@@ -164,7 +165,7 @@ class ExcitedSpeeds(NamedTuple):
 def excited_speeds(
     case: Transmission, gears: Sequence[Gear], frequencies: Sequence[float], asked: Excitation
 ) -> ExcitedSpeeds:
-    """Choose the orders and speeds shown for gears with natural frequencies [Hz]."""
+    """Choose the orders and the range of speeds for gears with given natural frequencies [Hz]."""
     orders = orders_of(case, asked)
     running = running_speeds(case, gears, asked)
     if asked.shown is not None:

@@ -1,4 +1,4 @@
-"""Table of a Campbell diagram: the modes with the speeds of their resonances."""
+"""Table below a Campbell diagram: modes, with the speeds of their resonances by order."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.torsion.pictures.orders.orders_and_speeds import Order
 from vstatics.torsion.pictures.orders.resonances import GearMode, is_between
 
 GEARS_WIDTH = 96.0
-"""Width of names of gears, which are wrapped. [pt]"""
+"""Width at which the names of gears are wrapped. [pt]"""
 COLUMN_GAP = 12.0
 """Gap between columns. [pt]"""
 HEADING_HEIGHT = height("\n") + 4.0
@@ -24,7 +24,7 @@ HEADING_HEIGHT = height("\n") + 4.0
 ROW_GAP = 0.5
 """Gap between rows. [pt]"""
 IN_A_ROW = 3
-"""Smallest number of successive gears that are written as a range."""
+"""Smallest number of successive gears that are written as a range, such as 1–3."""
 
 
 class TableCell(NamedTuple):
@@ -35,7 +35,7 @@ class TableCell(NamedTuple):
 
 
 class TableRow(NamedTuple):
-    """Row of a mode, for all gears with equal printed values."""
+    """Row of a mode, for all gears in which its printed values are equal."""
 
     mode: str
     """Number of the mode."""
@@ -46,7 +46,7 @@ class TableRow(NamedTuple):
 
     @property
     def all_cells(self) -> list[TableCell]:
-        """Cells including the number of the mode."""
+        """All cells of the row, beginning with the number of the mode."""
         return [TableCell(self.mode), *self.cells]
 
     @property
@@ -56,11 +56,11 @@ class TableRow(NamedTuple):
 
 
 class ResonanceTable(NamedTuple):
-    """Table of resonances."""
+    """Table of resonances for some orders."""
 
     headings: Sequence[str]
     fires: Sequence[bool]
-    """Mask of the columns of firing orders."""
+    """For each column of an order, True if it is a firing order."""
     rows: Sequence[TableRow]
     style: Style
 
@@ -81,7 +81,7 @@ class ResonanceTable(NamedTuple):
         ]
 
     def draw(self, pen: Pen, left: float, top: float, rows: Sequence[TableRow]) -> None:
-        """Draw headings and some rows below an ordinate [pt]."""
+        """Draw headings and given rows below a height [pt]."""
         ends, x = [], left
         for wide in self._widths:
             x += wide
@@ -107,18 +107,18 @@ class ResonanceTable(NamedTuple):
 
 
 class TableParts(NamedTuple):
-    """Parts of tables, drawn below each other."""
+    """Tables with some of their rows, drawn below each other."""
 
     parts: Sequence[tuple[ResonanceTable, Sequence[TableRow]]]
 
     @property
     def high(self) -> float:
-        """Height of all parts, with a margin below each part [pt]."""
+        """Height of all tables, with a margin below each table [pt]."""
         highs = (HEADING_HEIGHT + sum(row.high for row in rows) + MARGIN for _, rows in self.parts)
         return sum(highs) or MARGIN
 
     def fitting(self, room: float, least: int = 0) -> tuple[TableParts, TableParts]:
-        """Split the rows: as many as fit into `room` [pt], but at least `least`, and the others."""
+        """Split the rows: those that fit into `room` [pt], but at least `least`, and the others."""
         for place, (table, rows) in enumerate(self.parts):
             room -= HEADING_HEIGHT + MARGIN
             for count, row in enumerate(rows):
@@ -130,7 +130,7 @@ class TableParts(NamedTuple):
         return self, TableParts([])
 
     def draw(self, pen: Pen) -> None:
-        """Draw all parts down to the lower edge of a figure."""
+        """Draw all tables, ending at the lower edge of a figure."""
         y = self.high
         for table, rows in self.parts:
             table.draw(pen, MARGIN, y, rows)
@@ -138,7 +138,7 @@ class TableParts(NamedTuple):
 
 
 ResonanceSpeeds = tuple[Sequence[float], float] | tuple[Sequence[float], float, float]
-"""Running speeds, highest speed and optionally lowest speed of `resonance_tables`. [rpm]"""
+"""Speeds at which the input runs, highest speed, and optionally lowest speed. [rpm]"""
 
 
 def resonance_tables(
@@ -148,13 +148,13 @@ def resonance_tables(
     room: float,
     style: Style,
 ) -> list[ResonanceTable]:
-    """Return tables of resonances, with as many orders in each as fit into a width [pt].
+    """Return tables of resonances, each with as many orders as fit into the width `room` [pt].
 
     Parameters
     ----------
     speeds : tuple
-        Running speeds of the input, ascending, between which resonances are bold; then the highest
-        and the lowest speed of listed resonances. [rpm]
+        Speeds at which the input runs, ascending; resonances between them are bold. Then the
+        highest and the lowest speed of listed resonances. [rpm]
 
     Examples
     --------
@@ -219,7 +219,7 @@ def _printed_alike(
     *,
     is_damped: bool,
 ) -> dict[tuple[TableCell, ...], list[int]]:
-    """Return the indices of gears in which a mode has equal printed cells, by these cells."""
+    """Group the gears of a mode by printed cells: cells -> indices of gears."""
     places: dict[tuple[TableCell, ...], list[int]] = {}
     for mode in modes:
         first = [number(mode.frequency), typeset(f"{mode.participation:.2g}")]
@@ -244,7 +244,7 @@ def _speed(
 
 
 def gear_run(names: Sequence[str], every: Sequence[str], style: Style) -> str:
-    """Return the names of gears, with successive gears as ranges.
+    """Return the names of gears as a text, with ranges of successive gears.
 
     >>> gear_run(["1", "2", "3", "5", "R"], ["1", "2", "3", "4", "5", "R"], Style())
     '1–3, 5, R'

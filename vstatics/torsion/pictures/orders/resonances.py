@@ -1,4 +1,4 @@
-"""Resonances: natural frequencies of gears, and the speeds at which orders meet them."""
+"""Resonances: speeds at which the frequency of an order equals a natural frequency of a gear."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class GearMode(NamedTuple):
     frequency: float
     """Natural frequency without damping. [Hz]"""
     participation: float
-    """Amplitude of the input, relative to the largest amplitude of the mode. [-]"""
+    """Amplitude of the input in the mode, relative to the largest amplitude. [-]"""
     damping_ratio: float
     """Damping ratio, 0 without damping. [-]"""
 
@@ -39,19 +39,19 @@ class GearMode(NamedTuple):
 
 
 class Meeting(NamedTuple):
-    """Resonance, at which an order meets a natural frequency."""
+    """Resonance: an order meets a natural frequency."""
 
     mode: GearMode
     order: Order
 
     @property
     def speed(self) -> float:
-        """Speed of the input [rpm]."""
+        """Speed of the input at the resonance [rpm]."""
         return self.order.speed(self.mode.frequency)
 
 
 def gear_modes(gears: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMode]:
-    """Return the modes of gears that are excited at input links, given by names."""
+    """Return the modes of gears, with the participation of their input links (names)."""
     return [
         GearMode(
             gear.name,
@@ -107,7 +107,7 @@ class SharedMode(NamedTuple):
 
 
 def shared_modes(modes: Sequence[GearMode]) -> list[SharedMode]:
-    """Combine modes of gears with equal numbers and nearly equal frequencies.
+    """Combine modes of several gears that have equal numbers and nearly equal frequencies.
 
     Examples
     --------

@@ -1,7 +1,7 @@
-"""Picture of the response of a link to a harmonic torque on the link, over speed and by order.
+"""Picture of the response of a link to a harmonic torque on it, over speed, for several orders.
 
-Each gear has a panel with a line for each order of 1 N*m or of a given torque. Speeds and orders
-are chosen as in the Campbell diagram.
+Each gear has a panel with a line for each order, with an amplitude of 1 N*m or as in a given
+torque. Speeds and orders are chosen as in the Campbell diagram.
 """
 
 from __future__ import annotations
@@ -34,21 +34,21 @@ from vstatics.torsion.pictures.orders.running import draw_running, running_sign
 from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 
 RESPONSE_HEIGHT, LEAST_RESPONSE_HEIGHT = 118.0, 84.0
-"""Usual and smallest height of a panel among several panels. [pt]"""
+"""Usual and smallest height of each of several panels. [pt]"""
 LONE_RESPONSE_HEIGHT = 230.0
 """Height of a single panel. [pt]"""
 AMPLITUDE_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 40.0, 40.0
-"""Width and height of the scales. [pt]"""
+"""Width of the scale of amplitudes, and height of the scale of speeds. [pt]"""
 PANEL_HEAD = 18.0
-"""Height of the name of a gear above the panel. [pt]"""
+"""Height above a panel for the name of the gear. [pt]"""
 BETWEEN_PANELS = 12.0
 """Gap between panels. [pt]"""
 MOST_DECADES = 7
-"""Largest number of decades of the scale of amplitudes."""
+"""Largest number of powers of ten in the scale of amplitudes."""
 SLOW = 0.04
-"""Part of the highest speed below which amplitudes do not determine the scale.
+"""Speed below which amplitudes do not determine the scale, relative to the highest speed.
 
-Amplitudes grow without bound towards standstill.
+Amplitudes grow without bound as the speed approaches 0.
 """
 
 
@@ -64,7 +64,7 @@ class _ResponseSheet(NamedTuple):
     slowest: float
     """Lowest speed. [rpm]"""
     decades: tuple[float, float]
-    """Ends of the scale, as decadic logarithms of amplitudes [rad]."""
+    """Ends of the scale: exponents of powers of ten of amplitudes in rad."""
     style: Style
 
     @property
@@ -84,7 +84,7 @@ class _ResponseSheet(NamedTuple):
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
-    """Draw the response in each gear of a case, or in some, on pages.
+    """Draw the response in each gear of a case, or in given gears, on pages.
 
     Raises
     ------
@@ -138,7 +138,7 @@ def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
 
 
 def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, float]:
-    """Return the exponents of the powers of ten that enclose all amplitudes, at most 7 apart."""
+    """Return exponents of powers of ten that enclose the amplitudes, at most 7 apart."""
     logs = [_logs(line.amplitudes[line.speeds >= SLOW * fastest]) for line in lines]
     every = np.concatenate(logs)
     every = every[np.isfinite(every)]
@@ -148,7 +148,7 @@ def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, floa
 
 
 def _logs(amplitudes: Floats) -> Floats:
-    """Return decadic logarithms, with NaN for amplitudes of 0."""
+    """Return logarithms to the base 10, with NaN for amplitudes of 0."""
     known = np.where(amplitudes > 0, amplitudes, np.nan)
     logs: Floats = np.log10(known)
     return logs
@@ -221,7 +221,7 @@ def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_low
 
 
 def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
-    """Draw the scale of amplitudes, and the scale of speeds with numbers below the lowest panel."""
+    """Draw the scales of amplitudes and speeds; only the lowest panel has numbers of speeds."""
     style, (wide, _) = sheet.style, pen.size
     low, high = (int(end) for end in sheet.decades)
     decades = list(range(low, high + 1))
@@ -232,13 +232,13 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
     if is_lowest:
         rpm = style.text("rpm")
         name = style.text("speed of {link}, {rpm}", link=sheet.link, rpm=rpm)
-        if not sheet.link or width(name) > wide:  # links differ between gears, or a name is long
+        if not sheet.link or width(name) > wide:  # several links, or a long name
             name = style.text("speed, {rpm}", rpm=rpm)
         pen.name("bottom", name, 12.0 + 1.5 * height(""))
 
 
 def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseSheet) -> None:
-    """Draw the dot of a resonance on its line, if the line is within the scale there."""
+    """Draw the dot of a resonance on its line, if its amplitude is within the scale."""
     speed = line.order.speed(mode.frequency)
     at = int(np.argmin(np.abs(line.speeds - speed)))
     value = _logs(line.amplitudes[at : at + 1])[0]

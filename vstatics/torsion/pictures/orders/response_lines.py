@@ -1,4 +1,4 @@
-"""Response of a link to a torque of 1 N*m on the link, by gear and order."""
+"""Response of a link to a harmonic torque on it, by gear and order."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     from vstatics.torsion.forced.harmonic_torques import Harmonic
 
 EVEN_SPEEDS = 400
-"""Number of evenly spaced speeds of a line; resonances and speeds near resonances are added."""
+"""Number of evenly spaced speeds of a line, to which speeds at and near resonances are added."""
 ABOUT_PEAK = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
-"""Relative distances of added speeds from a resonance, as multiples of the damping ratio."""
+"""Distances of added speeds from a resonance, relative to its speed times the damping ratio."""
 
 
 class ResponseLine(NamedTuple):
-    """Amplitudes of a link over the speed, under the torque of one order."""
+    """Amplitudes of a link over the speed, under the torque of an order."""
 
     order: Order
     speeds: Floats
@@ -42,7 +42,7 @@ class ResponsePanel(NamedTuple):
     """Link on which the torque acts."""
     lines: Sequence[ResponseLine]
     peaks: Sequence[tuple[Order, GearMode]]
-    """Resonances that are marked on the lines, each with its order."""
+    """Marked resonances: order and mode."""
     why: str = ""
     """Reason why the gear has no response."""
 
@@ -50,9 +50,9 @@ class ResponsePanel(NamedTuple):
 def response_panels(
     results: Results, style: Style, gears: Sequence[int] = ()
 ) -> tuple[ExcitedSpeeds, list[ResponsePanel]]:
-    """Calculate orders and speeds, and the response of each gear.
+    """Choose orders and speeds, and calculate the response of each gear.
 
-    The torque acts on the link given in the style, or by default on the input of the gear.
+    The torque acts on a link that the style names, or by default on the input of the gear.
     """
     case, excitation = results.case, style.excited
     harmonics = by_order(style)
@@ -81,7 +81,7 @@ def response_panels(
 
 
 def by_order(style: Style) -> dict[float, Harmonic]:
-    """Return the harmonics of a given torque, by order; empty without a torque."""
+    """Return the harmonics of the torque that the style gives, by order; empty without a torque."""
     harmonics = cast("Sequence[Harmonic]", style.data or ())
     return {harmonic.order: harmonic for harmonic in harmonics}
 
@@ -93,7 +93,7 @@ def _panel(
     excited: ExcitedSpeeds,
     harmonics: Mapping[float, Harmonic],
 ) -> ResponsePanel:
-    """Calculate the response of a gear order by order, as the speeds depend on the order."""
+    """Calculate the response of a gear; each order has its own speeds."""
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
     gear, link = names

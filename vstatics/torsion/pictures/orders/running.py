@@ -27,7 +27,7 @@ def running_sign(speeds: Sequence[float], style: Style) -> Iterator[Meaning]:
 
 
 def draw_running(pen: Pen, speeds: Sequence[float], style: Style) -> None:
-    """Draw a band from the lowest to the highest speed, or a line at a single speed."""
+    """Draw a band from the lowest to the highest running speed, or a line at a single speed."""
     if not speeds:
         return
     wide, high = pen.size

@@ -1,4 +1,4 @@
-"""Row of links with devices between the links, and the shape of a mode over the row."""
+"""Row of links with the components between them, and a mode shape over the row."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ LEAST_ROW_WIDTH = 130.0
 NEAREST_LINKS = 13.0
 """Smallest distance between links at which all links have names. [pt]"""
 BEYOND_ROW = 12.0
-"""Largest distance of names beyond the ends of the row. [pt]"""
+"""Largest length of names beyond the ends of the row. [pt]"""
 LEVEL_PITCH = 19.0
-"""Distance between levels of devices. [pt]"""
+"""Distance between levels of components below the row. [pt]"""
 GROUND_HEIGHT = 24.0
-"""Height of the housing above a link. [pt]"""
+"""Height of the sign of the housing above a link. [pt]"""
 LEGEND_SIGN = 22.0
-"""Distance from the left of a sign to its text in the legend. [pt]"""
+"""Distance from the left end of a sign to its text in the legend. [pt]"""
 _ELASTIC = "rigid", "elastic, by number"
 _HEAVY = "without inertia", "with inertia"
-"""Texts of the legend, from the bottom up."""
+"""Texts of the legend for dots of links, from bottom to top."""
 ROOMY_PITCH = 12.0
-"""Smallest distance between links at which springs are numbered. [pt]"""
+"""Smallest distance between links at which springs have numbers. [pt]"""
 
 
 class Axis(NamedTuple):
-    """Positions of the links of a row."""
+    """Positions of links along a row."""
 
     pen: Pen
     left: float
@@ -44,12 +44,12 @@ class Axis(NamedTuple):
     """Distance between neighbouring links. [pt]"""
 
     def at(self, place: float) -> float:
-        """Return the abscissa of a place in the row, counted from 0 [pt]."""
+        """Return the abscissa of the link with an index in the row [pt]."""
         return self.left + (place + 0.5) * self.pitch
 
 
 def whole_width(links: ModeLinks) -> float:
-    """Return the width of a row with enough room [pt]."""
+    """Return the usual width of a row [pt]."""
     return max(len(links.names) * LINK_PITCH, LEAST_ROW_WIDTH)
 
 
@@ -59,12 +59,12 @@ def least_width(links: ModeLinks) -> float:
 
 
 def springs(links: ModeLinks) -> list[str]:
-    """Return the names of elastic devices in the order of numbers."""
+    """Return the names of elastic components in the order of their printed numbers."""
     return [device.name for device in links.devices if device.elastic]
 
 
 def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
-    """Return places and names of links at even steps that leave enough room."""
+    """Return the index and name of every n-th link, so that the names have room."""
     names = [wrapped(name, LONG_NAME) for name in links.names]
     needed = sum(height(name) + LABEL_GAP for name in names)
     every = math.ceil(needed / (len(names) * pitch + 2 * BEYOND_ROW)) if names else 1
@@ -72,7 +72,7 @@ def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
 
 
 def row_height(links: ModeLinks, pitch: float) -> float:
-    """Return the height of the row with names above and devices below [pt]."""
+    """Return the height of the row with names above and components below [pt]."""
     up = widest(name for _, name in _names(links, pitch))
     up += LEADER + LABEL_GAP
     return up + _above(links) + _below(links)
@@ -88,7 +88,7 @@ def _below(links: ModeLinks) -> float:
 
 
 def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
-    """Draw the row of links above an ordinate [pt], with names and devices."""
+    """Draw the row of links, with names and components, above a height [pt]."""
     pen, y = axis.pen, low + _below(links)
     _write_names(axis, y + _above(links), _names(links, axis.pitch))
     count = 0
@@ -101,7 +101,7 @@ def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
 
 
 def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> None:
-    """Write upright names, each with a line to the link."""
+    """Write vertical names, each with a line to its link."""
     wanted = [axis.at(place) for place, _ in names]
     sizes = [height(name) + LABEL_GAP for _, name in names]
     row = axis.left, axis.left + sum(sizes)
@@ -114,7 +114,7 @@ def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> No
 
 
 def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
-    """Draw a device on the row of links, below it with leaders to its links, or at the housing."""
+    """Draw a component on the row, below it with lines to its links, or at the housing."""
     pen = axis.pen
     colour, wide = (pen.style.ink, 1.2) if device.elastic else (pen.style.faint, 0.9)
     look: Look = {"color": colour, "width": wide, "title": device.name}
@@ -125,7 +125,7 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
     level = y - LEVEL_PITCH * device.level
     for place in device.members if device.level else ():
         pen.line((axis.at(place), y), (axis.at(place), level), **look)
-    for place in device.members[1:-1]:  # a dot, as a joint could be taken for a crossing
+    for place in device.members[1:-1]:  # a dot marks a joint, not a crossing
         at = axis.at(place), level
         pen.line(at, marker="o", markersize=2.4, color=colour, width=1.5)
     ends = [(axis.at(place), level) for place in (device.members[0], device.members[-1])]
@@ -155,7 +155,7 @@ def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Look
 
 
 def draw_legend(pen: Pen, right: float, low: float, *, elastic: bool) -> None:
-    """Draw two lines of the legend of a row, above an ordinate and left of an abscissa [pt]."""
+    """Draw the two lines of the legend above `low` and to the left of `right` [pt]."""
     style = pen.style
     texts = [style.text(english) for english in (_ELASTIC if elastic else _HEAVY)]
     left = right - LEGEND_SIGN - widest(texts)
@@ -177,27 +177,27 @@ def _draw_link(pen: Pen, at: Point, colour: str, *, heavy: bool) -> None:
 
 
 class AmplitudeBand(NamedTuple):
-    """Vertical scale of amplitudes."""
+    """Vertical scale of the amplitudes of a mode."""
 
     zero: float
-    """Ordinate of a link at rest. [pt]"""
+    """Height of amplitude 0. [pt]"""
     unit: float
     """Length of an amplitude of 1. [pt]"""
 
     def at(self, amplitude: float) -> float:
-        """Return the ordinate of an amplitude [pt]."""
+        """Return the height of an amplitude [pt]."""
         return self.zero + self.unit * amplitude
 
 
 def draw_shape(
     axis: Axis, band: AmplitudeBand, links: ModeLinks, shape: Mapping[str, float]
 ) -> None:
-    """Draw amplitudes as bars, whose ends are connected like the links.
+    """Draw amplitudes as bars, whose ends are joined by lines where components join links.
 
     Parameters
     ----------
     shape : mapping of str to float
-        Amplitudes of links by name, at most 1.
+        Amplitudes of links by name; the largest is 1.
     """
     pen, style = axis.pen, axis.pen.style
     tips = [(axis.at(place), band.at(shape[name])) for place, name in enumerate(links.names)]
@@ -222,7 +222,7 @@ def draw_shape(
 
 
 def _draw_scale(axis: Axis, band: AmplitudeBand, count: int) -> None:
-    """Draw lines at the amplitudes -1, 0 and 1, and a line for each link."""
+    """Draw lines at the amplitudes -1, 0 and 1, and a vertical line at each link."""
     pen, start, end = axis.pen, axis.left, axis.at(count - 1) + 0.5 * axis.pitch
     for amplitude, text in ((-1, "−1"), (0, "0"), (1, "+1")):
         y, wide = band.at(amplitude), 0.4 if amplitude else 0.8

@@ -1,4 +1,4 @@
-"""Arrangement of the links of a vibrating gear in a row, with the devices between links."""
+"""Arrangement of the links of a vibrating gear in a row, with the components between links."""
 
 from __future__ import annotations
 
@@ -18,48 +18,48 @@ if TYPE_CHECKING:
 
 
 class ModeDevice(NamedTuple):
-    """Device of a vibrating gear."""
+    """Component of a vibrating gear, in a row of links."""
 
     name: str
     members: tuple[int, ...]
-    """Places of the links of the device in the row, ascending."""
+    """Indices of its links in the row, ascending."""
     elastic: bool
     level: int = 0
-    """Number of levels below the line of links.
+    """Number of levels below the row; 0 is on the row.
 
-    For a device at the housing, the number of preceding devices at the same link.
+    For a component at the housing, the number of preceding components at the same link.
     """
 
     @property
     def is_grounded(self) -> bool:
-        """True if the device connects a link to the housing."""
+        """True if the component connects a link to the housing."""
         return len(self.members) == 1
 
     @property
     def kind(self) -> int:
-        """Kind of the device: 0 rigid, 1 shaft, 2 elastic device with any other number of links."""
+        """Kind of the component: 0 rigid, 1 shaft, 2 elastic with any other number of links."""
         return self.elastic * (1 if len(self.members) == 2 else 2)
 
 
 class ModeLinks(NamedTuple):
-    """Vibrating links of a gear, beginning with the input."""
+    """Vibrating links of a gear in a row, beginning with the input."""
 
     numbers: tuple[int, ...]
     names: tuple[str, ...]
     heavy: tuple[bool, ...]
-    """Mask of the links with inertia."""
+    """For each link, True if it has inertia."""
     devices: tuple[ModeDevice, ...]
-    """Devices, elastic devices first, beginning at the input."""
+    """Components, elastic components first, beginning at the input."""
     resting: tuple[str, ...]
-    """Links at rest, in all modes too."""
+    """Links that neither rotate nor vibrate."""
     idle: tuple[str, ...]
-    """Unloaded links: links without inertia at the end of a single device."""
+    """Unloaded links: links without inertia that belong to a single component."""
 
 
 def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
-    """Arrange the links of a gear with modes in the order of the power flow.
+    """Arrange the vibrating links of a gear in the order of the power flow.
 
-    Links are sorted by the smallest number of devices between link and input, then by number.
+    Links are sorted by the smallest number of components between link and input, then by number.
 
     Examples
     --------
@@ -108,13 +108,13 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
 
 
 def _moves(amplitudes: Sequence[float], speed: float) -> bool:
-    """Return whether a link vibrates or rotates; a link can be a node of all modes."""
+    """Return whether a link vibrates or rotates; a rotating link can be a node of all modes."""
     known = not any(map(math.isnan, amplitudes))
     return known and any(abs(motion) > STANDS_IN_ALL_MODES for motion in (*amplitudes, speed))
 
 
 def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]]]:
-    """Yield the names of all devices of a gear, and the links of each device."""
+    """Yield the name and the links of each component of a gear."""
     for element in case.elements_at(gear.joining):
         yield element.name, element.links
     for device in case.own_devices:
@@ -126,7 +126,7 @@ def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]
 def _loaded(
     light: AbstractSet[int], joined: list[tuple[str, list[int]]]
 ) -> list[tuple[str, list[int]]]:
-    """Repeatedly remove devices with a massless link that belongs to no other device."""
+    """Remove, repeatedly, components with a massless link that no other component has."""
     while True:
         count = Counter(link for _, links in joined for link in links)
         loose = {link for link in light if count[link] == 1}
@@ -137,7 +137,7 @@ def _loaded(
 
 
 def _row(links: AbstractSet[int], first: int, joined: Sequence[Sequence[int]]) -> list[int]:
-    """Sort links by the number of devices to the first link, then by number."""
+    """Sort links by the number of components between them and the first link, then by number."""
     distance: dict[int, int] = {}
     reached = links & {first}
     for level in range(len(links)):
@@ -148,7 +148,7 @@ def _row(links: AbstractSet[int], first: int, joined: Sequence[Sequence[int]]) -
 
 
 def _levelled(devices: Sequence[ModeDevice]) -> Iterator[ModeDevice]:
-    """Place devices at levels without overlap, beginning with elastic and short devices."""
+    """Place components at levels without overlap, beginning with elastic and short components."""
     order = sorted(devices, key=lambda d: (not d.elastic, d.members[-1] - d.members[0]))
     taken: list[ModeDevice] = []
     for device in order:
@@ -161,7 +161,7 @@ def _levelled(devices: Sequence[ModeDevice]) -> Iterator[ModeDevice]:
 
 
 def _cover(device: ModeDevice, other: ModeDevice) -> bool:
-    """Return whether devices would touch; on the line, devices with equal links touch."""
+    """Return whether two components at the same level would overlap."""
     if device.is_grounded or other.is_grounded or device.level == 0:
         return (device.level, device.members) == (other.level, other.members)
     apart = device.members[-1] < other.members[0] or other.members[-1] < device.members[0]

@@ -39,13 +39,13 @@ if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes, Mode
 
 LEAST_MODE_HEIGHT = 58.0
-"""Smallest height of a shape. [pt]"""
+"""Smallest height of a mode shape. [pt]"""
 SHAPE_HEIGHT = 84.0
-"""Largest height of a shape. [pt]"""
+"""Largest height of a mode shape. [pt]"""
 MODE_GAP = 14.0
 """Gap between modes, and between columns. [pt]"""
 BETWEEN_SHARES = 5.0
-"""Gap between the bars of two energies below each other. [pt]"""
+"""Vertical gap between the bars of elastic and of kinetic energy. [pt]"""
 NO_BREAK = "\N{NO-BREAK SPACE}"
 PART_GAP = "    "
 """Spaces between the parts of the caption of a mode."""
@@ -57,13 +57,13 @@ AMPLITUDE_SCALE_WIDTH = 16.0
 """Width of the numbers at the scale of amplitudes. [pt]"""
 ELASTIC = "elastic energy"
 KINETIC = "kinetic energy"
-"""Titles of the bars."""
+"""Titles of the bars of elastic and kinetic energy."""
 GEAR_GAP = 30.0
 """Gap between gears. [pt]"""
 
 
 class _ModeRow(NamedTuple):
-    """Mode with its caption, and the bars at the side of the shape."""
+    """Mode with its caption, and the bars at the side of its shape."""
 
     mode: Mode
     said: Sequence[str]
@@ -73,7 +73,7 @@ class _ModeRow(NamedTuple):
 
 
 class _GearModesPart(NamedTuple):
-    """Gear with some or all modes; the note of a gear without modes says why."""
+    """Gear with all or some of its modes; without modes, its note gives the reason."""
 
     head: str
     note: str
@@ -82,10 +82,10 @@ class _GearModesPart(NamedTuple):
 
 
 class _ModeColumns(NamedTuple):
-    """Common widths of all gears of a figure, in points."""
+    """Widths that all gears of a figure have in common, in points."""
 
     shapes: float
-    """Width of shapes."""
+    """Width of mode shapes."""
     pitch: float
     """Distance between neighbouring links."""
     elastic: float
@@ -116,7 +116,7 @@ class _ModeColumns(NamedTuple):
         return self.ends[1] + MARGIN
 
     def caption(self, row: _ModeRow) -> str:
-        """Return the caption of a mode, left of the title of the bars or above the bars."""
+        """Return the caption of a mode, wrapped to the width that bars or their title leave."""
         line = PART_GAP.join(row.said)
         if self._fits_beside_title(line):
             return line
@@ -127,16 +127,16 @@ class _ModeColumns(NamedTuple):
         return width(line) <= self.ends[0] - self.named - MODE_GAP - MARGIN
 
     def drop(self, row: _ModeRow) -> float:
-        """Return the distance of the bars below the top of a mode."""
+        """Return the distance from the top of a mode down to its bars."""
         is_beside = self._fits_beside_title(PART_GAP.join(row.said))
         return 0.0 if is_beside else self.caption_height(row)
 
     def caption_height(self, row: _ModeRow) -> float:
-        """Return the height of the caption of a mode with the gap below."""
+        """Return the height of the caption of a mode, with the gap below it."""
         return height(self.caption(row)) + SAID_GAP
 
     def high(self, row: _ModeRow) -> float:
-        """Return the height of a mode with the gap below."""
+        """Return the height of a mode, with the gap below it."""
         bars = [shares_height(shares) for shares in (row.elastic, row.kinetic)]
         if self.stacked:
             right = sum(bars) + 2 * height("") + BETWEEN_SHARES
@@ -153,7 +153,7 @@ def _spaced(parts: str) -> str:
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
     """Draw the natural modes of gears below each other, on pages.
 
-    On a single page without a given height, the first gear is drawn by default.
+    If a single page without a given height is requested, only the first gear is drawn by default.
 
     Raises
     ------
@@ -217,7 +217,7 @@ def _row(
 
 
 def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
-    """Choose widths so that bars are side by side if links have room, else below each other."""
+    """Choose widths: bars side by side if the links have room, otherwise below each other."""
     rows = [row for part in parts for row in part.rows]
     links = [part.links for part in parts if part.links]
     captions = widest(PART_GAP.join(row.said) for row in rows) - AMPLITUDE_SCALE_WIDTH
@@ -229,7 +229,7 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
             (KINETIC, [row.kinetic for row in rows]),
         )
     )
-    # The caption of a mode can extend over the bars, up to their title.
+    # The caption of a mode can extend to the title of the bars.
     named = width(style.text(ELASTIC))
     captions -= elastic - named
     whole = max([captions, *map(whole_width, links)])
@@ -253,7 +253,7 @@ def _high(part: _GearModesPart, columns: _ModeColumns) -> float:
 
 
 def _on_pages(results: Results, part: _GearModesPart, style: Style) -> Iterator[_GearModesPart]:
-    """Yield parts of the modes of a gear that fit on a page each."""
+    """Divide the modes of a gear into parts that fit on a page each."""
     columns = _columns([part], style)
     room = style.height - _page_head(results, columns.right, style).high - 3 * MARGIN
     room -= _head_high(part, columns)
@@ -285,7 +285,7 @@ def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> 
 
 
 def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns) -> None:
-    """Draw the row of links, and the modes below the row."""
+    """Draw the row of links of a gear, and the modes below the row."""
     style, right = pen.style, columns.right - MARGIN
     pen.text(MARGIN, top, part.head, va="top", bold=True)
     note = wrapped(part.note, right - MARGIN)
@@ -306,7 +306,7 @@ def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns
 def _draw_mode(
     axis: Axis, top: float, links: ModeLinks, row: _ModeRow, columns: _ModeColumns
 ) -> None:
-    """Draw the caption, shape and bars of a mode below an ordinate [pt]."""
+    """Draw the caption, shape and bars of a mode below a height [pt]."""
     pen, style = axis.pen, axis.pen.style
     pen.text(MARGIN, top, columns.caption(row), **BELOW)
     caption = columns.caption_height(row)

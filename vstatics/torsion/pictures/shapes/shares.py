@@ -1,4 +1,4 @@
-"""Bars of the largest shares in the energy of a mode."""
+"""Bars of the largest shares of links or components in the energy of a mode."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ BAR_GAP = 5.0
 SHARE_BAR_WIDTH = FULL_BAR + BAR_GAP + PERCENT_WIDTH
 """Width of a full bar with its number. [pt]"""
 MOST_BARS = 5
-"""Largest number of bars, in addition to the bar of other shares."""
+"""Largest number of bars, in addition to a bar for all other shares."""
 LEAST_SHARE = 0.01
 """Smallest share with a bar."""
 
 
 class Share(NamedTuple):
-    """Bar of a share in an energy."""
+    """Share of a link or component in the energy of a mode, drawn as a bar."""
 
     name: str
     part: float
@@ -44,9 +44,9 @@ def largest_shares(
     ----------
     shares : mapping of str to float
     marks : mapping of str to str
-        Texts in front of some of the names.
+        Name -> text in front of it, for some of the names.
     colours : mapping of str to str
-        Colours of some of the names.
+        Name -> colour, for some of the names.
     style : Style
 
     Examples
@@ -71,7 +71,7 @@ def largest_shares(
 
 
 def shares_height(shares: Sequence[Share]) -> float:
-    """Return the height of bars below each other [pt]."""
+    """Return the height of the bars of given shares [pt]."""
     return sum(height(share.name) for share in shares)
 
 
@@ -81,7 +81,7 @@ def shares_width(shares: Sequence[Share]) -> float:
 
 
 def draw_shares(pen: Pen, right: float, top: float, shares: Sequence[Share]) -> None:
-    """Draw bars left of an abscissa, from an ordinate downwards [pt]."""
+    """Draw bars that begin at the abscissa `right` - `SHARE_BAR_WIDTH`, from `top` down [pt]."""
     start, y = right - SHARE_BAR_WIDTH, top
     for share in shares:
         middle = y - height(share.name) / 2

@@ -1,5 +1,5 @@
-"""Commands of `vstatics damage`.
+"""Commands of the group `vstatics damage`.
 
-`group` lists the commands. Each command is a module with a function of its name: `record`, which is
-the default, `rayleigh`, `resize`.
+`group` declares the command group. The modules `record` (the default), `rayleigh` and `resize` each
+contain a command.
 """

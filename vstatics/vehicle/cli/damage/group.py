@@ -1,4 +1,4 @@
-"""Command group `vstatics damage`; each command is a module."""
+"""Command group `vstatics damage`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class DamageCommands(LazyGroup):
     modules = ANNEX.groups["damage"]
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Insert the default command, then parse as click does."""
+        """Insert the default command if none is named, and parse the arguments."""
         if args and args[0] not in (*self.modules, *ctx.help_option_names):
             args = ["record", *args]
         return super().parse_args(ctx, args)

@@ -1,4 +1,4 @@
-"""`vstatics damage rayleigh`: life under random stresses of a narrow band."""
+"""Command `vstatics damage rayleigh`: life under a narrow-band random stress."""
 
 from __future__ import annotations
 

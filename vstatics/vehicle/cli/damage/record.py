@@ -1,4 +1,4 @@
-"""`vstatics damage CASE RECORD.csv`: the damage of devices by a record of their torques."""
+"""Command `vstatics damage CASE RECORD.csv`: damage of components by a record of their torques."""
 
 from __future__ import annotations
 
