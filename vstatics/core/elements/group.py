@@ -45,7 +45,7 @@ class PlanetGroup:
         return {rim: planet for planet, rims in self.planets.items() for rim in rims}
 
     def teeth(self, rim: str) -> Fraction:
-        """Return the teeth of a rim, or 1 if not given, which changes no ratio of central gears."""
+        """Return the teeth of a rim; 1 if not given, which affects no ratio of central gears."""
         return self.planets[self.planet_of[rim]][rim] or Fraction(1)
 
     def is_known(self, planet: str) -> bool:

@@ -70,7 +70,7 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
 
 
 def _by_wheel(element: Element, planet: str) -> tuple[str, int, Fraction]:
-    """Return a central gear, its link, and a planet's relative speed per gear speed (Willis)."""
+    """Return a central gear, its link, and planet speed divided by gear speed, carrier held."""
     if not isinstance(element.shape, Planetary):
         first = element.shape.toothed[0]
         ratio = Fraction(element.teeth[first]) / Fraction(element.teeth[planet])
