@@ -220,7 +220,7 @@ class Spring(NamedTuple):
 
     @property
     def rate(self) -> float:
-        """Stiffness [N*m/rad], also from a compliance or strut; the largest slope of points."""
+        """Stiffness [N*m/rad]: given, from a compliance or strut, or the largest slope."""
         if self.strut:
             return self.strut.slope(self.strut.at)
         if self.points:
