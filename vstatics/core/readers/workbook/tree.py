@@ -84,7 +84,7 @@ class TreeOfSheets:
         return node
 
     def _check_names(self) -> None:
-        """Check the names of sheets; unknown names are allowed unless similar to a known name."""
+        """Check the names of sheets; unknown names are an error only if similar to a known name."""
         if self.sheets.keys().isdisjoint(SHEETS):
             names = ", ".join(map(quoted, SHEETS))
             self.document.stop(f"no sheet of a case, expected some of {names}", 0, 1)
