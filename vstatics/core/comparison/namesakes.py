@@ -160,7 +160,7 @@ def _in_turn(left: Sequence[Sequence[Key]]) -> dict[Key, str]:
 def _looks(
     case: Transmission, parts: Mapping[Key, _JoiningPart], known: Mapping[Key, str], *, exact: bool
 ) -> dict[Key, int]:
-    """Return a hash of the surroundings of each link and part, based on the names matched so far.
+    """Return a hash of the surroundings of each link and part, based on the names already matched.
 
     The hash of a link depends on its parts and the hash of a part on its links, so each round
     extends the surroundings by one connection.

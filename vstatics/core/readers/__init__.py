@@ -7,9 +7,9 @@
 >>> [gear.name for gear in reading.case.gears], reading.warnings
 (['low', 'high'], [])
 
-`load` reads a file, `loads` a text and `from_dict` a mapping. `named` reads YAML and JSON, `deck`
-reads decks; both record the places of values, and `reading` builds and checks the case. `workbook`
-converts sheets to nodes, which `named` reads. `expressions` reads formulas; `results` and
+`load` reads a file, `loads` a text and `from_dict` a mapping. `expressions` reads formulas. `named`
+reads YAML and JSON, `deck` reads decks; both record the places of values, and `reading` builds and
+checks the case. `workbook` converts sheets to nodes, which `named` reads. `results` and
 `sweep_tables` read written results.
 """
 

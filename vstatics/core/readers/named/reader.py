@@ -102,7 +102,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     ----------
     root : Node
     document : DocumentText
-        Text of the tree, with the problems found so far.
+        Text of the tree, with the problems already found.
 
     Raises
     ------
