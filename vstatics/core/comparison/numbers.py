@@ -182,8 +182,8 @@ def _lacking(
 ) -> Iterator[Difference]:
     """Yield a difference for a table that only one result has.
 
-    An empty table is ignored, because it is not printed. Tables that are not in the published
-    report are not expected in its listing.
+    An empty table is ignored, because it is not printed. A published listing contains only the
+    tables of the published report, so other tables do not count as missing.
     """
     is_new = quantity.name in actual.tables
     owner, other = (actual, expected) if is_new else (expected, actual)

@@ -39,7 +39,7 @@ class Drawing(DrawingFields):
 
     @cached_property
     def devices(self) -> Sequence[OwnDevice]:
-        """Gear sets and further mechanisms as devices with results, in the order of the solver."""
+        """Devices for which results are given: gear sets and mechanisms, in the solver's order."""
         return tuple(_devices(self.parts))
 
     def ratio_range(self, index: int) -> tuple[float, float]:

@@ -1,4 +1,4 @@
-"""Declarations of the numbers in a document, found by following its shape along their keys.
+"""Search for the declaration of a number in a document, by the keys of the number.
 
 A document is a case as YAML or JSON; its shape declares the keys and their values. `leaf_at` finds
 the declaration of a value by its keys, `bare_unit` the unit of a number that is written without a

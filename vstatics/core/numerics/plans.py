@@ -1,4 +1,4 @@
-"""Plans: a calculation recorded once, and run again on all variants that are like the first.
+"""Plans: calculations recorded for one variant and repeated on arrays of similar variants.
 
 A plan is the recorded arithmetic of one variant, which is repeated on arrays of all variants. It
 contains guards: conditions under which the arithmetic applies to a variant. For variants that fail

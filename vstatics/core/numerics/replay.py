@@ -117,7 +117,7 @@ class Replay(NamedTuple):
     layout: Layout
     """Division of the results into varying rows and constants."""
     plain_steps: Sequence[PlainStep]
-    """Steps in the form for floats."""
+    """Steps with the functions for floats."""
 
     def run(self, magnitudes: Floats, rows: Rows, passed: Booleans) -> None:
         """Write the results of all variants, and set `passed` to False where a guard fails.

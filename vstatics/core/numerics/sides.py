@@ -19,7 +19,7 @@ _CLOSER = np.linspace(0.0, 1.0, 9)
 _TIMES_CLOSER = 24
 """Number of refinements near an extremum, each of which makes the interval four times shorter."""
 _BISECTIONS = 100
-"""Number of bisections."""
+"""Number of bisections at a change of sign."""
 
 
 def changes_of_side(of: Sided, low: float, high: float) -> Floats:

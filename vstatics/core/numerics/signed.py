@@ -129,7 +129,7 @@ Either = float | Signed
 
 
 class Truth:
-    """Comparison that is true in some variants: left less than right, or not above.
+    """Comparison whose result can differ between variants: left < right, or left <= right.
 
     Converting it to a Python boolean gives its value in the first variant and records a guard,
     which excludes the variants that differ.
@@ -306,7 +306,7 @@ def size_of(number: Either) -> Either:
 
 
 Interval = tuple[float, float]
-"""Smallest and largest number."""
+"""Smallest and largest value of a number."""
 
 OPEN = -math.inf, math.inf
 """Interval without bounds."""

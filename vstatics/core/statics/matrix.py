@@ -50,7 +50,7 @@ class Variant(NamedTuple):
     columns: Sequence[Column]
     """Columns of the structural-distribution matrix without losses."""
     rows: Sequence[Column]
-    """Speed equations of the devices: coefficients of the link speeds, whose sum is 0."""
+    """Speed equation of each device: coefficients of the link speeds; right-hand side 0."""
 
 
 def variant_of(

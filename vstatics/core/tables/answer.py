@@ -61,9 +61,9 @@ Sometimes = Annotated[T | None, SOMETIMES]
 Flat = Annotated[T, FLAT]
 """Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]
-"""Type of an error message that, unless it is empty, replaces all keys except the first."""
+"""Type of an error message; unless it is empty, only it and the first key are written."""
 Unfailed = Annotated[T | None, UNFAILED]
-"""Type of a key that is None only if a `Failure` replaces the keys."""
+"""Type of a key whose value is None only in records with a `Failure`."""
 Count = Annotated[int, Words(minimum=0)]
 Known = Annotated[float, Words(type="number")]
 """Type of a number that is never null."""

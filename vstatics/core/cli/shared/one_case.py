@@ -26,7 +26,7 @@ from vstatics.core.tables.grid import Grid
 
 @contextmanager
 def problems_of(reading: Reading) -> Iterator[None]:
-    """Add the places in the file to all problems of a case that are raised in the block.
+    """Run the block; add the places in the file to the problems of a case raised in it.
 
     Raises
     ------

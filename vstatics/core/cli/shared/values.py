@@ -60,7 +60,7 @@ def value(
 
 
 def allowable(ids: Iterable[str]) -> tuple[str, ...]:
-    """Parse ids of warnings and notes, separate or comma-separated, in any case.
+    """Return ids of warnings and notes, given separately or with commas, in any letter case.
 
     Raises
     ------

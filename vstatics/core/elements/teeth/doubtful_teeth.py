@@ -32,7 +32,7 @@ _UNCHECKED: Mapping[str, Sequence[tuple[float, float]]] = {
     "bevel_pair": [(UNCUT, math.inf)] * 2,
     "worm": [(1, 4), (28, math.inf)],
 }
-"""Usual smallest and largest number of teeth of each gear, for kinds that are not checked."""
+"""Usual smallest and largest number of teeth of each gear, for kinds of gear set not checked."""
 
 
 def doubts(drawing: Drawing) -> Iterator[Problem]:

@@ -1,4 +1,4 @@
-"""Points grouped by part numbers, such as tooth numbers, which need a new case for each set.
+"""Groups of points with equal numbers of parts, such as teeth; each group needs its own case.
 
 `elements.part_numbers` lists the numbers of parts that can vary; the cases are created by methods
 of `Transmission`.
