@@ -3,7 +3,7 @@
 `messages` explains all errors, warnings and notes. `arguments` checks the arguments of Python
 functions, and `texts` translates into Russian. `numerics` solves equations, `model` defines the
 case, `statics` calculates the gears, and `elements` handles gear sets with teeth. `jobs` runs
-processes and opens files. `tables` lays out answers, `readers` reads cases, and `writers` writes
-cases and results. `flow`, `summary`, `comparison` and `explain` evaluate results, and `cli` is
-the command line. The annexes build on the core.
+processes and opens files. `tables` formats results as tables, `readers` reads cases, and `writers`
+writes cases and results. `flow`, `summary`, `comparison` and `explain` evaluate results, and `cli`
+is the command line. The annexes, optional packages such as `vstatics.torsion`, use the core.
 """

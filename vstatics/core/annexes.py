@@ -1,9 +1,9 @@
 """Registry of the annexes: optional packages such as `vstatics.torsion`, built on the core.
 
 Each annex declares its commands, public names, pictures, keys and schemas in an `Annex` record, in
-its module ``annex.py``. The core finds them here and nowhere else, so that an annex can be deleted.
-A record contains names of modules instead of objects. The modules are imported when they are
-needed, and the records when a name is not found in the core.
+its module ``annex.py``. The core finds them only through this registry, so that an annex can be
+deleted. A record contains names of modules instead of objects. Modules are imported when they are
+needed, and records when a name is not found in the core.
 
 >>> all(annex.name in _NAMES for annex in annexes())
 True
@@ -33,9 +33,9 @@ DOCUMENTS = MappingProxyType(
         "sweep file": ("sweep", (b"case",)),
     }
 )
-"""Annex of each kind of documents other than cases, with texts that identify the kind.
+"""Annex for each kind of document other than cases, with texts that identify the kind.
 
-All documents of the kind contain one of the texts, and hardly any case does.
+Every document of the kind contains one of these texts, but hardly any case does.
 """
 COMMANDS = MappingProxyType(
     {
@@ -63,54 +63,54 @@ PURPOSES = MappingProxyType(
         ),
     }
 )
-"""Annex that provides each other feature requested by name."""
+"""Annex that provides each further function or feature, by name."""
 
 
 class Command(NamedTuple):
     """Command of the program."""
 
     module: str
-    """Module to import for the command, which it defines as `NAME_command`."""
+    """Module that defines the command as `NAME_command`."""
     help: str
-    """Line in the list of commands."""
+    """Summary in the list of commands."""
     place: int
-    """Sort key in the list of commands, ascending."""
+    """Position in the list of commands (sort key, ascending)."""
 
 
 class PictureKind(NamedTuple):
     """Kind of picture drawn by `vstatics plot`."""
 
     module: str
-    """Module to import for drawing the picture."""
+    """Module that draws the picture."""
     help: str
-    """Description in the help of the command."""
+    """Description in the help text of the command."""
     place: int
-    """Sort key in lists of kinds, ascending."""
+    """Position in lists of kinds (sort key, ascending)."""
     title: str = ""
     """Heading of the picture on a page."""
     shows: str = "case"
-    """Subject: case, vibration (a converter can be open), run, or a kind of documents."""
+    """Subject of the picture: `case`, `vibration`, `run`, or a kind of document."""
     options: Sequence[str] = ()
-    """Special options of the kind, declared in `Annex.picture_options`."""
+    """Names of special options of the kind, declared in `Annex.picture_options`."""
     refused: Mapping[str, str] = _NOTHING
-    """Common options that the kind lacks, each with the reason."""
+    """Common options that the kind does not support, each with the reason."""
     reads: str = ""
-    """Name of the function that reads further files of the picture; empty without such files."""
+    """Name of the function that reads further files for the picture; empty if there are none."""
     plots: str = ""
-    """Name of the function that plots a document; empty for pictures of a case."""
+    """Name of the function that draws a document; empty for pictures of a case."""
     least_width: float = 0.0
     """Smallest width of the picture with readable labels. [mm]"""
     alike: bool = False
-    """True if pictures of two cases can be drawn to common scales."""
+    """True if pictures of two cases can be drawn with common scales."""
 
 
 class DocumentKind(NamedTuple):
-    """Kind of documents other than cases."""
+    """Kind of document other than cases."""
 
     note: str
-    """Message if the document is given instead of a case."""
+    """Message if a document of this kind is given where a case is required."""
     functions: Mapping[str, str] = _NOTHING
-    """Modules of the functions with which commands handle the document, by function name."""
+    """Modules of the functions with which commands process the document, by function name."""
 
 
 class Schema(NamedTuple):
@@ -118,51 +118,51 @@ class Schema(NamedTuple):
 
     module: str
     type: str
-    """Name of the type described; without `title`, of a function that returns the schema."""
+    """Name of the described type; without `title`, name of a function that returns the schema."""
     title: str = ""
     documents: bool = True
     """True if the type describes each document of a file, not the whole file."""
 
 
 class ReportPart(NamedTuple):
-    """Section on the page of a case."""
+    """Section on the HTML page of a case."""
 
     name: str
     """Heading of the section."""
     module: str
-    """Module with ``has_part(case, runs=...)`` and ``part(request)``."""
+    """Module that defines ``has_part(case, runs=...)`` and ``part(request)``."""
     place: int
-    """Sort key of the sections on the page, ascending."""
+    """Position of the section on the page (sort key, ascending)."""
     is_printed: bool = True
     """True if the section is part of a page by default."""
     scripts: str = ""
-    """Module with the `SCRIPTS` and the `STYLE` of a page with a simulation; empty without."""
+    """Module with `SCRIPTS` and `STYLE` for a page with a simulation; empty if there are none."""
 
 
 class Annex(NamedTuple):
     """Record of everything that an annex adds to the program.
 
-    Modules are given by their full names and imported on demand.
+    Modules are given by their full names and imported only when needed.
     """
 
     name: str
     """Name of the package in `vstatics`."""
     needs: tuple[str, ...] = ()
-    """Annexes from which this annex imports."""
+    """Names of annexes from which this annex imports."""
     commands: Mapping[str, Command] = _NOTHING
     """Commands of `vstatics`, by name."""
     names: Mapping[str, str] = _NOTHING
-    """Modules of the names that the annex adds to `vstatics`, by name."""
+    """Modules that define the names which the annex adds to `vstatics`, by name."""
     methods: Mapping[str, str] = _NOTHING
-    """Modules of the functions that the core or an earlier annex calls by name."""
+    """Modules that define functions which the core or another annex calls by name."""
     groups: Mapping[str, Mapping[str, tuple[str, str]]] = _NOTHING
     """Sub-commands of each command: module and line of help, by name."""
     own_names: Mapping[str, str] = _NOTHING
-    """Modules of the names that the annex package exports, by name."""
+    """Modules that define the names which the annex package exports, by name."""
     pictures: Mapping[str, PictureKind] = _NOTHING
     """Kinds of pictures, by the name of the kind."""
     picture_options: Mapping[str, str] = _NOTHING
-    """Options that only some kinds of pictures have, each with the message for other kinds.
+    """Options that only some kinds of pictures support, each with the message for other kinds.
 
     The message can name the kinds by ``{kinds}``.
     """
@@ -171,11 +171,11 @@ class Annex(NamedTuple):
     schemas: Mapping[str, Schema] = _NOTHING
     """JSON Schemas, by the name of the file in `schemas/`."""
     report: Mapping[str, ReportPart] = _NOTHING
-    """Sections for the page of a case, by the word that selects the section."""
+    """Sections for the HTML page of a case, by the word that selects the section."""
     keys: Mapping[str, str] = _NOTHING
-    """Modules whose `KEY` declares a key of a case, by the name of the key."""
+    """Modules whose `KEY` declares a key of a case, by name of the key."""
     types: Mapping[str, str] = _NOTHING
-    """Modules of types that appear in answers of the core or of other annexes, by name."""
+    """Modules that define types in records of the core or of other annexes, by name."""
 
 
 @cache
@@ -192,12 +192,12 @@ def annexes() -> tuple[Annex, ...]:
 
 
 def module(name: str) -> ModuleType:
-    """Import a record, or a module that a record names."""
+    """Return an imported module: a record, or a module named in a record."""
     return import_module(name)
 
 
 def _first(tables: Iterable[Mapping[str, Entry]], name: str) -> Entry | None:
-    """Return the entry of a name in the first table with the name."""
+    """Return the entry for a name in the first table that contains it; None if there is none."""
     return next((table[name] for table in tables if name in table), None)
 
 
@@ -232,17 +232,17 @@ def picture_options() -> Mapping[str, str]:
 
 
 def document_kind(kind: str) -> DocumentKind | None:
-    """Return the declaration of a kind of documents; None if no annex here declares it."""
+    """Return the declaration of a kind of document; None if no installed annex declares it."""
     return _first((annex.documents for annex in annexes()), kind)
 
 
 def module_of_key(key: str) -> str:
-    """Return the module that declares a key of a case; empty without the annex."""
+    """Return the module that declares a key of a case; empty if its annex is missing."""
     return _first((annex.keys for annex in annexes()), key) or ""
 
 
 def module_of_type(name: str) -> str:
-    """Return the module that defines a type in an answer; empty without the annex."""
+    """Return the module that defines a type in a record; empty if its annex is missing."""
     return _first((annex.types for annex in annexes()), name) or ""
 
 
@@ -254,7 +254,7 @@ def missing_command(name: str) -> str:
 
 
 def not_installed(what: str, annex: str) -> str:
-    """Return the message about a feature of a missing annex.
+    """Return the message about a feature whose annex is not installed.
 
     >>> not_installed("omega", PURPOSES["omega"])
     'omega belongs to vstatics.torsion, which is not installed here'
@@ -263,5 +263,5 @@ def not_installed(what: str, annex: str) -> str:
 
 
 def report_parts() -> Mapping[str, ReportPart]:
-    """Return the sections that annexes add to the page of a case."""
+    """Return the sections that annexes add to the HTML page of a case."""
     return {key: part for annex in annexes() for key, part in annex.report.items()}

@@ -24,15 +24,15 @@ from vstatics.core.suggestions import why_not_allowed
 def check(
     source: str | os.PathLike[str] | readers.Stream, *, allow: Sequence[str] = ()
 ) -> list[Problem]:
-    r"""Check a case or scenario, and return all errors, warnings and notes; a case is calculated.
+    r"""Check a case or scenario (a case is also calculated); return errors, warnings and notes.
 
     Parameters
     ----------
     source : path-like or stream
         Deck, YAML, JSON or workbook, or an open stream such as ``io.StringIO(text)``. A stream
-        without a name must not refer to files, so that untrusted text cannot open any.
+        without a name must not refer to files, so that untrusted text cannot open files.
     allow : sequence of str
-        Ids of warnings and notes to suppress, in addition to the `allow` of the case.
+        Ids of warnings and notes to suppress, in addition to the key `allow` of the case.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def check(
 
 
 def problems_of(data: bytes, file: str, allow: Sequence[str] = ()) -> list[Problem]:
-    """Return all problems of the content of a file, without suppressed ones of its gears."""
+    """Return all problems of the content of a file, without suppressed messages about gears."""
     try:
         if document_problems := document_function("document_problems", data, file):
             return [*document_problems(data, file)]

@@ -1,9 +1,9 @@
 """Errors and problems of the program, their places, and texts for messages.
 
-`VstaticsError` is the parent of all errors. `CaseError` is raised for an impossible transmission,
-`ReadError` for a text that cannot be read. Both have a list of `Problem`, because a run reports all
-problems at once. Only the command line prints; `printable` protects the terminal from text of
-unknown origin.
+`VstaticsError` is the base class of all errors. `CaseError` is raised for an impossible
+transmission, `ReadError` for a file that cannot be read or written. Both contain a list of
+`Problem`, because a run reports all problems together. Only the command line prints; `printable`
+protects the terminal from text of unknown origin.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from collections.abc import Container, Iterable, Sequence
 from typing import Literal, NamedTuple, Protocol, TypeVar
 
 Path = tuple[str | int, ...]
-"""Path of a value in a model, such as ``("mechanisms", 2, "ratio")``, with numbers from 1."""
+"""Path of a value in a model, such as ``("mechanisms", 2, "ratio")``; items count from 1."""
 
 
 Severity = Literal["error", "warning", "note"]
 SEVERITIES: dict[str, Severity] = {"E": "error", "W": "warning", "N": "note"}
-"""Severities by the first letter of an id."""
+"""Severity of a message, by the first letter of its id."""
 
 
 class Place(NamedTuple):
@@ -36,7 +36,7 @@ class Place(NamedTuple):
     text: str = ""
 
     def __str__(self) -> str:
-        """Return the place in the form that begins a message."""
+        """Return the place as text at the beginning of a message."""
         return f"{self.file}:{self.line}:{self.column}" if self.line else self.file
 
 
@@ -69,7 +69,7 @@ class CellPlace(Place):
 
 
 def excerpt(place: Place) -> tuple[str, str]:
-    """Return the part of a line around a place that fits on a terminal, and a caret for below.
+    """Return the part of a line around a place that fits a terminal, and a caret below it.
 
     >>> excerpt(Place("a.yaml", 2, 4, "B1: [rign, housing]"))
     ('B1: [rign, housing]', '   ^')
@@ -100,7 +100,7 @@ class Problem(NamedTuple):
     """
 
     id: str
-    """Id of the cause, independent of names: a letter for the severity and three digits."""
+    """Id of the cause: a letter for the severity and three digits, such as ``E190``."""
     message: str
     path: Path = ()
     place: Place | None = None
@@ -112,23 +112,23 @@ class Problem(NamedTuple):
 
     @property
     def told(self) -> str:
-        """Message followed by the id, as in answers."""
+        """Message followed by its id."""
         return f"{self.message} [{self.id}]"
 
     def __str__(self) -> str:
-        """Return the problem as a line in the format of a compiler, safe to print."""
+        """Return the problem as a line in the style of compilers, safe to print."""
         text = self.told
         if self.place is not None:
             return printable(f"{self.place}: {self.severity}: {text}")
         return printable(f"{path_text(self.path)}: {text}" if self.path else text)
 
     def in_file(self, file: str) -> Problem:
-        """Return the problem without path, as a problem of a whole file."""
+        """Return the problem as a problem of a whole file, without a path."""
         return self._replace(path=(), place=Place(file, 0, 0))
 
 
 class HasId(Protocol):
-    """Message with an id."""
+    """Interface of a message with an id."""
 
     @property
     def id(self) -> str:
@@ -144,12 +144,12 @@ def not_allowed(messages: Iterable[MessageType], allow: Container[str]) -> list[
 
 
 def of_file(identity: str, file: str, message: str) -> Problem:
-    """Return a problem of a whole file."""
+    """Return a problem whose place is a whole file."""
     return Problem(identity, message).in_file(file)
 
 
 class VstaticsError(Exception):
-    """Base class of all errors raised by this package on purpose."""
+    """Base class of all errors that this package raises intentionally."""
 
 
 class CaseError(VstaticsError):
@@ -181,20 +181,20 @@ class ReadError(CaseError):
 
 
 _OTHERS = "\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufeff"
-"""Characters unsafe in any output: control characters above ASCII, line separators, marks that
-reverse the direction of writing, and lone surrogates."""
+"""Characters that are unsafe in any output: control characters above ASCII, line separators, marks
+of writing direction, and lone surrogates."""
 _IN_LINE, _IN_LINES = f"[\0-\x1f{_OTHERS}]", f"[\0-\x08\x0b-\x1f{_OTHERS}]"
 
 
 def printable(text: str, *, lines: bool = False) -> str:
-    r"""Escape all characters that could control a terminal; JSON stays equivalent JSON.
+    r"""Return a text with all characters escaped that could control a terminal.
 
     Parameters
     ----------
     text : str
-        Text of unknown origin.
+        Text of unknown origin; JSON text remains equivalent JSON.
     lines : bool
-        Whether to keep line feeds and tabs.
+        True to leave line feeds and tabs unchanged.
 
     Examples
     --------
@@ -203,7 +203,7 @@ def printable(text: str, *, lines: bool = False) -> str:
     \u202eb
     """
     if (text.replace("\n", "") if lines else text).isprintable():
-        return text  # nearly all texts; the pattern below takes ten times as long
+        return text  # fast check; sufficient for nearly all texts
     pattern = _IN_LINES if lines else _IN_LINE
     return re.sub(pattern, lambda match: f"\\u{ord(match[0]):04x}", text)
 
@@ -224,7 +224,7 @@ def quoted(read: str) -> str:
 
 
 def spoken(names: Iterable[str], last: str = "and") -> str:
-    """Join names with commas and a word before the last name.
+    """Return names joined with commas, and a word before the last name.
 
     >>> spoken(["a"]), spoken(["a", "b"]), spoken(["a", "b", "c"], "or")
     ('a', 'a and b', 'a, b or c')
@@ -252,7 +252,7 @@ def count_of(noun: str, count: int) -> str:
 
 
 def typed_number(text: str, last: int) -> int | None:
-    """Return the number from 1 to `last` in a text, or None.
+    """Return the number from 1 to `last` given by a text; None for other texts.
 
     >>> typed_number("02", 3), typed_number("4", 3), typed_number("x", 3), typed_number("9" * 99, 3)
     (2, None, None, None)
@@ -264,5 +264,5 @@ def typed_number(text: str, last: int) -> int | None:
 
 
 def listed(names: Sequence[str], most: int = 8) -> str:
-    """Join at most `most` names with commas; three points mark omitted names."""
+    """Return at most `most` names joined with commas; three points mark omitted names."""
     return ", ".join(names[:most]) + (", ..." if len(names) > most else "")

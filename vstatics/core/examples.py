@@ -27,7 +27,7 @@ class ExampleFile(NamedTuple):
     """Example file that comes with the program."""
 
     name: str
-    """Path below `cases` without suffix, separated by `/`."""
+    """Path below the folder `cases`, without suffix and separated by `/`."""
     path: str
 
     def data(self) -> bytes:
@@ -61,7 +61,7 @@ def example(name: str | None = None) -> list[str] | Transmission | Any:
     Raises
     ------
     CaseError
-        If the example does not exist, with the nearest name.
+        If the example does not exist; the message suggests the nearest name.
     ReadError
         If the example is a scenario and simulation is not installed.
 
@@ -103,7 +103,7 @@ def example_file(name: str) -> ExampleFile:
 
 @cache
 def example_files() -> dict[str, ExampleFile]:
-    """Return all examples by name, cases before scenarios; YAML is preferred to a deck.
+    """Return all examples by name, cases before scenarios; a YAML file is preferred to a deck.
 
     >>> example_files()["mzkt7922"].path.endswith("mzkt7922.yaml")
     True

@@ -29,14 +29,14 @@ EXTRAS = {
     "xlsx": "openpyxl",
     "boxes": "numba",
 }
-"""Package that each extra installs."""
+"""Main package that each extra (group of optional dependencies) installs."""
 _IN_ROOMS = {"damage": "torsion"}
-"""Extra of subpackages with a different name."""
+"""Extra for each subpackage whose name is not that of its extra."""
 BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
 """Further packages that an extra installs."""
 
 SLOWER_WITHOUT = {"numba"}
-"""Packages without which the features of an extra work, but slowly."""
+"""Packages without which the features of an extra still work, but slowly."""
 
 
 def later(
@@ -51,7 +51,7 @@ def later(
     modules : mapping
         Modules that define the names.
     find : callable
-        Function that returns the module of any other name, or an empty text.
+        Function that returns the module of any other name; empty if unknown.
 
     Examples
     --------
@@ -71,28 +71,28 @@ def later(
 
 
 class AnyPicture(Protocol):
-    """Interface of `Picture`, for the core, which must not import pictures."""
+    """Interface of `Picture` for the core, which must not import the annex of pictures."""
 
     @property
     def figure(self) -> Figure:
         """Figure of matplotlib."""
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the picture to a file: SVG, PNG or PDF by the suffix."""
+        """Write the picture to a file: SVG, PNG or PDF, depending on the suffix."""
 
     def _repr_svg_(self) -> str: ...
 
 
 def higher(function: str, purpose: str = "") -> Any:
-    """Return a function of a higher package, to be called by a method of a lower package.
+    """Return a function of a higher package, which a method of a lower package can call.
 
     Parameters
     ----------
     function : str
         Name of the function in the record of the core or of an annex.
     purpose : str
-        Feature that needs the function, a key of `PURPOSES`, for the message about a missing
-        annex; by default the function.
+        Feature that needs the function, a key of `PURPOSES`, for the message about a missing annex.
+        Default: the name of the function.
 
     Raises
     ------
@@ -117,15 +117,15 @@ def higher(function: str, purpose: str = "") -> Any:
 
 @cache
 def build(*holding: bytes) -> str:
-    """Return a hash of all files of this package; calculations of equal builds are equal.
+    """Return a hash of all source files of this package, which identifies its build.
 
-    Every file is read, so the hash is used only if builds can meet: for `--resume`, the workers of
-    a cluster and cached machine code.
+    Builds with equal hashes calculate equal results. Because every file is read, the hash is used
+    only where builds could be mixed: for `--resume`, workers of a cluster and cached machine code.
 
     Parameters
     ----------
     *holding : bytes
-        Texts that select files: only files that contain any of them are hashed.
+        Texts that select files: only files that contain at least one of them are hashed.
 
     Examples
     --------
@@ -149,7 +149,7 @@ def build(*holding: bytes) -> str:
 
 
 def missing(extra: str, purpose: str) -> str:
-    """Return the message about a package to install for a purpose; empty if installed.
+    """Return the message about a package that a purpose needs; empty if it is installed.
 
     >>> missing("formula", "the formula") in (
     ...     "", 'the formula needs the package sympy: '
@@ -171,7 +171,7 @@ def _needs(purpose: str, package: str, extra: str) -> str:
 
 
 def needed(error: ImportError, purpose: str, module: str) -> Exception:
-    """Return the exception for a failed import: E014 for a package of an extra, else `error`.
+    """Return the exception for a failed import: E014 for a package of an extra, or `error`.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def needed(error: ImportError, purpose: str, module: str) -> Exception:
     purpose : str
         Feature that needs the package.
     module : str
-        Module of the feature, whose path decides between extras with the same package.
+        Module of the feature; its path decides between extras that contain the same package.
 
     Examples
     --------
@@ -213,12 +213,12 @@ def broken(error: BaseException) -> str:
 
 
 def require(extra: str, purpose: str) -> None:
-    """Check that the packages of an extra are installed, before anything is calculated.
+    """Check that the packages of an extra are installed, to fail before a calculation.
 
     Raises
     ------
     CaseError
-        If a package is missing, with the command to install it.
+        If a package is missing; the message contains the command to install it.
     """
     message = missing(extra, purpose)
     if message:

@@ -1,4 +1,4 @@
-"""Record of the core in the form of an annex: commands, public names, and other functions."""
+"""Record of the core, in the form of an annex record: commands, public names, functions."""
 
 from vstatics.core.annexes import Annex, Command
 
@@ -71,4 +71,4 @@ CORE = Annex(
         "with_part_numbers": "vstatics.core.elements.part_numbers",
     },
 )
-"""Record of the core; a module is imported when a name from it is used for the first time."""
+"""Record of the core; a module is imported when a name from it is first used."""

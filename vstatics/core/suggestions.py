@@ -1,4 +1,4 @@
-"""Suggestions for mistyped names: the nearest known name, and letters of another script."""
+"""Suggestions for mistyped names: similar known names, and letters of another script."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from vstatics.core.errors import quoted, spoken
 from vstatics.core.messages.catalogue import causes_of_allowable
 
 _LEAST_PART = 4
-"""Fewest letters of a part of a name that identify the name."""
+"""Smallest number of letters of a part of a name that identifies the name."""
 
 
 _LATIN = {
     "Cyrillic": ("АВЕКМНОРСТУХІЈЅԚԜаеорсухіјѕ", "ABEKMHOPCTYXIJSQWaeopcyxijs"),
     "Greek": ("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοιν", "ABEZHIKMNOPTYXoiv"),
 }
-"""Letters of other scripts, and the Latin letters of equal shape."""
+"""Letters of other scripts, and Latin letters that look the same."""
 _SCRIPTS = {letter: script for script, (letters, _) in _LATIN.items() for letter in letters}
 _LOOKS = str.maketrans(dict(pair for pairs in _LATIN.values() for pair in zip(*pairs, strict=True)))
 
 
 def lookalike(word: str, known: Iterable[str]) -> str:
-    """Return a hint to a known word of equal look in a different script; empty without one.
+    """Return a hint with a known word that looks the same in another script; empty if none does.
 
     >>> lookalike("\u0421_1", ["B", "C_1"])
     '; did you mean `C_1`? Letter 1, `\u0421`, is Cyrillic in what was read, but Latin in this name'
@@ -44,7 +44,7 @@ def lookalike(word: str, known: Iterable[str]) -> str:
 
 
 def mixed_letters(word: str) -> str:
-    """Return a hint on Cyrillic or Greek letters in a Latin word; empty for pure words.
+    """Return a hint on Cyrillic or Greek letters in a Latin word; empty for words in one script.
 
     >>> mixed_letters("k\u0435g"), mixed_letters("kg"), mixed_letters("\u0442\u043e\u043d")
     ('; letter 2, `\u0435`, is Cyrillic', '', '')
@@ -70,9 +70,9 @@ def _letters(word: str, places: Sequence[int]) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """Return a hint with the known word nearest to a mistyped word; empty without a near word.
+    """Return a hint with the known word most similar to a mistyped word; empty if none is similar.
 
-    The shortest known word that contains the mistyped word is preferred.
+    If known words contain the mistyped word, the shortest of them is suggested.
 
     >>> nearest("ratoi", ["ratio", "efficiency"]), nearest("eta", ["ratio", "ETA"])
     ('; did you mean `ratio`?', '; did you mean `ETA`?')
@@ -81,7 +81,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
     >>> nearest("xyz", ["ratio", "efficiency"])
     ''
     """
-    import difflib  # costs start-up time, and only mistakes need it
+    import difflib  # costs start-up time
 
     names = [*known]
     if alike := lookalike(word, names):
@@ -99,7 +99,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
 
 
 def why_not_allowed(identity: str) -> str:
-    """Return the reason why messages of an id cannot be suppressed; empty if possible.
+    """Return the reason why messages with an id cannot be suppressed; empty if they can.
 
     >>> why_not_allowed("E234"), why_not_allowed("W999")
     ('`E234` is an error, expected a warning or a note', 'there is no message `W999`')

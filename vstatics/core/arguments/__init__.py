@@ -1,8 +1,8 @@
 """Checks of the arguments of public functions, before anything is calculated.
 
-The types of the arguments declare what a function accepts; `refusing` enforces them with uniform
-messages (`decorators`, `types`, `words`). Functions check numbers and names themselves. `naming`
-replaces the options in problems by the arguments of Python.
+The annotated types declare the arguments that a function accepts; `refusing` enforces them with
+uniform messages (`decorators`, `types`, `words`). Functions check numbers and names themselves.
+`naming` replaces options in problems by the names of Python arguments.
 """
 
 from vstatics.core.arguments.decorators import naming, refuse_fields, refusing

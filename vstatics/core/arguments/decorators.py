@@ -1,4 +1,4 @@
-"""Decorators of public functions, which check types and name arguments in problems."""
+"""Decorators of public functions: checks of argument types, and names of arguments in problems."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Given = TypeVar("Given")
 
 
 def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Asked, Given]]:
-    """Return a decorator that refuses arguments of the wrong type.
+    """Return a decorator that raises an error for arguments of the wrong type.
 
     Parameters
     ----------
     **classes : str
-        Name of a type -> module, for types that the module of the function does not import.
+        Module of each type that the module of the function does not import, by name of the type.
 
     Examples
     --------
@@ -71,12 +71,12 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
 
 
 def refuse_fields(what: str, fields: object, types: Mapping[str, object], **classes: str) -> None:
-    """Refuse fields of a dataclass whose type differs from the declared type.
+    """Raise an error for fields of a dataclass whose values have another type than declared.
 
     Parameters
     ----------
     types : mapping
-        Types of some fields, instead of the declared types.
+        Types of fields that replace the declared types.
 
     Raises
     ------
@@ -89,7 +89,7 @@ def refuse_fields(what: str, fields: object, types: Mapping[str, object], **clas
 
 
 def naming(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
-    """Decorate a function so that problems name arguments instead of options.
+    """Decorate a function so that its problems name Python arguments instead of options.
 
     Examples
     --------
@@ -130,7 +130,7 @@ _OPTION = re.compile(r"(?<!\S)--([a-z][a-z-]*[a-z]|[a-z])\b")
 
 
 def _arguments(function: Callable[..., Any]) -> tuple[Sequence[str], bool]:
-    """Return the names of the arguments, and whether further ones are accepted."""
+    """Return the names of the arguments, and whether further arguments are accepted."""
     code = inspect.unwrap(function).__code__
     names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
     return names, bool(code.co_flags & inspect.CO_VARKEYWORDS)

@@ -1,4 +1,4 @@
-"""Comparison of values with the types that a function declares."""
+"""Comparison of values with the types that a function declares for its arguments."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOST = 1000
 
 
 class _AnnotationNames(dict[str, Any]):
-    """Names as annotations use them; unknown names stand for any type."""
+    """Mapping of names in annotations to types; an unknown name means any type."""
 
     def __init__(self, module: Mapping[str, Any], classes: Mapping[str, str]) -> None:
         super().__init__()
@@ -52,7 +52,7 @@ def hints(function: Any, classes: Mapping[str, str]) -> dict[str, Any]:
 
 
 def fits(given: object, hint: Any) -> bool:
-    """Return whether a value has a type, as far as visible without consuming the value.
+    """Return whether a value has a type, as far as can be checked without consuming an iterator.
 
     >>> fits([1, "R"], Sequence[int | str] | None), fits("12", Sequence[int | str])
     (True, False)
@@ -70,7 +70,7 @@ def fits(given: object, hint: Any) -> bool:
     elif kind.__module__ == "numpy":
         fit = _is_row(given) or _is_number(given) or hasattr(given, "__array__")
     elif issubclass(kind, Mapping):
-        fit = hasattr(given, "keys") and _parts_fit(given, parts)  # a table of pandas has keys, too
+        fit = hasattr(given, "keys") and _parts_fit(given, parts)  # pandas tables have keys, too
     elif is_of_rows(kind):
         fit = _is_row(given) and _each_fits(given, parts)
     else:
@@ -79,7 +79,7 @@ def fits(given: object, hint: Any) -> bool:
 
 
 def is_of_rows(kind: type) -> bool:
-    """Return whether a type is a sequence of any class, such as `Iterable`."""
+    """Return whether a type is a general sequence type, such as `Iterable`."""
     return kind.__module__ in {"collections.abc", "builtins"} and issubclass(kind, Iterable)
 
 

@@ -20,7 +20,7 @@ MAKERS = {
     "TorsionScheme": "vstatics.torsion.gear_scheme(case, gear) gives one",
     "Gear": "such as case.gears[0]",
 }
-"""Class -> advice on how to obtain an object."""
+"""Advice on how to obtain an object, by class name."""
 _WORDS = {
     float: "a number",
     int: "a whole number",
@@ -34,19 +34,19 @@ _WORDS = {
 
 
 def is_no_choice(given: object, hint: Any) -> bool:
-    """Return whether a value is a text where only certain texts are allowed."""
+    """Return whether a value is a text for which the type permits only certain texts."""
     return isinstance(given, str) and bool(_choices(hint))
 
 
 def _choices(hint: Any) -> list[str]:
-    """Return the allowed texts, if the type lists any."""
+    """Return the permitted texts, if the type lists any."""
     if typing.get_origin(hint) is Literal:
         return [str(choice) for choice in typing.get_args(hint)]
     return [word for part in typing.get_args(hint) for word in _choices(part)]
 
 
 def expected(given: object, hint: Any) -> str:
-    """Return the words for the expected type, with advice."""
+    """Return a phrase for the expected type, with advice."""
     if isinstance(given, str) and (choices := _choices(hint)):
         return f"expected {_words(hint)}{nearest(given, choices)}"
     if isinstance(given, os.PathLike) and fits("", hint):
@@ -65,7 +65,7 @@ def _words(hint: Any) -> str:
     if kind in (typing.Union, UnionType):
         alternatives = dict.fromkeys(_words(part) for part in parts if part is not NoneType)
         if "a path" in alternatives:
-            alternatives.pop("a text", None)  # a text is a written path
+            alternatives.pop("a text", None)  # a path is usually written as a text
         words = spoken(alternatives, "or")
     elif kind is Literal:
         words = spoken([repr(choice) for choice in parts], "or")
@@ -86,7 +86,7 @@ def _words(hint: Any) -> str:
 
 
 def type_and_value(given: object) -> str:
-    """Return type and value of an argument for a TypeError.
+    """Return type and value of an argument as text, for a TypeError.
 
     >>> type_and_value("box.yaml")
     "str 'box.yaml'"

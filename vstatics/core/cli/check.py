@@ -38,7 +38,7 @@ class ProblemRecord(NamedTuple):
     file: str
     """Name of the file as given, or `<stdin>` for standard input."""
     line: Annotated[int, Words(minimum=1)] | None
-    """Line, from 1; None for the file as a whole."""
+    """Line number, from 1; None for the file as a whole."""
     column: Annotated[int, Words(minimum=1)] | None
     severity: Severity
     message: str
@@ -69,7 +69,7 @@ FORMATS = ("text", "json", "github", "sarif", "junit")
 
 
 def constraints(file: str, results: Results) -> Grid:
-    """Return a table of the parts of a case and the constraints on speeds in each gear."""
+    """Return a table with the counts of parts of a case and of constraints in each gear."""
     case = results.case
     free = freedom(case)
     counts = [
@@ -110,7 +110,7 @@ def constraints(file: str, results: Results) -> Grid:
         faults += [CONFLICT.english] * bool(conflict)
         count = given_constraints(gear) + len(holding)
         converters = case.unloaded_converters(with_engaged(gear, holding))
-        needed = free + len(converters)  # these impose no constraint
+        needed = free + len(converters)  # converters impose no constraint
         state = f"{count} of {needed} constraints: {', '.join(faults) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
@@ -118,7 +118,7 @@ def constraints(file: str, results: Results) -> Grid:
 
 
 _ALL = "all"
-"""Value of `--explain` for all messages, also if the option has no value."""
+"""Value of `--explain` for all messages; also its default value."""
 
 
 def _ids() -> list[str]:
@@ -223,7 +223,7 @@ def _explained(asked: str, form: str) -> str:
 
 
 CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]
-"""Name of a checked file, problems, whether the check failed, and the table of constraints."""
+"""Name of a checked file, its problems, a flag for failure, and the table of constraints."""
 
 
 def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedFile]:
@@ -241,7 +241,7 @@ def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedF
 
 
 def _of_document(file: str) -> Callable[[str, CaseOptions], CheckedFile] | None:
-    """Return the function of an annex that checks a document, or None for a case."""
+    """Return the function of an annex that checks a document; None for a case."""
     check_document: Callable[[str, CaseOptions], CheckedFile] | None = None
     if file != files.STDIN:
         with contextlib.suppress(ReadError):
@@ -254,7 +254,7 @@ def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[P
 
 
 class _Once:
-    """Reported problems; a case that several scenarios name reports each of its problems once."""
+    """Record of reported problems, so that a case named by several scenarios reports each once."""
 
     def __init__(self) -> None:
         self._reported: set[tuple[str, str, str, int, int]] = set()
@@ -319,7 +319,7 @@ def _array(records: Iterable[tuple[object, ...]]) -> str:
 
 
 def _as_junit(by_file: Sequence[tuple[str, Sequence[Problem]]], telling: Telling) -> str:
-    """Return the outcome of each file for JUnit; warnings are failures with --strict only."""
+    """Return the outcome of each file as JUnit XML; warnings are failures only with --strict."""
     from vstatics.core.writers.junit import CaseOutcome, junit
 
     outcomes = []

@@ -147,7 +147,7 @@ def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
 
 
 def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:
-    """Return the lines about all cases that differ."""
+    """Return the lines of output about all cases that differ."""
     lay_out = layout.markdown if form == "markdown" else layout.text
     lines: list[str] = []
     for case in total.cases:
@@ -159,7 +159,7 @@ def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> li
 
 
 def _as_junit(total: Verdict) -> str:
-    """Return the outcome of each case for JUnit; changes of a case alone are not failures."""
+    """Return the outcome of each case as JUnit XML; changes of the case alone are not failures."""
     return junit(
         "vstatics compare",
         [

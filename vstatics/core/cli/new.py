@@ -30,11 +30,11 @@ TEMPLATES = (
     "input_split",
     "worm",
 )
-"""Names of templates, the simplest first; no shipped case has an equal name."""
+"""Names of templates, simplest first; they differ from the names of shipped cases."""
 
 
 def template(name: str, suffix: str = ".yaml") -> str:
-    """Return the text of a template or shipped case, as a deck if the case has a deck.
+    """Return the text of a template or shipped case; with a suffix `.dat`, as a deck if it exists.
 
     >>> template("ravigneaux").splitlines()[0]
     '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'
@@ -49,7 +49,7 @@ def template(name: str, suffix: str = ".yaml") -> str:
 
 
 def _known(name: str) -> str:
-    """Return the name of a template or shipped case; refuse unknown names with a hint.
+    """Return the name of a template or shipped case; an unknown name is an error with a hint.
 
     >>> _known("drive-axle"), _known("power_split")
     ('drive_axle', 'power-split')

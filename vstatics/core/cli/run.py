@@ -24,10 +24,10 @@ from vstatics.core.tables.grid import Grid
 from vstatics.core.texts import speaking
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
-"""Options of a rich console that writes plain text without colours into a file."""
+"""Options of a rich console for plain text without colours."""
 FORMATS = ("listing", "source", *formats.TABLES[1:], "parquet")
 MANY = 100
-"""Smallest number of cases for which all cores are used by default."""
+"""Number of cases from which all cores are used by default."""
 
 
 @command
@@ -137,7 +137,7 @@ def run_command(
 
 
 def _without_alias(wanted: OutputOptions) -> OutputOptions:
-    """Return the options with `--lang source` replaced by `-f source`.
+    """Return the output options with `--lang source` replaced by `-f source`.
 
     Raises
     ------
@@ -197,9 +197,9 @@ def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.Ca
 
 
 def _as_published(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
-    """Return the output of a case in the format `source`, the listing that Visual-Statics prints.
+    """Return the output of a case in the format `source`, the listing of Visual-Statics.
 
-    Efficiencies that the fields of the listing cannot hold are rounded, with a message.
+    A warning is added if the conventions of the listing change an efficiency.
 
     Raises
     ------

@@ -25,12 +25,12 @@ ANSWERS = {
     "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
     "exercise": ("A gear as an exercise, of vstatics explain --solution", SolvedExercise),
 }
-"""Title of a schema and type of its documents, by file, for output with a document per case."""
+"""Title and type of each schema, by file name, for output with one document per case."""
 OTHERS = {
     "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
     "compare": ("What changed between results, of vstatics compare", Verdict),
 }
-"""Title of a schema and type of its document, by file, for output with a single document."""
+"""Title and type of each schema, by file name, for output with a single document."""
 
 
 def schemas() -> dict[str, dict[str, Any]]:
@@ -56,7 +56,7 @@ def _of_annex(name: str, declared: Schema) -> dict[str, Any]:
 
 
 def text(schema: dict[str, Any]) -> str:
-    """Return the text of the file of a schema."""
+    """Return a schema as the text of its file."""
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 MOST_COMBINATIONS = 10_000
-"""Largest number of combinations of shift elements that are tried by default."""
+"""Largest number of combinations of shift elements that are calculated by default."""
 
 
 @command
@@ -129,7 +129,7 @@ def _of_boxes(
     summarized: Callable[[CalculatedCase, Results], Summary],
     to: Destination,
 ) -> int:
-    """Write the summaries of gearboxes found by synthesis: a table, or a series in JSON."""
+    """Write the summaries of gearboxes found by synthesis, as a table or as JSON."""
     if to.is_folder:
         message = f"found boxes give one table: expected -o FILE, not {to.output}"
         raise click.UsageError(message)
@@ -187,7 +187,7 @@ def _summarized(
     output_torque: float,
     reserve: float | None,
 ) -> Summary:
-    """Return the summary of a case; report too many combinations as a problem of the file."""
+    """Return the summary of a case; too many combinations are a problem of its file."""
     from vstatics.core.summary import summarize
 
     try:

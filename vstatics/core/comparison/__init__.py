@@ -1,4 +1,4 @@
-"""Comparison of written results: changes of the case, and the numbers that differ.
+"""Comparison of written results: changes of the case, and numbers that differ.
 
 `numbers` compares the tables of two results, after `namesakes` has matched renamed rows. `steps`
 compares step ratios, and `case_changes` compares the input data of the cases. `verdicts` combines

@@ -13,7 +13,7 @@ from vstatics.core.writers.named import mapping
 
 
 class CaseChange(NamedTuple):
-    """Changed value of a case; an expected or actual value is None if the case lacks it."""
+    """Changed value of a case; the expected or actual value is None if the key is missing."""
 
     path: str
     expected: Any
@@ -21,9 +21,9 @@ class CaseChange(NamedTuple):
 
 
 _WORDS = ("name", "description", "source")
-"""Keys without any effect on results."""
+"""Keys that never affect results."""
 _SETS = ("engaged", "open", "allow")
-"""Keys of lists whose order has no meaning."""
+"""Keys of lists whose order is irrelevant."""
 
 
 def case_changes(
@@ -31,8 +31,8 @@ def case_changes(
 ) -> Iterator[CaseChange]:
     """Yield all changes of a case, in the order of the keys.
 
-    An added or removed part is a single change. Numbers are compared as in results; see
-    `differences`.
+    An added or removed part is a single change. Numbers are compared with the tolerances of
+    results; see `differences`.
 
     Examples
     --------
@@ -46,14 +46,14 @@ def case_changes(
     data = [mapping(case) for case in (actual, expected)]
     plain = [mapping(case, units=False) for case in (actual, expected)]
     if any(units == relative for units, relative in zip(data, plain, strict=True)):
-        data = plain  # a deck has no units, so both cases are compared in relative values
+        data = plain  # a deck has no units, so relative values are compared
     ports = _ports(actual, expected), _ports(expected, actual)
     here, there = (_by_path({**case, **port}) for case, port in zip(data, ports, strict=True))
     yield from _changes((), here, there, atol, rtol)
 
 
 def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
-    """Return the names of the input and output links that the other case has, too."""
+    """Return the names of the input and output links that exist in the other case, too."""
     ports = {"input": case.link_name(case.input)}
     if not (case.outputs or other.outputs):
         ports["output"] = case.link_name(case.output)
@@ -61,7 +61,7 @@ def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
 
 
 def _by_path(case: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the data of a case by the first word of a path, without keys that have no effect."""
+    """Return the data of a case by the first key of paths, without keys that affect no result."""
     parts: dict[str, Any] = {}
     for key, value in case.items():
         if key in (*PARTS, "converters"):
@@ -90,7 +90,7 @@ def _changes(
         and isinstance(expected, list)
         and len(actual) == len(expected)
         and not any(isinstance(item, str) for item in (*actual, *expected))
-    ):  # paths contain the numbers of the items
+    ):  # the path of an item contains its number
         for number, (here, there) in enumerate(zip(actual, expected, strict=True), 1):
             yield from _changes((*path, str(number)), here, there, atol, rtol)
     else:

@@ -1,4 +1,4 @@
-"""Function `compare` for two results, two files of results, or two directories of such files."""
+"""Function `compare` for two results, two files or two directories of results."""
 
 from __future__ import annotations
 
@@ -38,16 +38,16 @@ def compare(
         Files written by `run` as a listing, JSON, JSON lines, CSV or Parquet; two files of sweeps;
         or two directories of such files.
     atol, rtol : float
-        Absolute tolerance, and tolerance relative to the expected number.
+        Absolute tolerance, in the unit of a number, and tolerance relative to the expected number.
     leave_out : str or iterable of str
         Tables that are not compared.
 
     Returns
     -------
     Verdict
-        Numbers of cases that are `same`, `changed`, `added`, `gone` or `unreadable`, and the
-        differences of each of the `cases`. Messages are not compared, nor are the name, description
-        and source of a case.
+        Counts of cases that are `same`, `changed`, `added`, `gone` or `unreadable`, and the
+        differences of each case in `cases`. Messages are not compared, nor are the name,
+        description and source of a case.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def compare(
 
 
 def _folder(given: Compared) -> str:
-    """Return the path of a directory, or an empty text for anything else."""
+    """Return the path of a directory; empty for anything else."""
     return "" if isinstance(given, Results) or not os.path.isdir(given) else os.fspath(given)  # noqa: PTH112
 
 

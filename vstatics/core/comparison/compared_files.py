@@ -23,9 +23,9 @@ from vstatics.core.tables.written_results import WrittenResult, WrittenSweep
 Content = list[WrittenResult] | WrittenSweep
 """Content of a compared file: results or a sweep."""
 SUFFIXES = known(("listing", "json", "jsonl", "csv", "parquet", "npz"))
-"""Suffixes of the files of a directory that are compared."""
+"""Suffixes of files that are compared if they are in a directory."""
 SEPARATORS = re.compile(r"[/\\]")
-"""Separator of folders in a path of any operating system."""
+"""Pattern of the separator of folders in paths of any operating system."""
 
 
 def content(data: bytes, file: str) -> Content:
@@ -34,7 +34,7 @@ def content(data: bytes, file: str) -> Content:
     Raises
     ------
     ReadError
-        If the file contains neither.
+        If the file contains neither results nor a sweep.
     """
     if sweep_tables.is_workbook(data):
         try:
@@ -54,7 +54,7 @@ def verdicts_of_files(
     Parameters
     ----------
     actual, expected : list of WrittenResult, or WrittenSweep
-        Contents of the same kind; an empty list is a missing file.
+        Contents of both files, of the same kind; an empty list means a missing file.
     names : (str, str)
         Names of the files.
     how : Tolerances
@@ -88,7 +88,7 @@ def verdicts_of_files(
 
 
 def sweep_alone(actual: Content, expected: Content, names: tuple[str, str]) -> str:
-    """Return the message about a sweep compared with results, otherwise an empty text."""
+    """Return the message that a sweep cannot be compared with results; empty if kinds agree."""
     sweeps = [isinstance(file, WrittenSweep) for file in (actual, expected)]
     if sweeps[0] == sweeps[1]:
         return ""
@@ -111,7 +111,7 @@ def _sweeps_compared(
 
 
 def _called(result: WrittenResult, way: str = "") -> str:
-    """Return the name of a result: the file without suffix, or the name of the case.
+    """Return the name of a result: its file without suffix, or the name of its case.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def _called(result: WrittenResult, way: str = "") -> str:
 
 
 def file_stem(file: str) -> str:
-    """Return the name of a file without folders and suffix, from any operating system."""
+    """Return the name of a file without folders and suffix, for paths of any operating system."""
     return os.path.splitext(SEPARATORS.split(file)[-1])[0]  # noqa: PTH122
 
 
@@ -135,7 +135,7 @@ _Key = tuple[str, int]
 
 
 def _counted(name: str, time: int) -> str:
-    """Return the name of a result, with the number of its occurrence if the name is repeated.
+    """Return the name of a result, with its occurrence number if the name is repeated.
 
     >>> _counted("box", 1), _counted("box", 2), _counted("box", 3)
     ('box', 'box (there twice)', 'box (there 3 times)')
@@ -148,10 +148,10 @@ def _counted(name: str, time: int) -> str:
 def _paired(
     actual: Sequence[WrittenResult], expected: Sequence[WrittenResult]
 ) -> list[dict[_Key, WrittenResult]]:
-    """Return the results of both sides by file or case name, whichever distinguishes more results.
+    """Return the actual and the expected results by file or case, whichever is more distinct.
 
-    Paths of files contain only as many folders as necessary, because the folders of the two sides
-    can differ.
+    Names of files contain only as many folders as necessary to distinguish them, because folders of
+    actual and expected files can differ.
     """
     sides = actual, expected
     paths = [[SEPARATORS.split(result.file) for result in side] for side in sides]
@@ -179,8 +179,8 @@ def _numbered(names: Iterable[str]) -> Iterator[_Key]:
 def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iterator[CaseVerdict]:
     """Yield the verdicts on the files of two directories, including unreadable files.
 
-    Files are paired by their relative paths without suffix. Results of a file with several results
-    are named by the file and the case.
+    Files are paired by their relative paths without suffix. If a file contains several results,
+    their names consist of file and case.
 
     Raises
     ------
@@ -214,7 +214,7 @@ def _verdicts_of_pair(name: str, paths: Sequence[str], how: Tolerances) -> Itera
         return
     try:
         parts = verdicts_of_files(contents[0], contents[1], (paths[0], paths[1]), how)
-    except ReadError as error:  # one file is a sweep and the other is not
+    except ReadError as error:  # only one of the files is a sweep
         yield unreadable(name, error.problems)
         return
     for part in parts:
@@ -222,7 +222,7 @@ def _verdicts_of_pair(name: str, paths: Sequence[str], how: Tolerances) -> Itera
 
 
 def _result_files(folder: str) -> dict[str, str]:
-    """Return the files of results below a folder, by relative path without the suffix if unique."""
+    """Return the files of results in a folder, by relative path (without suffix if unique)."""
     paths = []
     for place, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if not name.startswith(".")]

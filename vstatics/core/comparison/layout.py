@@ -17,13 +17,13 @@ from vstatics.core.tables.text import INDENT, TABLE_WIDTH, broken
 from vstatics.core.texts import tr
 
 CASE_LINES = 20
-"""Largest number of lines about a case, unless all lines are requested."""
+"""Largest number of lines about a case, unless all numbers are requested."""
 LONGEST_VALUE = 60
 """Largest number of characters of a value of the case; longer values are shortened."""
 Cells = tuple[str, str, str, str, str]
-"""Texts of a row: kind of the difference, place, expected value, actual value, deviation."""
+"""Texts of a row: table or other kind, place, expected value, actual value, deviation."""
 CHANGES = ""
-"""Kind of rows about changes of a case; it differs from every name of a table or column."""
+"""Kind of the rows about changes of a case, different from any name of a table or column."""
 
 
 def text(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
@@ -52,7 +52,7 @@ def text(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
 
 
 def markdown(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
-    """Return the lines of a verdict with a table in Markdown."""
+    """Return the lines of a verdict as Markdown with a table."""
     rows, further = _rows(verdict, all_numbers=all_numbers)
     name, _, says = verdict.headline.partition(": ")
     lines = [f"**{escaped(name)}**: {escaped(says)}"]
@@ -64,10 +64,10 @@ def markdown(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
 
 
 def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str]]:
-    """Return the shown rows, and the lines below: the number of omitted rows, or further errors.
+    """Return the rows to show, and lines below them: number of omitted rows, or further errors.
 
-    Differences of other tables are shown only if all ratios, steps and efficiencies agree. For a
-    sweep, differences of all columns are shown.
+    Ratios, steps and efficiencies are shown first; differences of other tables are shown only if
+    all of them agree. For a sweep, differences of all columns are shown.
     """
     if verdict.problems:
         return [], [*map(str, verdict.problems[1:])]
@@ -84,7 +84,7 @@ def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list
     first = [kind for kind in kinds if kind in PLURALS and not verdict.is_sweep] or [
         kind for kind in kinds if kind != CHANGES
     ]
-    # All kinds in turn, so that the first rows include every kind.
+    # Rows of all kinds alternate, so that the first rows include every kind.
     turns: Iterable[Any] = zip_longest(*([kind] * len(kinds[kind]) for kind in [CHANGES, *first]))
     order = [kind for turn in turns for kind in turn if kind is not None]
     taken = order[: CASE_LINES - 1 if len(order) == count < CASE_LINES else CASE_LINES - 2]
@@ -109,7 +109,7 @@ def _cells(difference: Difference, *, is_sweep: bool) -> Cells:
 
 
 def _numbers(old: float, new: float) -> tuple[str, str]:
-    """Format two numbers with enough digits that the texts differ."""
+    """Return two numbers as texts with enough digits to show their difference."""
     if old != old or new != new:  # noqa: PLR0124 - NaN
         first, second = (shown(x) if x != x else rounded(x) for x in (old, new))  # noqa: PLR0124
         return first, second
@@ -121,7 +121,7 @@ def _numbers(old: float, new: float) -> tuple[str, str]:
 
 
 def percent(deviation: float) -> str:
-    """Format a deviation in per cent with a sign; NaN gives an empty text.
+    """Return a deviation in % with its sign; empty for NaN.
 
     >>> percent(0.0065), percent(-1.5), percent(1e-9), percent(float("nan"))
     ('+0.65 %', '-150.00 %', '+1.0e-07 %', '')
@@ -135,7 +135,7 @@ def percent(deviation: float) -> str:
 
 
 def shown_values(old: Any, new: Any) -> tuple[str, str]:
-    """Format two values of a case, shortened to `LONGEST_VALUE`; None is an absent key."""
+    """Return two values of a case as texts, shortened to `LONGEST_VALUE`; None means no key."""
     texts = [
         value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
         for value in (tr(NOT_THERE) if value is None else value for value in (old, new))

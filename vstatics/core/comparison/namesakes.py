@@ -1,4 +1,4 @@
-"""Matching of renamed links and parts of two cases, by their connections."""
+"""Matching of links and parts of two cases that were renamed, by their connections."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from vstatics.core.tables.written_results import WrittenResult
 
 LINK = "link"
 ROUNDS = 4
-"""Number of connections up to which neighbours identify a link or part.
+"""Largest distance, in connections, of neighbours that identify a link or part.
 
-Links and parts farther away can have changed.
+Links and parts at a larger distance may differ between the cases.
 """
 Key = tuple[str, str]
-"""Kind and name of a link or part; the kind of a link is `LINK`."""
+"""Kind and name of a part, or `LINK` and the name of a link."""
 
 
 class _JoiningPart(NamedTuple):
@@ -24,9 +24,9 @@ class _JoiningPart(NamedTuple):
     name: str
     links: Sequence[int]
     data: object
-    """Data that distinguish parts with equal links."""
+    """Data that distinguish the part from other parts on the same links."""
     rows: Sequence[str]
-    """Names of the rows and columns of the part, including members of a gear set."""
+    """Names of the rows and columns for the part in tables, including members of a gear set."""
 
     @property
     def key(self) -> Key:
@@ -34,7 +34,7 @@ class _JoiningPart(NamedTuple):
 
 
 def renaming(actual: WrittenResult, expected: WrittenResult) -> Callable[..., str]:
-    """Return a function that translates row names of the actual result to the expected result."""
+    """Return a function that converts row names of the actual result to expected names."""
     if not (actual.case and expected.case):
         return lambda name, _rows="": name
     links, parts = row_names_of(actual.case, expected.case)
@@ -49,11 +49,11 @@ def renaming(actual: WrittenResult, expected: WrittenResult) -> Callable[..., st
 
 
 def row_names_of(actual: Transmission, expected: Transmission) -> tuple[dict[str, str], ...]:
-    """Match renamed rows of the actual result with rows of the expected result.
+    """Return the names in the expected case of renamed links and parts of the actual case.
 
-    Links and parts with equal names match. Other links and parts match if their connections and
-    data agree, or else if their connections agree. If equal numbers of a kind remain, they match in
-    order.
+    Links and parts with equal names match. Others match if their connections and data agree, or
+    else if their connections agree. Of the remaining links and parts, those of a kind match in
+    order if both cases have the same number of them.
 
     Returns
     -------
@@ -119,7 +119,7 @@ def _same(
     sides: Sequence[Mapping[Key, _JoiningPart]],
     names: Sequence[Sequence[Key]],
 ) -> dict[Key, str]:
-    """Return the name in the expected case of each matched link and part of the actual case."""
+    """Return the expected name of each matched link and part of the actual case."""
     same = {key: key[1] for key in names[0] if key in names[1]}
     exact = True
     while True:
@@ -141,7 +141,7 @@ def _same(
 
 
 def _pairs(left: Sequence[Sequence[Key]], looks: Sequence[Mapping[Key, int]]) -> dict[Key, str]:
-    """Match links and parts with equal unique hashes, otherwise the first two with equal hashes."""
+    """Return pairs of links and parts with equal, unique hashes; else one pair of equal hashes."""
     counts = [Counter(look[key] for key in keys) for keys, look in zip(left, looks, strict=True)]
     alike = [(new, old) for new in left[0] for old in left[1] if looks[0][new] == looks[1][old]]
     sure = [pair for pair in alike if all(count[looks[0][pair[0]]] == 1 for count in counts)]
@@ -160,10 +160,10 @@ def _in_turn(left: Sequence[Sequence[Key]]) -> dict[Key, str]:
 def _looks(
     case: Transmission, parts: Mapping[Key, _JoiningPart], known: Mapping[Key, str], *, exact: bool
 ) -> dict[Key, int]:
-    """Return a hash of the surroundings of each link and part; matched names count as known.
+    """Return a hash of the surroundings of each link and part, based on the names already matched.
 
     The hash of a link depends on its parts and the hash of a part on its links, so each round
-    extends the surroundings by one.
+    extends the surroundings by one connection.
     """
     links = {number: (LINK, name) for number, name in enumerate(_links(case), 1)}
     ports = {case.link_name(case.input): "input", case.link_name(case.output): "output"}

@@ -1,4 +1,4 @@
-"""Comparison of results number by number, for example with golden files in CI."""
+"""Comparison of results number by number, for example with expected results in CI."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ class Difference(NamedTuple):
     table: str
     row: str
     gear: str
-    """Name of the gear, or of the device in the distribution matrix."""
+    """Name of the gear; in the distribution matrix, of the device."""
     actual: float | str
-    """Actual number, NaN for a missing number, or a text about a whole gear, table or row."""
+    """Actual number (NaN if missing), or a text if a whole gear, table or row differs."""
     expected: float | str
 
     @property
     def deviation(self) -> float:
-        """Deviation [-] relative to the magnitude of the expected number, NaN if undefined."""
+        """Deviation relative to the magnitude of the expected number [-]; NaN if undefined."""
         if isinstance(self.actual, str) or isinstance(self.expected, str) or not self.expected:
             return math.nan
         deviation = (self.actual - self.expected) / abs(self.expected)
@@ -35,7 +35,7 @@ class Difference(NamedTuple):
 
     @property
     def shown_deviation(self) -> float:
-        """Deviation [-] to be printed; NaN also if the expected number is only rounding noise."""
+        """Deviation to be printed [-]; NaN also if the expected number is only a rounding error."""
         if not isinstance(self.expected, str) and abs(self.expected) <= ATOL:
             return math.nan
         return self.deviation
@@ -54,10 +54,10 @@ def differences(
 ) -> Iterator[Difference]:
     """Yield all differences between two results.
 
-    Numbers agree if ``|actual - expected| <= atol + rtol*|expected|``; a number from a listing can
-    also differ by half a unit of the last digit. A missing number agrees only with a missing
-    number. Tables that the listing of the source lacks are compared if both results have them.
-    Gears are matched by name if the results share a name, otherwise by number.
+    Numbers agree if ``|actual - expected| <= atol + rtol*|expected|``. A number from a listing can
+    also differ by half a unit of its last digit. A missing number agrees only with a missing
+    number. Tables that the published listing does not contain are compared if both results have
+    them. Gears are matched by name if the results have a common gear name, otherwise by number.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def differences(
 def same_gears(
     actual: WrittenResult, expected: WrittenResult
 ) -> Generator[Difference, None, tuple[WrittenResult, WrittenResult, Sequence[str]]]:
-    """Yield a difference for each unmatched gear, and return both results with the common gears.
+    """Yield a difference for each unmatched gear; return both results with common gears only.
 
     Returns
     -------
@@ -118,7 +118,7 @@ def same_gears(
 
 
 def _with_gears(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
-    """Return a result with selected gears; tables with other columns are unchanged."""
+    """Return a result with the given gears only; tables without gears are unchanged."""
     count, tables = len(result.gear_names), dict[str, Figures]()
     for key, rows in result.tables.items():
         is_by_gear = BY_NAME[key].columns != "devices" and all(len(row) == count for row in rows)
@@ -129,10 +129,10 @@ def _with_gears(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
 def _rows(
     quantity: Quantity, actual: WrittenResult, expected: WrittenResult
 ) -> list[Sequence[str]]:
-    """Return the row names of a table in both results; they are empty if a name is repeated.
+    """Return the row names of a table in both results; empty if a name is repeated.
 
-    Names that the result contains have priority over names from the case, because the rows of a
-    drawn case are not mechanisms.
+    Names in a result have priority over names from its case, because the rows of a drawn case are
+    not mechanisms.
     """
     both = actual, expected
     rows = [result.rows.get(quantity.name, ()) for result in both]
@@ -144,7 +144,7 @@ def _rows(
 
 
 def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
-    """Return the row names of a table from the case; empty if the number of rows differs."""
+    """Return the row names of a table according to the case; empty if their number differs."""
     case = None if result.is_of_source else result.case
     names = row_names(case, quantity.rows) if case else ()
     return names if len(names) == len(result.tables[quantity.name]) else ()
@@ -182,8 +182,8 @@ def _lacking(
 ) -> Iterator[Difference]:
     """Yield a difference for a table that only one result has.
 
-    An empty table does not count, because it is not printed. A listing of the source lacks all
-    tables that were not published.
+    An empty table is ignored, because it is not printed. A published listing contains only the
+    tables of the published report, so other tables do not count as missing.
     """
     is_new = quantity.name in actual.tables
     owner, other = (actual, expected) if is_new else (expected, actual)
@@ -194,7 +194,7 @@ def _lacking(
 
 
 class _PlaceNames:
-    """Names of the rows and columns of a table, or numbers if unknown."""
+    """Names of the rows and columns of a table; numbers if the names are unknown."""
 
     def __init__(self, quantity: Quantity, case: Transmission | None, gears: Sequence[str]) -> None:
         self.table = quantity.name
@@ -231,13 +231,13 @@ def _table(
 
 
 def is_same(actual: Figure, expected: Figure, atol: float, rtol: float) -> bool:
-    """Check that two numbers agree within the tolerances; see `differences`."""
+    """Return whether two numbers agree within the tolerances; see `differences`."""
     if math.isnan(actual.value) or math.isnan(expected.value):
         return math.isnan(actual.value) and math.isnan(expected.value)
-    slack = max(actual.slack, expected.slack) * (1 + ROUNDED_PART)  # half a digit is rounded itself
+    slack = max(actual.slack, expected.slack) * (1 + ROUNDED_PART)  # allow for rounding
     return abs(actual.value - expected.value) <= slack + atol + rtol * abs(expected.value)
 
 
 def shown(value: float) -> str:
-    """Return the text of a number in a difference."""
+    """Return a number as text, for the output of a difference."""
     return "no value" if math.isnan(value) else repr(value)

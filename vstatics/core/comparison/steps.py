@@ -12,7 +12,7 @@ from vstatics.core.summary.design_table import ranges_of
 from vstatics.core.tables.written_results import Figure, WrittenResult
 
 Steps = dict[tuple[str, str], Figure]
-"""Step ratios by the lower gear and the next gear."""
+"""Step ratios, by name of the lower gear and of the next gear."""
 
 
 def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | None) -> Steps:
@@ -24,8 +24,8 @@ def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | N
     gears : sequence of str
         Names of all gears of the result.
     case : Transmission or None
-        Case, which determines the gears between which steps are defined. Without a case, steps are
-        defined between all gears of one direction.
+        Case, which determines between which gears steps are defined. Without a case, steps are
+        defined between all neighbouring gears of one direction.
 
     Examples
     --------
@@ -61,9 +61,10 @@ def _step(lower: Figure, upper: Figure) -> Figure:
 def step_differences(
     actual: Steps, expected: Steps, ratios: Collection[str], atol: float, rtol: float
 ) -> Iterator[Difference]:
-    """Yield the differing steps of gears with differing ratios; `row` is the next gear.
+    """Yield the differing steps between gears with differing ratios; `row` is the next gear.
 
-    Other steps are not compared, so that results with equal tables never differ.
+    Steps between gears with equal ratios are not compared, so that results with equal tables never
+    differ.
 
     Parameters
     ----------

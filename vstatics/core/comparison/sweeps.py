@@ -1,4 +1,4 @@
-"""Comparison of sweeps, with variants matched by number and columns by name."""
+"""Comparison of sweeps; variants are matched by number, columns by name."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def sweep_places(
 ) -> Iterator[Difference]:
     """Yield all differences between two sweeps; `table` is the column, `row` the variant.
 
-    An unmatched variant has the table `variant`; the difference of an unmatched column has an empty
-    row.
+    The difference for an unmatched variant has the table `variant`; the difference for an unmatched
+    column has an empty row.
     """
     here, there = (
         {row: place for place, row in enumerate(_rows(sweep))} for sweep in (actual, expected)
@@ -52,7 +52,7 @@ def sweep_places(
 def sweep_counts(
     actual: WrittenSweep, expected: WrittenSweep, leave_out: Container[str] = ()
 ) -> dict[str, int]:
-    """Return the numbers of common variants, or common rows of gears, and of common columns."""
+    """Return the counts of common variants (or common rows of gears) and of common columns."""
     rows = {*_rows(actual)} & {*_rows(expected)}
     columns = actual.columns.keys() & expected.columns.keys()
     row = "row" if actual.gears or expected.gears else "variant"
@@ -60,7 +60,7 @@ def sweep_counts(
 
 
 def sweep_headline(differences: Sequence[Difference], counts: Mapping[str, int]) -> str:
-    """Summarise the differences between two sweeps in a line.
+    """Return a line that summarises the differences between two sweeps.
 
     >>> differences = [Difference("ratio[1]", "variant 3", "", 2.5, 2.0)]
     >>> differences += [Difference("variant", "variant 4", "", NOT_THERE, THERE)]
@@ -95,6 +95,6 @@ def _rows(sweep: WrittenSweep) -> list[tuple[str, str]]:
 
 
 def _table(column: str) -> str:
-    """Return the name of the table of a column, such as ``speeds[C1,low]``."""
+    """Return the name of the table to which a column such as ``speeds[C1,low]`` belongs."""
     quantity = BY_NAME.get(column.partition("[")[0])
     return quantity.name if quantity else ""

@@ -1,4 +1,4 @@
-"""Verdict on a result compared with the expected result, and verdict on many results."""
+"""Verdicts of a comparison: on a single result, and on many results."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from vstatics.core.texts import tr
 
 State = Literal["same", "changed", "added", "gone", "unreadable"]
 MAIN = ("ratio", "step", "efficiency")
-"""Names of the tables that are listed first."""
+"""Names of the tables whose differences are listed first."""
 PLURALS = {"ratio": "ratios", "step": "steps", "efficiency": "efficiencies"}
 
 
 class NumberRecord(NamedTuple):
-    """Differing number, as written in JSON."""
+    """Number that differs, as written in JSON."""
 
     table: str
     row: str | None
-    """Name of the row of the table, or number of the variant of a sweep."""
+    """Name of the row of a table, or number of the variant in a sweep."""
     gear: str | None
-    """Name of the gear, of the lower gear of a step ratio, or of a device (distribution matrix)."""
+    """Name of the gear (of a step ratio, the lower gear), or of a device (distribution matrix)."""
     expected: float | str | None
-    """Expected number, or a text about a whole table or row; None for a missing number."""
+    """Expected number, or a text if a whole table or row differs; None for a missing number."""
     actual: float | str | None
     deviation: float | None
     """Deviation relative to the magnitude of the expected number. [-]"""
@@ -45,19 +45,19 @@ class CaseVerdict(NamedTuple):
     name: str
     state: State
     changes: Sequence[CaseChange] | None = ()
-    """Changes of the case, or None if a result does not contain the case."""
+    """Changes of the case; None if a result does not contain its case."""
     differences: Sequence[Difference] = ()
-    """Differing numbers, the largest differences of each table first."""
+    """Numbers that differ, with the largest differences of each table first."""
     counts: Mapping[str, int] = {}
-    """Numbers of compared ratios, step ratios and efficiencies, or of variants and columns."""
+    """Counts of compared ratios, step ratios and efficiencies, or of variants and columns."""
     differs: bool = False
-    """True if results differ; changes of the case alone do not count."""
+    """True if the results differ; changes of the case alone do not count."""
     problems: Sequence[Problem] = ()
-    """Errors of unreadable results."""
+    """Errors of results that cannot be read."""
 
     @property
     def errors(self) -> Sometimes[Sequence[str]]:
-        """Problems in words, if there are any."""
+        """Problems as text, if there are any."""
         return [*map(str, self.problems)] or None
 
     @property
@@ -67,7 +67,7 @@ class CaseVerdict(NamedTuple):
 
     @property
     def numbers(self) -> Sequence[NumberRecord]:
-        """Differing numbers."""
+        """Numbers that differ, as records."""
         return [
             NumberRecord(
                 difference.table,
@@ -84,12 +84,12 @@ class CaseVerdict(NamedTuple):
 
     @property
     def is_sweep(self) -> bool:
-        """True if the tables are columns of a sweep, which can have any names."""
+        """True for a comparison of sweeps, whose tables are columns."""
         return "column" in self.counts
 
     @property
     def headline(self) -> str:
-        """Summary of the verdict in a line."""
+        """Summary of the verdict in a single line."""
         if self.state in ("added", "gone"):
             missing = "expected" if self.state == "added" else "actual"
             return f"{self.name}: {self.state} (no {missing} result)"
@@ -138,7 +138,7 @@ class Verdict(NamedTuple):
 
     @property
     def differs(self) -> bool:
-        """True if any result differs; changes of cases without effect do not count."""
+        """True if any result differs; changes of cases that do not affect results do not count."""
         return any(case.differs for case in self.cases)
 
     @property
@@ -148,19 +148,19 @@ class Verdict(NamedTuple):
 
     @property
     def some_unreadable(self) -> Sometimes[int]:
-        """Number of unreadable results, or None instead of 0."""
+        """Number of unreadable results; None instead of 0."""
         return self.unreadable or None
 
     @property
     def tally(self) -> str:
-        """Number of results in each state, in words."""
+        """Number of results in each state, as text."""
         counts = [*zip(self._fields[:4], self[:4], strict=True)]
         counts += [("unreadable", self.unreadable)] * bool(self.unreadable)
         return ", ".join(f"{count} {state}" for state, count in counts)
 
 
 def verdict(cases: Sequence[CaseVerdict]) -> Verdict:
-    """Combine and count verdicts on results.
+    """Return the verdict on many results, with counts of their states.
 
     >>> verdict([CaseVerdict("a", "same"), CaseVerdict("b", "gone", differs=True)])
     <Verdict: 1 same, 0 changed, 0 added, 1 gone>
@@ -183,7 +183,7 @@ def unreadable(name: str, problems: Sequence[Problem]) -> CaseVerdict:
 def compared(
     name: str, actual: WrittenResult | None, expected: WrittenResult | None, how: Tolerances
 ) -> CaseVerdict:
-    """Compare a result with the expected result, or with None if either is missing."""
+    """Return the verdict on a result and its expected result; either can be missing (None)."""
     if actual is None or expected is None:
         return CaseVerdict(name, "gone" if actual is None else "added", differs=True)
     if actual.is_of_source != expected.is_of_source and (actual.has_own or expected.has_own):
@@ -197,7 +197,7 @@ def compared(
 
 
 def largest_first(items: Iterable[Difference]) -> list[Difference]:
-    """Sort differences by table, ratios, steps and efficiencies first, then by size."""
+    """Return differences sorted by table (ratios, steps and efficiencies first), then by size."""
     numbers = [*items]
     order = [*MAIN, *dict.fromkeys(number.table for number in numbers)]
     numbers.sort(key=lambda number: (order.index(number.table), -_size(number)))
@@ -214,7 +214,7 @@ def _steps(
     unequal: Sequence[Difference],
     how: Tolerances,
 ) -> tuple[Sequence[Difference], dict[str, int]]:
-    """Return the differing steps, and the numbers of compared ratios, steps and efficiencies."""
+    """Return the step ratios that differ, and counts of compared ratios, steps and efficiencies."""
     gears = [_gears(result) for result in (actual, expected)]
     if not {*gears[0]} & {*gears[1]} and len(gears[0]) == len(gears[1]):
         gears[0] = gears[1]

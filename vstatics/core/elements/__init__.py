@@ -7,13 +7,13 @@
 >>> [(mechanism.name, mechanism.ratio) for mechanism in case.mechanisms]
 [('P', -2.5)]
 
-This room is for cases that are drawn as gear sets instead of given as three-link mechanisms.
-`kinds` declares the kinds of gear sets, `element` holds the gear sets of a case, `keys` their keys
-in YAML and JSON, `group` gives exact ratios of planets on a carrier, `lower` converts gear sets to
-three-link mechanisms, and `drawing` makes a transmission of them. `checks` and `teeth` report
-impossible and doubtful gear sets; `planet_inertia` gives the motion of planet masses, and
-`planet_bodies` the inertias of links that replace them, for vibration and motion. `part_numbers`
-lists the numbers of gear sets and other parts by their paths.
+This package supports cases that are drawn as gear sets instead of given as three-link mechanisms.
+`kinds` declares the kinds of gear sets, `element` defines the gear sets of a case, `keys` their
+keys in YAML and JSON. `group` calculates exact ratios of planets on a carrier, `lower` converts
+gear sets to three-link mechanisms, and `drawing` creates a transmission from them. `checks` and
+`teeth` report impossible and doubtful gear sets. For vibration and motion, `planet_inertia`
+calculates the motion of planet masses, and `planet_bodies` the inertias of links that replace them.
+`part_numbers` lists the numbers of gear sets and other parts by their paths.
 """
 
 from vstatics.core.elements.drawing import Drawing, transmission

@@ -1,7 +1,8 @@
 """Checks of gear sets before the conversion to mechanisms; problems have paths.
 
-The reader has checked keys and types of values. Conditions on the geometry of teeth, without which
-a case can still be calculated, are in `teeth`. Stiffnesses and planet masses are checked here.
+The reader has already checked keys and types of values. This module checks whether mechanisms can
+be calculated, including stiffnesses and planet masses. Doubtful geometry of teeth, which does not
+prevent a calculation, is reported by the package `teeth`.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from vstatics.core.suggestions import nearest
 
 
 def problems(drawing: DrawingFields) -> Iterator[Problem]:
-    """Yield every error of the gear sets, in their order."""
+    """Yield the errors of all gear sets, in the order of the case."""
     yield from _mesh_efficiency(drawing.mesh_efficiency, ())
     yield from _friction(drawing)
     for number, element in enumerate(drawing.elements, 1):
@@ -40,7 +41,7 @@ def problems(drawing: DrawingFields) -> Iterator[Problem]:
 
 
 def hints(drawing: DrawingFields) -> Iterator[Problem]:
-    """Yield notes on unused or equal gears, shared planets, missing losses and teeth."""
+    """Yield warnings and notes on unused or equal gears, shared planets and missing values."""
     for number, element in enumerate(drawing.elements, 1):
         if element.kind in ("belt", "chain") and element.efficiency is None:
             message = (
@@ -72,7 +73,7 @@ def hints(drawing: DrawingFields) -> Iterator[Problem]:
 
 
 def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
-    """Note central gears with a ratio of 1 between them."""
+    """Report pairs of central gears that rotate at equal speeds, because their ratio is 1."""
     for train in group.trains:
         seen: dict[Fraction, str] = {}
         for wheel in group.wheels_of(train):
@@ -87,7 +88,7 @@ def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
 
 
 def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
-    """Note gear sets that share a central gear and the carrier, like halves of a Ravigneaux set."""
+    """Report gear sets that share a central gear and the carrier, as in a Ravigneaux set."""
     sets = (
         (
             number,
@@ -142,7 +143,7 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _friction(drawing: DrawingFields) -> Iterator[Problem]:
-    """Report rings with too few teeth for the efficiency of standard teeth."""
+    """Report rings with too few teeth to calculate their efficiency from friction."""
     for number, element in enumerate(drawing.elements, 1):
         losses = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
         if losses.friction is None or "internal" in losses.given or element.efficiency is not None:
@@ -233,7 +234,7 @@ def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
 def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
     """Report members on the same link, which would be locked up or immobile."""
     if element.kind == GROUP:
-        return  # two gears on one link can mesh with planets of different trains
+        return  # two gears on the same link can mesh with planets of different trains
     seen: dict[int, str] = {}
     for member in kind.members:
         link = element.members.get(member)
@@ -280,7 +281,7 @@ def _teeth(
 
 
 def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
-    """Check the data of a gear set for vibration."""
+    """Report errors in the vibration data of a gear set: stiffness, damping, planet masses."""
     yield from of_elastic(element.stiffness, element.damping, path)
     if not element.planet_masses:
         return
@@ -317,7 +318,7 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Problem]:
-    """Check data for vibration that depend on the mechanisms and planet speeds of the gear set.
+    """Report errors in vibration data that depend on the mechanisms and planet speeds.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A drawing of gear sets, and the devices for which results are given: members, planets, meshes."""
+"""Drawing of a case as gear sets, and its devices: members, planets and meshes with results."""
 
 from __future__ import annotations
 
@@ -34,16 +34,16 @@ class Drawing(DrawingFields):
 
     @cached_property
     def parts(self) -> Sequence[DrawnPart]:
-        """Gear sets and mechanisms, each with the mechanisms of the solver."""
+        """Gear sets and further mechanisms, each with the mechanisms derived for the solver."""
         return parts(self)
 
     @cached_property
     def devices(self) -> Sequence[OwnDevice]:
-        """Gear sets and mechanisms, in the order of the mechanisms of the solver."""
+        """Devices for which results are given: gear sets and mechanisms, in the solver's order."""
         return tuple(_devices(self.parts))
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Return the bounds of the ratio of a mechanism, which follow from the kind of gear set.
+        """Return the bounds of the ratio of a mechanism, given by the kind of gear set.
 
         >>> from vstatics.core.elements.element import Element
         >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
@@ -61,12 +61,12 @@ class Drawing(DrawingFields):
         return problems(self)
 
     def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
-        """Return the fields of a case that follow from the drawing: links, link names, mechanisms.
+        """Return the fields of `Transmission` given by the drawing: links, link names, mechanisms.
 
         Parameters
         ----------
         link_names : sequence of str
-            Names of the case's own links; missing names are link numbers.
+            Names of the links of the case; a missing name is replaced by the link number.
         """
         numbers = [str(number) for number in range(len(link_names) + 1, self.links + 1)]
         planets = [f"{part.name}.{planet}" for part in self.parts for planet in part.planet_links]
@@ -96,7 +96,7 @@ def transmission(
     shift_elements : sequence of ShiftElement, optional
         Clutches, brakes and freewheels.
     link_names : sequence of str, optional
-        Names of the case's own links.
+        Names of the links of the case, without planets.
     **others
         Further arguments of `Transmission`: gears, input, output and others.
 
@@ -128,12 +128,12 @@ def transmission(
 
 
 def drawing_of(case: Transmission) -> Drawing | None:
-    """Return the drawing of a case, if the case is drawn."""
+    """Return the drawing of a case; None for a case without gear sets."""
     return case.drawing if isinstance(case.drawing, Drawing) else None
 
 
 def parts_of(case: Transmission) -> Sequence[DrawnPart]:
-    """Return the parts of any case, from the drawing or the mechanisms."""
+    """Return the gear sets and mechanisms of any case, drawn or not."""
     return (drawing_of(case) or Drawing(case.links, (), case.mechanisms)).parts
 
 
@@ -157,7 +157,7 @@ def _devices(drawn: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
 
 
 def _meshes(part: DrawnPart) -> tuple[bool, ...]:
-    """Return for each mesh whether the teeth of the first gear are known."""
+    """Return whether the teeth of the first gear are known, for each mesh of a part."""
     if part.element is None or not part.planet_links:
         return ()
     group = group_of(part.element)

@@ -1,4 +1,4 @@
-"""Gear sets of a case as drawn, with teeth, instead of three-link mechanisms."""
+"""Gear sets of a case as drawn in a stick diagram, with teeth."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vstatics.core.elements.kinds import KINDS, Kind, Planetary
 from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping, Mechanism, damping
 
 Losses = Literal["meshes", "reduced"]
-"""Place where losses are calculated: at each mesh, or in as few mechanisms as the speeds need."""
+"""Place of the losses: at each mesh, or in the smallest number of equivalent mechanisms."""
 
 
 class CentralWheel(NamedTuple):
@@ -27,7 +27,7 @@ class CentralWheel(NamedTuple):
     internal : bool
         True for a ring gear, False for a sun gear.
     rim : str
-        Name of the planet rim that meshes with the gear.
+        Name of the planet gear (rim) that meshes with the gear.
 
     Examples
     --------
@@ -52,7 +52,7 @@ class PlanetMass(NamedTuple):
     mass : float
         Mass of the planet. [kg]
     radius : float
-        Distance of the pin from the axis of the set; needed with a mass. [m]
+        Distance of the planet pin from the axis of the gear set; required with a mass. [m]
 
     Examples
     --------
@@ -68,8 +68,8 @@ class PlanetMass(NamedTuple):
 class MeshEfficiency(NamedTuple):
     """Efficiency of a single mesh with both axes held [-].
 
-    The default values are those of the published comparison of loss models; the page Elements lists
-    all sources.
+    The default values are from a published comparison of loss models; the page Elements of the
+    documentation lists all sources.
 
     Examples
     --------
@@ -84,7 +84,7 @@ class MeshEfficiency(NamedTuple):
 
 @dataclass(frozen=True)
 class Element:
-    """Gear set of a case, drawn as one symbol.
+    """Gear set of a case: a single symbol of the stick diagram.
 
     Parameters
     ----------
@@ -95,30 +95,32 @@ class Element:
     members : mapping of str to int
         Link of each member; 0 is the housing.
     teeth : mapping of str to number
-        Teeth of gears and of rims of planets (diameters of a belt drive).
+        Number of teeth of each gear or planet rim; diameters for a belt drive, in any unit.
     planets : int, optional
-        Number of planets, or of sets of meshed planets, around the axis; for the checks of teeth.
+        Number of planets around the axis, or of sets of planets in mesh; used in checks of teeth.
     efficiency : float, optional
-        Efficiency of the whole gear set with the carrier held. Default: from the meshes. [-]
+        Efficiency of the whole gear set with the carrier held. Default: calculated from the meshes.
+        [-]
     back_efficiency : float, optional
-        Efficiency of a worm pair that the wheel drives. [-]
+        Efficiency of a worm pair driven by its wheel; 0 if self-locking. [-]
     mesh_efficiency : mapping of mesh to float
         Fields of `MeshEfficiency` that replace the efficiencies of the case. [-]
     rims : mapping of planet to its rims with their teeth
-        Toothed rims of each planet of a `planet_group`.
+        Names and teeth of the rims (gears) of each planet of a `planet_group`.
     wheels : sequence of CentralWheel
         Central gears of a `planet_group`.
     meshes : sequence of pairs of rims
-        Planets of a `planet_group` that mesh with each other.
+        Rims of planets of a `planet_group` that mesh with each other.
     stiffness : float, optional
         Stiffness of a gear set with a single mechanism, for vibration: torque on its first member
-        divided by the twist of the mechanism's row. Default: rigid. [N*m/rad]
+        divided by the elastic deflection of that member with the others held. Default: rigid.
+        [N*m/rad]
     damping : Damping or float
         Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     planet_masses : mapping of planet to PlanetMass
-        Mass data of each of the `planets`, for vibration.
+        Mass and inertia of each planet (the set has `planets` of them), for vibration.
     ratios : mapping of sun to number
-        Ratios, sun to ring with the carrier held, of a Ravigneaux set with unknown teeth. [-]
+        Speed ratios of a Ravigneaux set with unknown teeth: sun to ring with the carrier held. [-]
 
     Examples
     --------
@@ -154,30 +156,31 @@ class Element:
 
     @property
     def planet_names(self) -> tuple[str, ...]:
-        """Names of the planets, under `rims` for a group; empty for a gear set without planets."""
+        """Names of the planets (the keys of `rims` for a `planet_group`); empty without planets."""
         if isinstance(self.shape, Planetary):
             return tuple(self.rims or self.shape.planets)
         return ("planet",) if "planet" in self.shape.toothed else ()
 
     def link(self, member: str) -> int:
-        """Return the link of a member, the housing if the member is absent."""
+        """Return the link number of a member; 0, the housing, if the member is absent."""
         return self.members.get(member, HOUSING)
 
 
 @dataclass(frozen=True)
 class DrawingFields:
-    """Drawing of a case: gear sets and further mechanisms; see `Drawing`.
+    """Fields of `Drawing`: gear sets of a case and its further mechanisms.
 
     Parameters
     ----------
     links : int
-        Number of the case's own links; links of planets follow.
+        Number of links of the case, without links of planets, which follow.
     elements : sequence of Element
         Gear sets.
     mechanisms : sequence of Mechanism
         Mechanisms that the case gives directly.
     losses : {"meshes", "reduced"}, optional
-        Place of the losses. Default: ``meshes`` for gear sets with shared planets.
+        Place of the losses. Default: ``meshes`` for gear sets in which more than two central gears
+        share planets, else ``reduced``.
     mesh_efficiency : mapping of mesh to float
         Fields of `MeshEfficiency` that replace the defaults. [-]
     """

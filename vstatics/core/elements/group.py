@@ -1,8 +1,8 @@
 """Group of planets on one carrier: exact ratios between central gears and planets.
 
-Every planetary kind is such a group. Relative to the carrier the group is an ordinary gear train:
-two bodies in mesh have speeds in the inverse ratio of their teeth, of opposite sign in an external
-mesh (Willis).
+Every kind of planetary gear set is such a group. Relative to the carrier the group is an ordinary
+gear train: the speeds of two gears in mesh are inversely proportional to their teeth, and have
+opposite signs in an external mesh (Willis).
 """
 
 from __future__ import annotations
@@ -24,13 +24,14 @@ class PlanetGroup:
     Parameters
     ----------
     carrier : int
-        Link that bears the planets.
+        Link that carries the planets.
     wheels : sequence of CentralWheel
         Sun gears and ring gears.
     planets : mapping of planet to its rims with their teeth
-        Teeth are None if they are not given and no ratio of central gears needs them.
+        Rims (gears) of each planet, with teeth; None if not given, which is possible if no ratio of
+        central gears depends on them.
     meshes : sequence of pairs of rims
-        Planets that mesh with each other.
+        Rims of planets that mesh with each other.
     """
 
     carrier: int
@@ -40,27 +41,28 @@ class PlanetGroup:
 
     @cached_property
     def planet_of(self) -> dict[str, str]:
-        """Planet of each rim."""
+        """Name of the planet to which each rim belongs."""
         return {rim: planet for planet, rims in self.planets.items() for rim in rims}
 
     def teeth(self, rim: str) -> Fraction:
-        """Return the teeth of a rim, or 1 if not given, which changes no ratio of central gears."""
+        """Return the teeth of a rim; 1 if not given, which affects no ratio of central gears."""
         return self.planets[self.planet_of[rim]][rim] or Fraction(1)
 
     def is_known(self, planet: str) -> bool:
-        """Return whether all teeth of a planet are given."""
+        """Return whether the teeth of all rims of a planet are given."""
         return all(self.planets[planet].values())
 
     @cached_property
     def trains(self) -> list[dict[str, Fraction]]:
-        """Trains of planets in mesh, directly or not, with relative speeds.
+        """Trains of planets that mesh directly or through others, with relative speeds.
 
-        In each train the first planet has speed 1 relative to the carrier.
+        Each train is a mapping of planets to their speeds relative to the carrier, if the first
+        planet has speed 1.
 
         Raises
         ------
         ValueError
-            If planets mesh in a ring that cannot turn.
+            If planets mesh in a closed loop that cannot turn.
         """
         neighbours: dict[str, list[tuple[str, Fraction]]] = {planet: [] for planet in self.planets}
         for rim, other in self.meshes:
@@ -95,7 +97,7 @@ class PlanetGroup:
     def relative(self, wheel: CentralWheel, train: Mapping[str, Fraction]) -> Fraction:
         """Return the speed of a central gear relative to the carrier.
 
-        The first planet of the train has speed 1.
+        The speed is relative to the speed of the first planet in the train, which is 1.
 
         >>> sun = CentralWheel("sun", 1, 30, False, "planet")
         >>> group = PlanetGroup(3, [sun], {"planet": {"planet": Fraction(15)}})
@@ -105,7 +107,7 @@ class PlanetGroup:
         return train[self.planet_of[wheel.rim]] * self.mesh_ratio(wheel)
 
     def mesh_ratio(self, wheel: CentralWheel) -> Fraction:
-        """Return the speed of a central gear divided by the planet's, relative to the carrier."""
+        """Return the speed of a central gear divided by the speed of its planet, carrier held."""
         ratio = self.teeth(wheel.rim) / wheel.teeth
         return ratio if wheel.internal else -ratio
 
@@ -121,7 +123,7 @@ class PlanetGroup:
         return self.relative(first, train) / self.relative(second, train)
 
     def path(self, first: str, second: str) -> list[tuple[str, str]]:
-        """Return the meshes on the shortest way between two planets."""
+        """Return the meshes, as pairs of rims, on the shortest path between two planets."""
         ways: dict[str, list[tuple[str, str]]] = {first: []}
         waiting = [first]
         while waiting and second not in ways:
@@ -169,7 +171,7 @@ def group_of(element: Element) -> PlanetGroup:
 
 
 def _proportions(ratios: Mapping[str, float]) -> dict[str, int]:
-    """Return numbers of teeth, of any size, with exactly the given ratios of suns to the ring.
+    """Return tooth numbers, however large, with exactly the given ratios of suns to the ring.
 
     >>> _proportions({"small_sun": 2.5, "large_sun": -2.0})
     {'ring': 10, 'small_sun': 4, 'large_sun': 5}
@@ -180,7 +182,7 @@ def _proportions(ratios: Mapping[str, float]) -> dict[str, int]:
 
 
 def _rim_teeth(element: Element, wheels: Sequence[CentralWheel], rim: str) -> Fraction | None:
-    """Return the teeth of a rim: given, or between a sun and a ring."""
+    """Return the teeth of a rim: given, or half the difference of a ring and a sun."""
     if rim in element.teeth:
         return Fraction(int(element.teeth[rim]))
     around = {wheel.internal: wheel.teeth for wheel in wheels if wheel.rim == rim}

@@ -1,4 +1,4 @@
-"""Checks of groups of planets before the conversion to mechanisms; problems have paths."""
+"""Checks of planet groups before their conversion to mechanisms; problems state paths."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from vstatics.core.suggestions import nearest
 LARGEST_WHEEL = 10**6
 """Largest permitted number of teeth or diameter, far above any real gear.
 
-Ratios can still be calculated at this size.
+Ratios of such numbers are still exact.
 """
 
 MOST_PLANET_KINDS = 20
-"""Most kinds of planets on a carrier; real groups have two or three."""
+"""Largest number of different planets on a carrier; real groups have two or three."""
 
 
 def rims(element: Element, path: Path) -> Iterator[Problem]:
-    """Check the rims of a group of planets: names must be unique."""
+    """Report wrong or repeated names of the planet rims (gears) of a group."""
     seen = {}
     for planet, rims_of_planet in element.rims.items():
         place = (*path, "rims", planet)
@@ -47,7 +47,7 @@ def rims(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Problem]:
-    """Check sizes and names of central gears, and the rims of all meshes."""
+    """Report wrong sizes or names of central gears, and unknown rims in meshes."""
     named: list[tuple[Path, str]]
     named = [((*wheel_path(element, wheel), "rim"), wheel.rim) for wheel in element.wheels]
     for number, pair in enumerate(element.meshes, 1):
@@ -80,7 +80,7 @@ def wheel_path(element: Element, wheel: CentralWheel) -> Path:
 
 
 def whole(element: Element, path: Path) -> Iterator[Problem]:
-    """Check a group as a whole: speeds, meshes and efficiency."""
+    """Report errors that concern a whole group: its speeds, meshes and efficiency."""
     group = group_of(element)
     if len(group.planets) > MOST_PLANET_KINDS:
         message = f"read {len(group.planets)} planets, expected at most {MOST_PLANET_KINDS}"
@@ -108,7 +108,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
             names = " and ".join(train)
             message = f"{count} central gear meshes with planet {names}, expected two or more"
             yield Problem("E328", f"{message}; is a mesh between planets missing?", path)
-    is_single = bool(element.ratios)  # with ratios, the efficiency is that of each ratio
+    is_single = bool(element.ratios)  # the efficiency applies to each of several given ratios
     if element.efficiency is not None and not is_single and (max(counts) > 2 or len(counts) > 1):
         message = "read one efficiency for several power paths; give `mesh_efficiency` instead"
         yield Problem("E329", message, (*path, "efficiency"))
@@ -117,7 +117,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[Problem]:
-    """Report central gears that are on the carrier's link, lack room or block the planets."""
+    """Report central gears that are on the carrier's link, have no room or block the planets."""
     for wheel in group.wheels:
         place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:

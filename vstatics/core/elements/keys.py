@@ -1,6 +1,7 @@
 """Keys of gear sets in YAML and JSON, derived from the declaration of their kinds.
 
-The keys differ from the attributes of `Element`; `record_of` and `element_of` convert between them.
+Some keys differ from the attributes of `Element`; `record_of` and `element_of` convert between a
+mapping with the keys (record) and an `Element`.
 """
 
 from __future__ import annotations
@@ -151,7 +152,7 @@ def _record(name: str, kind: Kind) -> ByKey:
 
 
 def _planet(names: Sequence[str] = ()) -> KeyShape:
-    """Return the key for the masses of planets, by name if a gear set has several kinds."""
+    """Return the declaration of the key for planet masses, by planet if there are several."""
     shape: Shape = ByName("planet", _PLANET_MASS)
     if len(names) == 1:
         shape = _PLANET_MASS
@@ -244,7 +245,7 @@ DRAWN = (
 
 
 def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
-    """Return the shape of a case, extended by the keys of gear sets.
+    """Return the declaration of the keys of a case, extended by the keys of gear sets.
 
     `links` and `mechanisms` become optional. `elements` is required only if `required` is true.
     """
@@ -256,7 +257,7 @@ def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
 
 
 def record_of(element: Element) -> dict[str, Any]:
-    """Return a gear set as a mapping with the keys of a document; links are given by number."""
+    """Return a gear set as a record, a mapping with the keys of a case file; links are numbers."""
     record: dict[str, Any] = {
         "kind": element.kind,
         **element.members,
@@ -280,7 +281,7 @@ def record_of(element: Element) -> dict[str, Any]:
 
 
 def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
-    """Return the masses of planets as written in a case: a single planet has no name."""
+    """Return planet masses as in a case file, where a single planet needs no name."""
     masses = element.planet_masses
     if element.kind == GROUP or len(element.planet_names) > 1:
         return dict(masses)
@@ -288,7 +289,7 @@ def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
 
 
 def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    """Return the gear set of a record; gears of a planet group are named after the case's links."""
+    """Return the gear set of a record; gears of a planet group are named after their links."""
     kind = record["kind"]
     efficiency, back = record.get("efficiency"), record.get("back_efficiency")
     if isinstance(efficiency, dict):
@@ -314,7 +315,7 @@ def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) 
 
 
 def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterator[CentralWheel]:
-    """Yield suns, then rings, named after their links, with a suffix where names coincide."""
+    """Yield suns, then rings, named after their links, with suffixes to make names unique."""
     gears = [(wheel, internal) for key, internal in _WHEELS for wheel in record.get(key, ())]
     links = Counter(wheel["link"] for wheel, _ in gears)
     taken = {"carrier", *record.get("rims", ())}

@@ -1,7 +1,7 @@
 """Kinds of gear sets: their members, their gears, and the meshes between them.
 
-Only this module knows the structure of a planetary or a Ravigneaux set; readers, the schema of
-cases, the conversion and the checks follow from it.
+The structure of a planetary or Ravigneaux set is declared only here; readers, the schema of cases,
+the conversion and the checks are derived from it.
 """
 
 from __future__ import annotations
@@ -11,19 +11,19 @@ from typing import NamedTuple
 
 
 class WheelKind(NamedTuple):
-    """Central gear, internal or external, and the planet rim in mesh."""
+    """Central gear of a kind of gear set: internal or external, and the planet rim in mesh."""
 
     internal: bool
     rim: str
 
 
 def sun(rim: str) -> WheelKind:
-    """Return a central gear inside the planets."""
+    """Return the declaration of a sun gear in mesh with a planet rim."""
     return WheelKind(internal=False, rim=rim)
 
 
 def ring(rim: str) -> WheelKind:
-    """Return a central gear around the planets."""
+    """Return the declaration of a ring gear in mesh with a planet rim."""
     return WheelKind(internal=True, rim=rim)
 
 
@@ -33,11 +33,11 @@ class Planetary(NamedTuple):
     Attributes
     ----------
     wheels : mapping of member to WheelKind
-        Central gears, in the order of the links of the mechanism.
+        Central gears, in the order of the links of the derived mechanism.
     planets : mapping of planet to its rims
-        All rims of a planet rotate together.
+        Rims (gears) of each planet, which rotate together.
     meshes : pairs of rims
-        Planets that mesh with each other.
+        Rims of different planets that mesh with each other.
     optional : set of members
         Central gears that a transmission can leave out.
     """
@@ -50,28 +50,28 @@ class Planetary(NamedTuple):
 
     @property
     def members(self) -> tuple[str, ...]:
-        """Members that name links."""
+        """Names of the members that are on links: central gears and the carrier."""
         return (*self.wheels, "carrier")
 
     @property
     def toothed(self) -> tuple[str, ...]:
-        """Names with teeth, central gears before rims of planets."""
+        """Names of toothed gears: central gears, then rims of planets."""
         return (*self.wheels, *(rim for rims in self.planets.values() for rim in rims))
 
 
 class Simple(NamedTuple):
-    """Kind without a group of planets: two gears, a shaft, a support.
+    """Kind of gear set without a group of planets, such as a gear pair, a shaft or a support.
 
     Attributes
     ----------
     members : names
-        First, second and third link of the mechanism; missing links are the housing.
+        Members on the first, second and third link of the mechanism; a missing link is the housing.
     toothed : names
-        Names with teeth; the first and the last determine the ratio.
+        Names of toothed gears; the first and the last gear determine the ratio.
     sign : int
         Sign of ``w_first/w_second`` with the third link held.
     meshes : sequence of str
-        Meshes in the path of power: fields of `MeshEfficiency`.
+        Meshes that the power passes, as fields of `MeshEfficiency`.
     size : str
         Measure of size, ``teeth`` or ``diameters``; empty without a ratio.
     """
@@ -174,6 +174,6 @@ KINDS: Mapping[str, Kind] = {
     ),
     "held": Simple("A link that is held for good.", ("link",)),
 }
-"""Every kind, by name in a case."""
+"""All kinds of gear sets, by their name in a case."""
 
 GROUP, RAVIGNEAUX = "planet_group", "ravigneaux"

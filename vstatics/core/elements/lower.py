@@ -1,10 +1,10 @@
 """Conversion of gear sets to the three-link mechanisms of the solver.
 
-A group of planets becomes mechanisms in one of two ways. *Reduced*: between central gears, as few
-as the speeds need. *At the meshes*: its planets are links too, and each mesh is a mechanism
-(central gear, planet, carrier). Without losses both are equivalent. With losses and shared planets
-only the second is right, because power can pass the planets in ways that the first cannot
-distinguish.
+A group of planets is converted in one of two ways. *Reduced*: a mechanism between each central gear
+and a reference gear, the smallest number that determines the speeds. *At the meshes*: planets
+become links, and each mesh is a mechanism (central gear, planet, carrier). Without losses both are
+equivalent. With losses, if more than two central gears share planets, only the mechanisms at the
+meshes are right, because the reduced mechanisms do not show which meshes the power passes.
 """
 
 from __future__ import annotations
@@ -27,12 +27,13 @@ class Lowered(NamedTuple):
 
     mechanism: Mechanism
     members: tuple[str, str, str]
-    """Members or planets of the gear set on the mechanism's links; empty if absent."""
+    """Names of the members or planets on the links of the mechanism; empty without a link."""
 
     def ratio_range(self, element: Element) -> tuple[float, float]:
-        """Return the open interval of the mechanism's ratio for any teeth.
+        """Return the open interval of the ratios that are possible with any teeth.
 
-        The sign follows from the kind. A ring is larger than a sun with the same planets.
+        The kind of gear set determines the sign. A ring is larger than a sun that meshes with the
+        same planets.
         """
         least, most = 0.0, math.inf
         if isinstance(element.shape, Planetary):
@@ -44,17 +45,17 @@ class Lowered(NamedTuple):
 
 
 class DrawnPart(NamedTuple):
-    """Gear set with the mechanisms that result from it, or a mechanism given directly."""
+    """Gear set with the mechanisms derived from it, or a mechanism given directly by the case."""
 
     name: str
     element: Element | None
     lowered: tuple[Lowered, ...]
     planet_links: Mapping[str, int]
-    """Links of planets, including planets with unknown teeth."""
+    """Numbers of the links of planets, including planets with unknown teeth."""
 
     @property
     def members(self) -> dict[str, int]:
-        """Links of the members of the gear set, without planets."""
+        """Numbers of the links of members of the gear set, without planets."""
         links: dict[str, int] = {}
         for mechanism, members in self.lowered:
             for member, link in zip(members, mechanism.links, strict=True):
@@ -67,7 +68,7 @@ class DrawnPart(NamedTuple):
 
 
 def parts(drawing: DrawingFields) -> list[DrawnPart]:
-    """Return the parts of a drawing; links of planets are numbered last."""
+    """Return the gear sets and mechanisms of a drawing; links of planets are numbered last."""
     drawn = []
     last = drawing.links
     for element in drawing.elements:
@@ -81,7 +82,7 @@ def parts(drawing: DrawingFields) -> list[DrawnPart]:
 
 
 def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> bool:
-    """Return whether the losses of a group are calculated at each mesh."""
+    """Return whether the losses of a group of planets are calculated at each mesh."""
     if element.efficiency is not None:
         return False
     if drawing.losses is None:
@@ -125,7 +126,7 @@ def _simple(element: Element, kind: Simple, per_mesh: MeshLosses) -> Lowered:
 
 
 def simple_ratio(element: Element, kind: Simple) -> Fraction:
-    """Return ``w_first/w_second`` with the third link held, the inverse ratio of the sizes.
+    """Return ``w_first/w_second`` with the third link held, from tooth numbers or diameters.
 
     >>> from vstatics.core.elements.kinds import KINDS
     >>> pair = Element("G", "gear_pair", {"first": 1, "second": 2}, {"first": 20, "second": 41})
@@ -139,7 +140,7 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
 
 
 def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Yield pairs of a central gear and the reference gear of its ratio, for all trains."""
+    """Yield each central gear with the reference gear of its train, for a reduced mechanism."""
     for train in group.trains:
         wheels = group.wheels_of(train)
         if len(wheels) < 2:
@@ -151,7 +152,7 @@ def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWhe
 
 
 def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iterator[Lowered]:
-    """Yield mechanisms from each central gear of a train to a reference gear."""
+    """Yield the reduced mechanisms, from each central gear of a train to its reference gear."""
     pairs = [*reduced_pairs(group)]
     for wheel, reference in pairs:
         single = len(pairs) == len(group.trains) == 1
@@ -183,8 +184,8 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
     """Return the speed ratio of a central gear to its planet; None if teeth are unknown.
 
-    The ratio is also None for a planet that fills the gap of a plain set: the solver derives it,
-    also for any other ratio of the set in a sweep.
+    The ratio is also None for a single planet between a sun and a ring, because the solver derives
+    it from the ratio of the set, even if a sweep varies that ratio.
     """
     if not group.is_known(group.planet_of[wheel.rim]):
         return None
@@ -196,7 +197,7 @@ def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> floa
 def _meshes(
     element: Element, group: PlanetGroup, links: Mapping[str, int], per_mesh: MeshLosses
 ) -> Iterator[Lowered]:
-    """Yield a mechanism for each mesh; the planets are links."""
+    """Yield a mechanism for each mesh, with planets as links."""
 
     def mesh(first: str, link: int, planet: str, ratio: Fraction, efficiency: float) -> Lowered:
         is_known = all(group.is_known(member) for member in (first, planet) if member in links)
@@ -240,7 +241,7 @@ def _efficiency_of_planets(
 
 
 def _teeth(group: PlanetGroup, rim: str) -> float | None:
-    """Return the teeth of a rim: given, or between a sun and a ring; else None."""
+    """Return the teeth of a rim, given or derived from a sun and a ring; None if unknown."""
     if group.is_known(group.planet_of[rim]):
         return float(group.teeth(rim))
     suns, rings = (

@@ -1,13 +1,13 @@
 """Efficiency of single meshes: given by the case, or calculated from teeth and friction.
 
-Friction is calculated with Ohlendorf's loss factor H (Niemann, Winter, Maschinenelemente II). If
-the pairs of teeth in contact share the load equally, the efficiency of a mesh is
-``eta = 1 - pi mu (1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 + e1^2 + e2^2``. Here mu is the
-coefficient of friction, z1 and z2 are the numbers of teeth, and e1 and e2 the contact ratios at
-the tips; the minus applies to an internal mesh.
-Standard teeth without profile shift are assumed: 20 degrees, addendum 1, the tip of a ring at z -
-2. The formula is exact while e1 and e2 are at most 1; the tips of most rings reach a little
-further, which makes the result conservative.
+Friction losses follow from Ohlendorf's loss factor H (Niemann, Winter, Maschinenelemente II). If
+the pairs of teeth in contact share the load equally, the efficiency of a mesh is ``eta = 1 - pi mu
+(1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 + e1^2 + e2^2``. Here mu is the coefficient of friction,
+z1 and z2 are the numbers of teeth, and e1 and e2 the contact ratios at the tips; the minus applies
+to an internal mesh. Standard teeth without profile shift are assumed: a pressure angle of 20
+degrees, an addendum of one module, and a tip diameter of z - 2 modules for a ring of z teeth. The
+formula is exact while e1 and e2 are at most 1; the tips of most rings reach a little further, which
+makes the result conservative.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from vstatics.core.elements.element import MeshEfficiency
 PRESSURE_ANGLE = math.radians(20)
 """Pressure angle of standard teeth. [rad]"""
 LEAST_RING = 34
-"""Least number of teeth of a ring whose tips are outside its base circle."""
+"""Smallest number of teeth of a ring whose tips are outside its base circle."""
 
 
 class MeshLosses(NamedTuple):
     """Losses of the meshes of a gear set."""
 
     numbers: MeshEfficiency
-    """Efficiencies where friction does not apply. [-]"""
+    """Efficiencies of meshes to which the coefficient of friction does not apply. [-]"""
     friction: float | None = None
     """Coefficient of friction of the teeth [-], if given."""
     given: frozenset[str] = frozenset()
@@ -52,7 +52,7 @@ class MeshLosses(NamedTuple):
 
 
 def mesh_losses(case: Mapping[str, float], element: Mapping[str, float]) -> MeshLosses:
-    """Return the losses of meshes from the numbers of a case and of a gear set.
+    """Return the mesh losses that result from the numbers of a case and of a gear set.
 
     Friction of a gear set takes precedence over efficiencies of the case.
 
@@ -87,7 +87,7 @@ def mesh_efficiency(
 
 
 def tip_contact(teeth: float, *, is_ring: bool = False) -> float:
-    """Return the contact ratio from the tip of a gear to the pitch point [-].
+    """Return the part of the contact ratio between the tip of a gear and the pitch point [-].
 
     Examples
     --------

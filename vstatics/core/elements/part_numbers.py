@@ -27,44 +27,44 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 _ELSEWHERE = (
     *("ratio", "efficiency", "stiffness", "compliance", "damping", "inertia", "speed_ratio"),
 )
-"""Keys of numbers that can vary without a new case, because the solver accepts arrays of them."""
+"""Keys of numbers that are left out, because they can vary without creating a new case."""
 _TORQUE = "relative_torque"
 
 
 class PartNumber(NamedTuple):
-    """Number of a gear set, shift element or mechanism, or of all gear sets together."""
+    """Number of a gear set, shift element or mechanism, or of all gear sets in common."""
 
     keys: Keys
-    """Keys in the document: `("elements", "P1", "teeth", "sun")`."""
+    """Keys of the number in a case file, such as `("elements", "P1", "teeth", "sun")`."""
     kind: str
-    """Kind of the number in the declaration of keys."""
+    """Kind of the number, as declared for its key."""
 
     @property
     def measure(self) -> Measure | None:
-        """Unit of the number; None for a number without a unit."""
+        """Measure (and so unit) of the number; None for a number without a unit."""
         if self.kind == _TORQUE:
             return "si_torque"
         return self.kind if self.kind in get_args(Measure) else None  # type: ignore[return-value] # as it says
 
     @property
     def expected(self) -> str:
-        """Phrase for the values that the number can have, in messages."""
+        """Phrase that describes the permitted values, for messages."""
         return "a whole number" if self.kind == "count" else "a finite number"
 
     def impossible(self, values: Floats) -> Booleans:
-        """Return marks of values that the number can never have."""
+        """Return marks of values that are never valid for the number."""
         wrong = ~np.isfinite(values)
         return wrong | (values != np.rint(values)) if self.kind == "count" else wrong
 
     def written(self, value: float) -> float:
-        """Return a value in SI units as the part stores it."""
+        """Convert a value in SI units to the unit in which the part stores it."""
         if self.kind == _TORQUE:
             return OfLoad(value, 1.0)
         return int(value) if self.kind == "count" else value
 
 
 def part_numbers(case: Transmission) -> dict[str, PartNumber]:
-    """Return the numbers of all parts of a case by their paths, including omitted numbers.
+    """Return the numbers of all parts of a case by path, including numbers that the case omits.
 
     >>> from vstatics import Gear
     >>> from vstatics.core.elements import Drawing, Element, transmission
@@ -89,7 +89,7 @@ def _numbers(case: Transmission) -> Iterator[tuple[Keys, Leaf]]:
 
 
 def _shape(key: str, part: Any) -> Shape:
-    """Return the declared keys of a part."""
+    """Return the declaration of the keys of a part."""
     if key == "elements":
         return ELEMENT.records[part["kind"]]
     return declared.MECHANISM if key == "mechanisms" else declared.ELEMENT
@@ -103,7 +103,7 @@ def own_part_number(case: Transmission, number: PartNumber) -> float | None:
 
 
 def _tree(case: Transmission) -> dict[str, Any]:
-    """Return the parts of a case by their keys in a document, gear sets as records."""
+    """Return the parts of a case by their keys in a case file; gear sets are mappings (records)."""
     drawing = drawing_of(case) or Drawing(case.links, (), case.mechanisms)
     return {
         "shift_elements": {element.name: element for element in case.shift_elements},
@@ -116,7 +116,7 @@ def _tree(case: Transmission) -> dict[str, Any]:
 def with_part_numbers(
     case: Transmission, numbers: Sequence[PartNumber], values: Sequence[float]
 ) -> Transmission:
-    """Return a case with other numbers of its parts.
+    """Return the case with other values for numbers of its parts.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ def with_part_numbers(
     Raises
     ------
     CaseError
-        If a case with these numbers is impossible.
+        If the case with these numbers is not valid.
 
     Examples
     --------
@@ -194,7 +194,7 @@ def is_assembled(case: Transmission, numbers: Sequence[PartNumber]) -> bool:
 
 
 def are_assembled(case: Transmission, names: Collection[str]) -> bool:
-    """Return whether the named gear sets can be assembled, except for doubts that a case allows."""
+    """Return whether the named gear sets can be assembled, ignoring doubts that the case allows."""
     elements = drawing.elements if (drawing := drawing_of(case)) else ()
     faults = [fault for element in elements if element.name in names for fault in misfits(element)]
     return all(fault in case.untold for fault in faults)

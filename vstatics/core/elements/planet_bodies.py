@@ -1,9 +1,9 @@
-"""Planets as heavy bodies, and the inertias of links that replace them.
+"""Planets as bodies with inertia, and the inertias on links that replace them.
 
-A mechanism has the links a and b and the carrier h, with ``w_a - w_h = K (w_b - w_h)``; its planet
-has the speed ``w_q = w_h + alpha (w_a - w_h)``. Then the kinetic energy of the planet is exactly
-the energy of three inertias on the links a, b and h.
-Source: Tarasik, Puzanova, Kurstak, 2018; the formulas were derived again.
+A mechanism connects the links a and b and the carrier h by ``w_a - w_h = K (w_b - w_h)``, and its
+planet has the speed ``w_q = w_h + alpha (w_a - w_h)``. The kinetic energy of the planet then equals
+the energy of three inertias on the links a, b and h. Source: Tarasik, Puzanova, Kurstak, 2018; the
+formulas were derived again.
 """
 
 from __future__ import annotations
@@ -20,28 +20,28 @@ from vstatics.core.numerics.motions import Form
 
 
 class Body(NamedTuple):
-    """Heavy body: a link, or the planets of a set."""
+    """Body with inertia: a link, or all equal planets of a gear set."""
 
     name: str
     form: Form
-    """Coefficients of the link speeds, by index of the link, whose sum is the speed. [-]"""
+    """Coefficients of the link speeds, by index, whose weighted sum is the body's speed. [-]"""
     inertia: float
     """Moment of inertia. [kg*m^2]"""
 
 
 Shares = Mapping[int, float]
-"""Inertia on each link that replaces a planet, by index of the link; can be negative. [kg*m^2]"""
+"""Inertias on links that replace a planet, by index of the link; can be negative. [kg*m^2]"""
 
 
 def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
-    """Yield the planets with a mass or an inertia: their spin, then their orbit with the carrier.
+    """Yield bodies for planets with inertia or mass: their spin, then their orbit with the carrier.
 
-    Each planet has the inertias of links that replace it. With these inertias the torques of
-    mechanisms follow from the equations of the links.
+    Each body comes with the inertias on links that replace it. With these inertias, the torques of
+    mechanisms follow from the equations of motion of the links alone.
     """
     drawing = drawing_of(case)
     for motion in planet_inertias(drawing) if drawing else ():
-        if len(motion.speed) == 1 and 1.0 in motion.speed.values():  # with its carrier
+        if len(motion.speed) == 1 and 1.0 in motion.speed.values():  # rotates with the carrier
             shares: Mapping[int, float] = motion.speed
         elif motion.name in case.link_names:  # the planet is a link itself
             link = case.link_names.index(motion.name) + 1
@@ -55,7 +55,7 @@ def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
 
 
 def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
-    """Return the shares of the first, second and third link in a unit inertia of a planet."""
+    """Return the inertias on the links of a mechanism that replace a unit inertia of a planet."""
     drawing = drawing_of(case)
     assert drawing is not None  # noqa: S101 - it has planets
     name = motion.name.rpartition(".")[0]

@@ -13,16 +13,16 @@ from vstatics.core.model.parts import HOUSING
 
 
 class PlanetInertia(NamedTuple):
-    """Combined inertia of equal planets; kinetic energy is half of it times the speed squared.
+    """Inertia and speed of equal planets, whose kinetic energy is ``inertia * speed**2/2``.
 
     Parameters
     ----------
     name : str
-        Names of gear set and planet: ``P1.planet``.
+        Names of the gear set and the planet, such as ``P1.planet``.
     inertia : float
         Inertia of all planets together. [kg*m^2]
     speed : mapping of int to float
-        Coefficients of the link speeds whose sum is the speed of the planets. [-]
+        Coefficients of the link speeds, in the weighted sum that is the speed of the planets. [-]
     wheel : str
         Member that, together with the carrier, determines the speed; empty if the planets rotate
         with the carrier.
@@ -38,11 +38,11 @@ class PlanetInertia(NamedTuple):
 
 
 def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
-    """Yield the inertias of planets with masses: about the pins, and around the carrier's axis.
+    """Yield the inertias of planets: about their pins, and of their mass about the carrier axis.
 
-    The drawing must have passed the checks, so elastic gear sets have no planet masses. A planet
-    with an axis parallel to the axis of its set has its absolute speed of rotation; a bevel planet
-    has its speed relative to the carrier.
+    The drawing must have passed the checks, which exclude planet masses in elastic gear sets. For a
+    planet whose axis is parallel to the axis of the gear set, the speed is absolute; for a bevel
+    planet, it is relative to the carrier.
 
     Examples
     --------
@@ -70,7 +70,7 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
 
 
 def _by_wheel(element: Element, planet: str) -> tuple[str, int, Fraction]:
-    """Return a central gear, its link, and a planet's relative speed per gear speed (Willis)."""
+    """Return a central gear, its link, and planet speed divided by gear speed, carrier held."""
     if not isinstance(element.shape, Planetary):
         first = element.shape.toothed[0]
         ratio = Fraction(element.teeth[first]) / Fraction(element.teeth[planet])

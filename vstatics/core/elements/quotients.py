@@ -1,4 +1,4 @@
-"""Quotients of numbers of teeth that remember the formula of their value."""
+"""Quotients of numbers of teeth that keep the formula of their value."""
 
 from __future__ import annotations
 
@@ -10,20 +10,21 @@ from typing import Any
 Formula = float | str | Sequence[Any]
 """Number, path of a number of the case, or operation on formulas, such as ``["/", a, b]``.
 
-Operations are ``*`` of any number of factors, ``/`` and ``-`` of two, and ``mesh``: the efficiency
-with friction, from the coefficient, the teeth of both gears, and 1 if the second is a ring.
+Operations are ``*`` with any number of factors, ``/`` and ``-`` with two operands, and ``mesh``,
+the efficiency of a mesh with friction. The operands of ``mesh`` are the coefficient of friction,
+the teeth of both gears, and 1 if the second gear is a ring.
 """
 
 
 class Quotient:
-    """Product of numbers divided by a product of numbers, with the value.
+    """Quotient of two products of numbers, as a value and as a formula.
 
     Parameters
     ----------
     value : Fraction
         Value of the quotient.
     powers : mapping of Formula to int
-        Factors with their exponents; whole numbers represent themselves.
+        Factors and their exponents; a whole number is its own formula.
 
     Examples
     --------
@@ -45,7 +46,7 @@ class Quotient:
         return f"Quotient({self.value}, {self.formula})"
 
     def __eq__(self, other: object) -> bool:
-        """Return whether the values are equal."""
+        """Return whether the values are equal, for any formulas."""
         return self.value == (other.value if isinstance(other, Quotient) else other)
 
     def __hash__(self) -> int:
@@ -75,7 +76,7 @@ class Quotient:
 
     @property
     def formula(self) -> Formula:
-        """Formula of whole numbers with a single division, so that the value is rounded once."""
+        """Formula with a single division of products, so that evaluation rounds only once."""
         above, below = (
             [f for f, power in self.powers.items() for _ in range(max(power * way, 0)) if f != 1]
             for way in (1, -1)
@@ -87,7 +88,7 @@ class Quotient:
 
 
 def product(factors: Iterable[Any]) -> Formula:
-    """Return the product of formulas.
+    """Return the formula of a product of factors.
 
     >>> product([]), product(["a"]), product(["a", 2])
     (1, 'a', ['*', 'a', 2])

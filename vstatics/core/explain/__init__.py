@@ -1,7 +1,6 @@
-"""A gear explained: its matrix, its equations with their solution, the formula of its ratio.
+"""Explanation of a gear: its matrix, its equations with solution, the formula of its ratio.
 
-`explain_gear` returns data from results and the number of a gear; `text` and `answer` write the
-data.
+`explain_gear` returns the explanation of a gear as data; `text` and `answer` write the data.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])

@@ -1,4 +1,4 @@
-"""Answer of `vstatics explain`."""
+"""Record that `vstatics explain` writes as JSON."""
 
 from __future__ import annotations
 

@@ -15,16 +15,16 @@ from vstatics.core.numerics.elimination import RIGHT, Equation
 from vstatics.core.statics import matrix
 
 GOLDEN = 0.6180339887498949
-"""Golden ratio minus 1; its multiples modulo 1 spread the shifts of ratios evenly."""
+"""Golden ratio minus 1; its multiples modulo 1 are evenly distributed, as shifts of ratios."""
 SHIFTED = 0.05
-"""Largest relative shift of ratios, to distinguish structure from coincidence."""
+"""Largest relative shift of ratios in the test for coincidences. [-]"""
 
 
 class Structure(NamedTuple):
-    """Bodies of a gear, and the mechanisms and springs that determine the speeds."""
+    """Bodies of a gear, and the mechanisms and springs that determine its speeds."""
 
     body: Sequence[int]
-    """Smallest link number in the body of each link, by link number, the housing first."""
+    """Body of each link, the housing first, identified by its smallest link number."""
     needed: Sequence[int]
     """Indices of mechanisms with independent equations."""
     springs: Sequence[int]
@@ -32,20 +32,20 @@ class Structure(NamedTuple):
 
 
 class OwnLinks(NamedTuple):
-    """Case whose planets are not links; speeds are unchanged, but not losses."""
+    """Case without planets as links; its speeds are equal to the original case, its losses not."""
 
     case: Transmission
     parts: Sequence[DrawnPart]
-    """Gear sets with the resulting mechanisms, and given mechanisms."""
+    """Gear sets with their derived mechanisms, and directly given mechanisms."""
     variators: Collection[str] = ()
     """Names of gear pairs that represent variators."""
 
     def is_fixed(self, number: int) -> bool:
-        """Return whether a mechanism, by index, has a ratio that does not depend on teeth.
+        """Return whether the ratio of a mechanism, by index, does not depend on tooth numbers.
 
-        Such mechanisms are shafts, and symmetrical differentials of ratio -1, but not groups of
-        planets with that ratio. A ratio of 1 counts as well, as the third link then has no effect.
-        Variators and converters count, too; pairs that represent them do not.
+        Such mechanisms are shafts, symmetrical differentials of ratio -1 (but not groups of planets
+        with this ratio), mechanisms of ratio 1 (whose third link has no effect), variators and
+        converters. Gear pairs that represent variators are not included.
         """
         mechanism = self.case.mechanisms[number]
         if mechanism.name in self.variators:
@@ -76,11 +76,11 @@ def as_solved(case: Transmission) -> Transmission:
 
 
 def on_own_links(case: Transmission) -> OwnLinks:
-    """Return the case without links of planets; gear sets become mechanisms of central gears."""
+    """Return the case without planets as links; its mechanisms are between central gears."""
     drawing = drawing_of(case)
     if drawing is None:
         return OwnLinks(case, parts_of(case))
-    # these include the pairs for variators, which the drawing does not have
+    # These mechanisms include gear pairs for variators, which the drawing does not contain.
     given = case.mechanisms[case.own_mechanisms]
     reduced = parts(replace(drawing, mechanisms=given, losses="reduced"))
     plain = _undrawn(
@@ -93,7 +93,7 @@ def on_own_links(case: Transmission) -> OwnLinks:
 
 
 def _undrawn(case: Transmission, **changes: Any) -> Transmission:
-    # strengths and bearings name members of the drawn gear sets
+    # Fatigue data and bearings refer to members of drawn gear sets, so they are removed.
     changes |= {"drawing": None, "fatigue": {}, "bearings": {}}
     own = len(case.mechanisms[case.own_mechanisms])
     first = len(changes.get("mechanisms", case.mechanisms)) - own
@@ -102,10 +102,10 @@ def _undrawn(case: Transmission, **changes: Any) -> Transmission:
 
 
 def structure(on_links: OwnLinks, gear: Gear) -> Structure:
-    """Return the bodies of a gear: links with equal speeds for any ratios.
+    """Return the bodies of a gear: links whose speeds are equal for any ratios.
 
-    Two links are one body if the equations of mechanisms, springs and engaged shift elements make
-    their speed difference 0, also with all ratios slightly shifted.
+    Two links form a body if the equations of mechanisms, springs and engaged shift elements force
+    their speeds to be equal, also after all ratios are shifted slightly.
 
     Parameters
     ----------
@@ -160,14 +160,14 @@ def structure(on_links: OwnLinks, gear: Gear) -> Structure:
 
 
 def _rows(case: Transmission, gear: Gear, ratios: Sequence[float]) -> list[Equation]:
-    """Return the equations of mechanisms, then springs, then engaged shift elements."""
+    """Return the speed equations of mechanisms, then springs, then engaged shift elements."""
     plain = gear._replace(engaged=gear.joining, speeds={}, slip={})
     rows = matrix.speed_rows(case, plain, matrix.columns(case, ratios))[:-1]
     return [{column: value for column, value in row.items() if column != RIGHT} for row in rows]
 
 
 def _independent(rows: Sequence[Equation], mechanisms: int) -> list[int]:
-    """Return the numbers of independent rows; mechanisms are left out first."""
+    """Return the indices of independent equations; equations of mechanisms are omitted first."""
     numbers = list(range(len(rows)))
     while True:
         dependency = next(elimination.dependencies([rows[number] for number in numbers]), None)

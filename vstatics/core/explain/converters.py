@@ -20,19 +20,19 @@ class ConverterPoint(NamedTuple):
 
     converter: str
     speed_ratio: Known
-    """Speed of the second link divided by that of the first, i. [-]"""
+    """Speed ratio i: speed of the second link divided by speed of the first link. [-]"""
     torque_ratio: Known
     """Torque ratio K at the speed ratio. [-]"""
     factor: Sometimes[float] = None
-    """Lambda, if the load determines the speed ratio. [N*m*s^2]"""
+    """Pump factor lambda, if the load determines the speed ratio. [N*m*s^2]"""
     speed: Sometimes[float] = None
-    """Speed of the pump, likewise. [rad/s]"""
+    """Speed of the pump, if the load determines the speed ratio. [rad/s]"""
     torque: Sometimes[float] = None
-    """Torque on the pump with losses, likewise. [N*m]"""
+    """Torque on the pump with losses, if the load determines the speed ratio. [N*m]"""
 
 
 CONVERTERS = "Converters: the torques M and -K M on the links, with and without losses"
-"""Heading of the working points."""
+"""Heading above the working points."""
 
 
 def converter_points(state: GearState, given: Gear) -> list[ConverterPoint]:
@@ -41,9 +41,9 @@ def converter_points(state: GearState, given: Gear) -> list[ConverterPoint]:
     Parameters
     ----------
     state : GearState
-        State with the speed ratios found.
+        State of the gear with the solved speed ratios.
     given : Gear
-        The gear as given, without speed ratios that the load determines.
+        Gear as given by the case, without speed ratios that the load determines.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Random numbers for a case: teeth that can be assembled, ratios near the given ratios."""
+"""Random numbers for exercises: teeth that can be assembled, and ratios near the given ratios."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ FARTHEST = 0.25
 
 
 def drawn(results: Results, seed: int) -> Results:
-    """Return results with other numbers and unchanged torque margins of shift elements.
+    """Return results for random numbers, with unchanged torque margins of shift elements.
 
-    Capacities are scaled with the torques, because otherwise a shift element could be overloaded.
+    Torque capacities are scaled with the torques; otherwise a shift element could be overloaded.
     """
     other_results = solve(drawn_numbers(results.case, seed))
     if not any(element.capacity for element in results.case.shift_elements):
@@ -54,7 +54,7 @@ def _largest(results: Results) -> Floats:
 def _with_capacity(element: ShiftElement, factor: float) -> ShiftElement:
     """Return a shift element whose capacity is multiplied by a factor and rounded up.
 
-    The new capacity has three digits.
+    The new capacity is rounded up to three digits.
     """
     given = element.capacity
     if given is None or not 0 < factor < math.inf:
@@ -70,11 +70,11 @@ def _with_capacity(element: ShiftElement, factor: float) -> ShiftElement:
 
 
 def drawn_numbers(case: Transmission, seed: int) -> Transmission:
-    """Return the case with other teeth, and other ratios of parts without teeth.
+    """Return the case with random teeth, and random ratios of parts without teeth.
 
-    Ratios of 1 and -1, as of shafts and reversing gears, are not changed. Speed ratios of variators
-    and converters are drawn for each gear. Successive seeds give different teeth until all fitting
-    teeth are used.
+    Ratios of 1 and -1, such as those of shafts and reversing gears, are not changed. Speed ratios
+    of variators and converters are drawn separately for each gear. Successive seeds give different
+    teeth until all suitable teeth have been used.
 
     Examples
     --------
@@ -96,9 +96,9 @@ def drawn_numbers(case: Transmission, seed: int) -> Transmission:
 
 
 def unchanged(case: Transmission, changed: Transmission) -> list[str]:
-    """Return the names of gear sets and mechanisms whose ratios stay, because no other ratio fits.
+    """Return the names of gear sets and mechanisms for which no other ratio could be drawn.
 
-    Ratios of 1 and -1 do not count.
+    Gear sets and mechanisms of ratio 1 or -1 are not listed.
     """
     before, after = ([part.ratio for part in each.mechanisms] for each in (case, changed))
     return [
@@ -123,9 +123,10 @@ def _gears(case: Transmission, random: Random) -> list[Gear]:
 
 
 def _speed_ratio(kind: str, ratio: float, random: Random) -> float:
-    """Return a speed ratio near a given ratio.
+    """Return a random speed ratio near a given speed ratio.
 
-    For a converter it is never above that, because the torque vanishes at the highest speed ratio.
+    For a converter it is at most the given speed ratio, because the torque vanishes at the highest
+    speed ratio.
     """
     return _near(ratio, random, -FARTHEST, 0 if kind == "converter" else FARTHEST)
 
@@ -146,16 +147,16 @@ def _with_ratio(mechanism: Mechanism, random: Random) -> Mechanism:
 
 
 def _with_sizes(element: Element, place: int, seed: int) -> Element:
-    """Return a gear set with other teeth, diameters or ratios."""
+    """Return a gear set with random teeth, diameters or ratios."""
     random = Random(f"{seed} {place}")  # noqa: S311 - equal gear sets get different numbers
     if element.kind == "belt":
-        # both diameters change, so that the ratio changes as much as other ratios
+        # Both diameters change; together they change the ratio by the usual amount.
         half = FARTHEST / 2
         teeth = {
             name: _near(diameter, random, -half, half) for name, diameter in element.teeth.items()
         }
         return replace(element, teeth=teeth)
-    if element.ratios:  # the ratios of both suns fulfil 1 < -large < small
+    if element.ratios:  # both ratios must fulfil 1 < -large < small
         large = 1 + _near(-element.ratios["large_sun"] - 1, random)
         more = _near(element.ratios["small_sun"] + element.ratios["large_sun"], random)
         ratios = {"small_sun": round(large + more, 6), "large_sun": round(-large, 6)}
@@ -164,7 +165,7 @@ def _with_sizes(element: Element, place: int, seed: int) -> Element:
 
 
 def _with_teeth(element: Element, place: int, seed: int) -> Element:
-    """Return a gear set with other fitting teeth for each seed, repeated when all are used."""
+    """Return a gear set with suitable teeth, different for each seed until all have been used."""
     order = Random(place)  # noqa: S311 - equal gear sets get different numbers
     others = (
         changed
@@ -176,7 +177,7 @@ def _with_teeth(element: Element, place: int, seed: int) -> Element:
 
 
 def _changed(element: Element, teeth: Teeth) -> Element:
-    """Return a gear set with other teeth, by index of a gear or name of a rim or gear."""
+    """Return a gear set with new teeth, given by index of a gear or by name of a rim or gear."""
     if element.rims:
         wheels = [
             wheel._replace(teeth=teeth.get(index, wheel.teeth))

@@ -1,7 +1,7 @@
 """Speed and torque equations of a gear, written out with names.
 
 Source: figures 3 and 4 of Algin, Schematization and calculation of mobile machine presented as
-multibody system. The rows are those of `vstatics.core.statics.matrix`, with names and with
+multibody system. The equations are those of `vstatics.core.statics.matrix`, with names and with
 coefficients in symbols.
 """
 
@@ -70,7 +70,7 @@ def torque_system(  # noqa: PLR0913 - all parameters are parts of the equations
     *,
     drag: Mapping[int, float],
 ) -> System:
-    """Return the equilibrium of each link of a gear (figure 4).
+    """Return the equilibrium equations of the links of a gear (figure 4).
 
     The parameters are described in `speed_system`. Matrix and torques must both contain the losses,
     or both omit them; `drag` contains the external torques of drag by link [-].
@@ -97,7 +97,7 @@ def torque_system(  # noqa: PLR0913 - all parameters are parts of the equations
 
 
 def _column(case: Transmission, device: int, names: Names) -> Iterator[tuple[int, str]]:
-    """Return the links of a device without the housing, with coefficients in symbols."""
+    """Yield the links of a device except the housing, with coefficients in symbols."""
     elements = case.shift_elements
     number = device - len(elements)
     if number < 0:

@@ -1,4 +1,4 @@
-"""A gear as an exercise: blanks for its numbers, and the solution."""
+"""Exercise on a gear: its numbers are blanks to be filled in, with a solution."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ MORE = ("power_balance",)
 LEAST = 10
 """Number of blanks below which a worksheet gets further blanks."""
 LINE = "____"
-"""Text of a blank."""
+"""Text printed for a blank."""
 SheetForm = Literal["text", "markdown", "latex"]
 
 
@@ -59,14 +59,14 @@ class Blank(NamedTuple):
     row: str | None
     """Row of the table; null for a table with a single number for each gear."""
     value: Known
-    """Value as in the JSON of a result."""
+    """Value of the blank, as in the JSON of a result."""
 
 
 class SolvedExercise(NamedTuple):
-    """Solution of an exercise."""
+    """Solution of an exercise as a record."""
 
     case: Mapping[str, Any]
-    """Case as in a file, ready to run."""
+    """Case in the form of a file, which can be run."""
     gear: str
     seed: int | None
     blanks: Sequence[Blank]
@@ -83,8 +83,8 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
     gear : int or str
         Number of the gear from 1, or its name.
     seed : int, optional
-        Seed, 0 or more, for other teeth that can be assembled, other ratios, and capacities of
-        equal margins. Default: the numbers of the case.
+        Seed (0 or more) of random teeth that can be assembled, random ratios, and capacities with
+        unchanged margins. Default: the numbers of the case.
 
     Returns
     -------
@@ -138,7 +138,7 @@ class GearExercise(NamedTuple):
         return self.results.case.gears[self.place].name
 
     def titles(self, file: str = "") -> list[str]:
-        """Return the title, with the name or file of the case, and the seed of the numbers."""
+        """Return the title lines: name or file of the case, and seed of the numbers."""
         as_before = (
             tr("; as before: {names}", names=", ".join(self.unchanged)) if self.unchanged else ""
         )
@@ -170,7 +170,7 @@ class GearExercise(NamedTuple):
         return shown(grids(self, solved=False))
 
     def document(self) -> dict[str, Any]:
-        """Return the solution as plain data, in which `case` can be run."""
+        """Return the solution as plain data; its key `case` contains a case that can be run."""
         case = result_json.document(self.results)["case"]
         solved = SolvedExercise(case, self.gear, self.seed, self.blanks)
         data: dict[str, Any] = plain_data(solved)
@@ -182,8 +182,8 @@ def worksheet(
 ) -> GearExercise:
     """Return the exercise of a gear of a single case.
 
-    Given speeds and given signs have no blanks. Numbers that are always 0 in the layout only have
-    blanks if there are few others.
+    Given speeds and given signs are not blanks. Numbers that are always 0 in the gear-train layout
+    are blanks only if there are few others.
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ def worksheet(
     by_name = {item.quantity.name: item for item in tables(results)}
     case = results.case
     no_torque = not case.input_torque(case.gears[index])
-    if results.locked[index]:  # no sign agrees with the losses
+    if results.locked[index]:  # no signs agree with the losses
         del by_name["power_sign"]
     wanted = [by_name[name] for name in asked_names(no_torque=no_torque) if name in by_name]
     blanks = list(_blanks(results, index, wanted, telling=True))
@@ -226,7 +226,7 @@ def worksheet(
 
 
 def asked_names(*, no_torque: bool) -> Iterator[str]:
-    """Yield the names of `ASKED`, replaced in a gear without an input torque."""
+    """Yield the names of `ASKED`; without an input torque, names of tables with units."""
     for name in ASKED:
         yield IN_UNITS.get(name, name) if no_torque else name
 
@@ -234,9 +234,9 @@ def asked_names(*, no_torque: bool) -> Iterator[str]:
 def _blanks(
     results: Results, index: int, wanted: Sequence[Table], *, telling: bool
 ) -> Iterator[Blank]:
-    """Yield blanks for the numbers of a gear that are not given.
+    """Yield blanks for all numbers of a gear that are not given.
 
-    With `telling`, numbers that are always 0 in the layout are left out.
+    With `telling`, numbers that are always 0 in the gear-train layout are left out.
     """
     case, number = results.case, 0
     gear, signs = case.gears[index], told_signs(results.gear_at(index))
@@ -265,7 +265,7 @@ def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
     Parameters
     ----------
     solved : bool
-        True to show the numbers.
+        True to show the numbers instead of blanks.
     """
     yield from given(sheet.results, sheet.place)
     for table in sheet.asked:

@@ -1,4 +1,4 @@
-"""Explanation of a gear as data."""
+"""Explanation of a gear as data: matrix, equations, solution, formula of the ratio."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ from vstatics.core.tables.html import shown
 
 
 class Together(NamedTuple):
-    """Links that rotate together for any ratios."""
+    """Links that rotate together, whatever the ratios of mechanisms are."""
 
     links: Sequence[str]
     stands: bool
-    """True if the links are joined to the housing."""
+    """True if the links are at rest, because they are joined to the housing."""
     elements: Sequence[str]
-    """Engaged shift elements, and springs that are shafts, between the links."""
+    """Engaged shift elements and shafts (springs) that join the links."""
 
 
 class Explanation(NamedTuple):
@@ -57,33 +57,33 @@ class Explanation(NamedTuple):
     """Freewheels that hold."""
     not_engaged: Sequence[str]
     rows: Sequence[str]
-    """Links, including planets if losses are calculated at meshes."""
+    """Names of the links; they include planets if losses are calculated at meshes."""
     columns: Sequence[str]
     """Devices that can carry torque: engaged shift elements, mechanisms and springs."""
     matrix: Annotated[Floats, Words(schema(Sequence[Sequence[Known]]))]
     """Structural-distribution matrix, (rows, columns). [-]"""
     speeds: System
     torques: System | None
-    """Torque equations; absent if tied up or in a freewheel conflict."""
+    """Torque equations; None for a gear that is tied up or has a freewheel conflict."""
     signs: Sequence[PowerSign]
     lossy: System | None
-    """Torque equations with losses; absent if no solution exists."""
+    """Torque equations with losses; None if no solution exists."""
     input_torque: Known
-    """Reference of torques: 1, or 0 for a load without torque, where torques are in N*m."""
+    """Input torque: 1, the reference of torques; 0 if the load has no torque (torques in N*m)."""
     coasts: bool
-    """True if power enters at the output, so that units of torque and power are negative."""
+    """True if power enters at the output; the references of torque and power are then negative."""
     together: Sequence[Together]
     one_piece: Sequence[str]
     """Gear sets or mechanisms that rotate as a block."""
     standing: Sequence[str]
     """Gear sets or mechanisms at rest."""
     input: str
-    """Symbol of the input speed."""
+    """Symbol of the input speed, such as ``w_1``."""
     output: str
     """Symbol of the output speed."""
     formula: RatioFormula | None
     reason: str
-    """Reason for a missing formula, or empty."""
+    """Reason for a missing formula; empty if the formula exists."""
     ratio: float
     """Ratio ``w_input/w_output``. [-]"""
     efficiency: float
@@ -91,9 +91,9 @@ class Explanation(NamedTuple):
     messages: Sequence[str]
     """Messages about the gear."""
     balance: Sometimes[MachineBalance] = None
-    """Balance of electric machines and battery, if given for the gear."""
+    """Battery balance of electric machines, if the gear has one."""
     tried: Sometimes[Sequence[TriedSigns]] = None
-    """Sets of signs with the contradiction of each, for a self-locking gear."""
+    """Combinations of power signs, each with its contradiction, for a self-locking gear."""
     slipping: Sometimes[Sequence[str]] = None
     """Shift elements with a given slip, if any."""
     converters: Sometimes[Sequence[ConverterPoint]] = None
@@ -110,7 +110,7 @@ class Explanation(NamedTuple):
 
 @refusing()
 def explain_gear(results: Results, gear: int | str) -> Explanation:
-    """Explain a gear by matrix, equations, solution, and the ratio as a formula.
+    """Explain a gear: matrix, equations, solution, and the ratio as a formula.
 
     Parameters
     ----------
@@ -197,7 +197,7 @@ def _messages_about(results: Results, gear: str) -> Iterator[str]:
 
 
 def _assumed_teeth(results: Results, case: Transmission) -> Iterator[str]:
-    """Yield a note on each planet that is a link but has no teeth, so that one is assumed."""
+    """Yield a note on each planet that is a link without given teeth, which are assumed."""
     drawing = drawing_of(results.case)
     elements = drawing.elements if drawing else ()
     for element in elements:
@@ -217,10 +217,11 @@ def _variators(case: Transmission) -> list[str]:
 
 
 def _with_pairs(results: Results, number: int) -> tuple[Transmission, Results]:
-    """Return the case of a gear with gear pairs instead of variators and converters, and results.
+    """Return the case with gear pairs instead of variators and converters, and its results.
 
-    A pair has the equation of the speeds of a converter, but not its torque ratio, so the results
-    are those with converters. A case without variators and converters does not change.
+    A gear pair has the speed equation of a converter, but not its torque ratio, so the results are
+    those of the case with converters. A case without variators and converters is returned
+    unchanged.
     """
     state, given = results.gear_at(number), results.case.gears[number]
     case, unloaded = state.case, state.case.unloaded_converters(given)
@@ -279,7 +280,7 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
 def _formula(
     state: GearState, names: Names, symbols: Sequence[Symbol], on_links: OwnLinks, bodies: Structure
 ) -> tuple[RatioFormula | None, str]:
-    """Return the formula if the calculated ratio is reproduced, else the reason."""
+    """Return the formula if its value is the calculated ratio, else the reason for no formula."""
     try:
         ratio = formula(on_links, state.gear, names, symbols, bodies)
     except NoFormula as none:
@@ -292,7 +293,7 @@ def _formula(
 
 
 def _together(on_links: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Together]:
-    """Yield bodies of more than one link, links at rest first."""
+    """Yield groups of two or more links that rotate together, links at rest first."""
     case = on_links.case
     elements = case.elements_at(gear.joining)
     for body in dict.fromkeys(bodies.body):
@@ -307,9 +308,9 @@ def _together(on_links: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Tog
 
 
 def _pieces(on_links: OwnLinks, structure: Structure) -> tuple[list[str], list[str]]:
-    """Return the names of parts that rotate as a block, and of parts at rest.
+    """Return the names of gear sets and mechanisms that rotate as a block, and of those at rest.
 
-    Parts with permanent links to the housing only rotate as a block at rest.
+    A mechanism with the housing as a link can be a block only at rest.
     """
     one_piece, standing = [], []
     for part in on_links.parts:

@@ -1,8 +1,8 @@
 """Fractions of polynomials as written by hand: `(1 - u1)(1 - u3)`, `2 - 1/u`.
 
-Of several equal forms the shortest is chosen: factors, single terms, or 1 and a remainder.
-Polynomials are those of `sympy.polys`, with integer coefficients. Each factor gets the sign that
-reads best.
+A fraction can be written as factors, as single terms, or as 1 plus a remainder; the shortest form
+is chosen. Each factor gets the sign that reads best. Polynomials are objects of `sympy.polys` with
+integer coefficients.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class Notation(NamedTuple):
     times: str = " "
     power: str = "^"
     joined: str = ""
-    """Sign of multiplication between two factors in brackets; empty for no sign."""
+    """Multiplication sign between two factors in brackets; empty for none."""
 
 
 def python(count: int) -> Notation:
@@ -30,7 +30,7 @@ def python(count: int) -> Notation:
 
 
 class _Written(NamedTuple):
-    """Expression as text, and whether brackets are needed in a product or quotient."""
+    """Expression as text, and whether it needs brackets in a product or quotient."""
 
     text: str
     is_sum: bool = False
@@ -61,8 +61,8 @@ def fraction(value: Fraction, notation: Notation) -> str:
     '(1 - 1/u)(1 - v)'
     """
     if len(factored(value.numer).factors) > 1:
-        return _in_factors(value, notation).text  # a product should remain visible
-    # the length of names must not affect the form
+        return _in_factors(value, notation).text  # a product stays in factored form
+    # The length of symbol names must not affect the choice of form.
     measure = Notation(["u"] * len(notation.symbols))
     measured, texts = (
         [form.text for form in (write(value, how) for write in _FORMS) if form is not None]
@@ -72,7 +72,7 @@ def fraction(value: Fraction, notation: Notation) -> str:
 
 
 def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Notation) -> str:
-    """Return a sum of unknowns times fractions of polynomials, written over a common divisor.
+    """Return a sum of unknowns times fractions of polynomials, over a common denominator.
 
     Examples
     --------
@@ -103,7 +103,7 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Nota
 
 
 def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
-    """Return a polynomial as a sign and a product; the sign is `+` if a factor absorbs a minus."""
+    """Return the sign and the product form of a polynomial; a factor can absorb a minus sign."""
     product = factored(polynomial)
     if product.number < 0:
         product, _ = _turned(product, Factored(1, []))
@@ -114,7 +114,7 @@ def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
 def _in_factors(value: Fraction, notation: Notation) -> _Written:
     """Return a fraction with factored numerator and denominator.
 
-    A factor ``u - 1`` above a divisor u is written as the factor ``1 - 1/u``.
+    A factor ``u - 1`` with the divisor u is written as ``1 - 1/u``.
     """
     above, below = factored(value.numer), factored(value.denom)
     above, below, inverse = _inverse(above, below)
@@ -137,15 +137,15 @@ def _quotient(
 
 
 def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
-    """Split the factors ``1 - 1/u`` off a fraction.
+    """Separate the factors ``1 - 1/u`` from a fraction.
 
-    Returns the numerator and denominator that remain, and each symbol u with the power of its
+    The result is the remaining numerator and denominator, and each symbol u with the power of its
     factor.
     """
     inverse = []
     top, bottom, number = [], below.factors, above.number
     for factor, power in above.factors:
-        symbol = 1 - factor  # a factor is stored as 1 - u, not as u - 1
+        symbol = 1 - factor  # factors are stored as 1 - u, not as u - 1
         given = next(
             (have for candidate, have in bottom if candidate == symbol and len(candidate) == 1), 0
         )
@@ -163,9 +163,9 @@ def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powe
 
 
 def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
-    """Return a fraction whose sign is absorbed by a factor that reads as well with either sign.
+    """Return a fraction without minus sign: it is absorbed by a factor that reads as well negated.
 
-    Without such a factor the fraction is unchanged.
+    If there is no such factor, the fraction is unchanged.
     """
     for part in (below, above):
         for place, (factor, power) in enumerate(part.factors):
@@ -191,7 +191,7 @@ def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
 
 
 def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
-    """Return a fraction as 1 plus or minus a factored remainder; None if that is not simpler."""
+    """Return a fraction as 1 plus or minus a factored remainder; None if this is not simpler."""
     remainder = value - 1
     if not remainder or len(remainder.numer) == len(value.numer) == 1:
         return None
@@ -204,7 +204,7 @@ _FORMS = (_in_factors, _by_terms, _one_and_rest)
 
 
 def _ordered(polynomial: Polynomial) -> list[Polynomial]:
-    """Return the terms of a polynomial, positive terms first, then short terms first."""
+    """Return the terms of a polynomial: positive terms before negative, short before long."""
     terms = sorted(polynomial.terms(), key=lambda term: (term[1] < 0, sum(term[0])))
     ring = polynomial.ring
     return [ring({powers: factor}) for powers, factor in terms]
@@ -213,7 +213,7 @@ def _ordered(polynomial: Polynomial) -> list[Polynomial]:
 def _product(
     product: Factored, notation: Notation, inverse: Sequence[tuple[Polynomial, int]] = ()
 ) -> _Written:
-    """Return a product, single symbols before sums, in the order of the symbols.
+    """Return a product as text: single symbols before sums, in the order of the symbols.
 
     `inverse` contains the symbols u of further factors ``1 - 1/u`` with their powers.
     """
@@ -239,7 +239,7 @@ def _product(
 
 
 def _position(polynomial: Polynomial) -> tuple[int, ...]:
-    """Return the indices of the symbols in a polynomial, the sort key of factors."""
+    """Return the indices of the symbols in a polynomial, used as the sort key of factors."""
     occurring = {place for powers, _ in polynomial.terms() for place, p in enumerate(powers) if p}
     return tuple(sorted(occurring))
 
@@ -290,11 +290,11 @@ def factored(polynomial: Polynomial) -> Factored:
 
 
 def _factors(polynomial: Polynomial) -> Powers:
-    """Return the factors of a polynomial whose coefficients have no common factor.
+    """Return the factors of a polynomial, whose coefficients must have no common factor.
 
-    If a symbol only occurs in the first power, as in ``a + b u``, the greatest common divisor of a
-    and b is a factor, and the quotient is irreducible. SymPy's factorisation is slow for many
-    symbols.
+    If a symbol occurs only in the first power, as in ``a + b u``, the greatest common divisor of a
+    and b is a factor, and the quotient is irreducible. This rule replaces SymPy's factorisation,
+    which is slow for many symbols.
     """
     if polynomial.is_ground:
         return [(polynomial, 1)]
@@ -320,7 +320,7 @@ def balance(polynomial: Polynomial) -> int:
 def _looks(polynomial: Polynomial) -> tuple[int, bool, bool]:
     """Return a sort key that is larger for the more readable of ``p`` and ``-p``.
 
-    It compares the excess of positive over negative terms, then whether the constant term is
-    positive, then whether the leading term is positive.
+    The key contains the excess of positive over negative terms, then flags for a positive constant
+    term and a positive leading term.
     """
     return balance(polynomial), polynomial.coeff(1) > 0, polynomial.LC > 0

@@ -25,7 +25,7 @@ FOLLOWS = (
 SLIPS = "there is no formula, because a shift element slips"
 """Reason for the missing formula of a gear with a given slip."""
 SHARED = ("u", "v")
-"""Symbols of ratios that several mechanisms have."""
+"""Symbols for ratios that are equal in several mechanisms."""
 
 
 class Symbol(NamedTuple):
@@ -33,20 +33,20 @@ class Symbol(NamedTuple):
 
     name: str
     meaning: str
-    """Name of the mechanism, or members of a gear set."""
+    """Name of the mechanism, or the members of a gear set that it connects."""
     value: float
     """Value of the ratio. [-]"""
 
 
 class NumberedSymbol(NamedTuple):
-    """Symbol with the name in the expression."""
+    """Symbol of a ratio with its name in `expression`, such as u1."""
 
     symbol: str
     meant: Flat[Symbol]
 
 
 class NumberedSpeed(NamedTuple):
-    """Given speed with the name in the expression."""
+    """Given speed with its name in `expression`, such as w1."""
 
     symbol: str
     name: str
@@ -62,15 +62,15 @@ class NumberedSpeed(NamedTuple):
     shared_text="shared_text",
 )
 class RatioFormula(NamedTuple):
-    """Formula in symbols, with the value."""
+    """Formula of a ratio or output speed in symbols, with its value."""
 
     left: str
     """Left side of the formula: ``i``, or the symbol of the output speed."""
     text: str
     expression: str
-    """Formula as an expression of Python and SymPy.
+    """Formula as an expression that Python and SymPy can read.
 
-    Symbols are u1, u2 and so on in their order, given speeds are w1, w2 and so on.
+    Ratios are named u1, u2 and so on, in the order of the symbols; given speeds w1, w2 and so on.
     """
     symbols: Sequence[Symbol]
     speeds: Mapping[str, float]
@@ -78,9 +78,9 @@ class RatioFormula(NamedTuple):
     value: float
     """Value of the formula. [-]"""
     shared: Mapping[str, Sequence[str]]
-    """Symbols of equal value, by the symbol that replaces them in `shared_text`."""
+    """Symbols with equal values, by the common symbol that replaces them in `shared_text`."""
     shared_text: str
-    """Shorter formula for equal ratios, or empty."""
+    """Shorter formula with common symbols for equal ratios; empty if there is none."""
 
     @property
     def numbered_symbols(self) -> list[NumberedSymbol]:
@@ -94,10 +94,10 @@ class RatioFormula(NamedTuple):
 
 
 def symbols_of(case: Transmission, names: Names, on_links: OwnLinks) -> list[Symbol]:
-    """Return the symbols of the mechanisms between a case's own links.
+    """Return the symbols of the mechanisms in a case without planets as links.
 
-    Mechanisms that are also in the equations keep their symbols; mechanisms between central gears
-    get new symbols.
+    Mechanisms that also occur in the case as calculated keep their symbols; mechanisms between
+    central gears get new symbols.
 
     Parameters
     ----------
@@ -208,7 +208,7 @@ def _of_speed(
 def _in_occurring(
     values: Sequence[Any], symbols: Sequence[Symbol]
 ) -> tuple[list[Symbol], list[Any]]:
-    """Return the occurring symbols, and the fractions in terms of the occurring symbols."""
+    """Return the symbols that occur, and the fractions in terms of these symbols."""
     polynomials = [part for value in values for part in (value.numer, value.denom)]
     terms = [powers for part in polynomials for powers in part.monoms()]
     occurring = sorted({place for powers in terms for place, power in enumerate(powers) if power})
@@ -219,9 +219,9 @@ def _in_occurring(
 
 
 def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
-    """Return a fraction in other symbols, from a mapping of old to new numbers.
+    """Return a fraction in other symbols, given a mapping from old to new numbers of symbols.
 
-    The result is None if the denominator becomes 0 because two symbols become one.
+    The result is None if the denominator becomes 0 because two symbols are replaced by one.
     """
     from sympy import ZZ
     from sympy.polys.fields import field
@@ -246,7 +246,7 @@ def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
 def _shared(
     value: Any, symbols: Sequence[Symbol], variators: Collection[str]
 ) -> tuple[dict[str, list[str]], str]:
-    """Return the formula with common symbols for ratios of equal value, except of variators."""
+    """Return the formula with common symbols for equal ratios, except ratios of variators."""
     by_value: dict[float, list[int]] = {}
     for number, symbol in enumerate(symbols):
         if symbol.meaning not in variators:

@@ -1,7 +1,7 @@
 """Given data of a gear: everything of the case that determines its numbers, as tables.
 
-An exercise can be solved from these tables alone. Keys that do not affect the solution are listed
-in `UNREAD`; a key that is in no list appears in the last table.
+An exercise can be solved from these tables alone. `UNREAD` lists the keys that do not affect the
+solution. A key that is not in any list of this package appears in the last table.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _SHOWN = frozenset(
         *("balance", "slip"),
     )
 )
-"""Keys of a case or a gear with separate tables."""
+"""Keys of a case or a gear that are shown in other tables."""
 
 
 def given(results: Results, place: int) -> Iterator[Grid]:
@@ -86,7 +86,7 @@ def given(results: Results, place: int) -> Iterator[Grid]:
 
 
 def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
-    """Yield the conventions of speeds and torques of a gear, in words."""
+    """Yield sentences about the conventions for speeds and torques of a gear."""
     case, drawing = state.case, drawing_of(state.case)
     if case.input_torque(state.gear):
         yield tr(
@@ -125,7 +125,7 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
 
 
 def _rules_of_losses(state: GearState) -> Iterator[str]:
-    """Yield the rules for mechanisms with losses, variators and converters."""
+    """Yield sentences about mechanisms with losses, variators and converters."""
     case = state.case
     if any(
         mechanism.efficiency != 1 or mechanism.back_efficiency is not None
@@ -176,7 +176,7 @@ def _rules_of_drag(state: GearState) -> Iterator[str]:
             "Drag brakes its link, or the links of a disengaged shift element relative to "
             "each other. It acts only in the torques with losses."
         )
-    # the gear of the state has numbers instead of laws
+    # This is the gear as given; the gear of the state has numbers instead of laws.
     gear = case.gears[case.gear_number(state.gear.name) - 1]
     if gear.loss is not None:
         yield tr(
@@ -243,7 +243,7 @@ def _rest(data: Mapping[str, Any]) -> Grid:
 
 
 def _idle(state: GearState) -> Grid:
-    """Return the table of signs that follow from a convention, or from the losses."""
+    """Return the table of signs that no rule determines, only a convention or the losses."""
     signs = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
     rows = [(mechanism.name, whole(plain(sign))) for mechanism, sign, is_given in signs if is_given]
     title = "Signs of unloaded mechanisms"
@@ -253,7 +253,7 @@ def _idle(state: GearState) -> Grid:
 
 
 def told_signs(state: GearState) -> list[bool]:
-    """Return for each mechanism whether its sign is given, because no rule determines it."""
+    """Return, for each mechanism, whether its sign must be given, because no rule determines it."""
     return [
         idle or turned is True
         for idle, turned in zip(state.search.idle, state.search.turned, strict=True)

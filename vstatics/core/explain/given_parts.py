@@ -28,20 +28,20 @@ UNREAD = frozenset(
         *("converters", "planet", *KEYS),
     )
 )
-"""Keys of a case and its parts on which no blank depends, other gears included."""
+"""Keys of a case and its parts that do not affect any blank; they include other gears."""
 _TOLD = frozenset(
     (
         *("kind", "teeth", "diameters", "planets", "suns", "rings", "rims", "meshes"),
         *("efficiency", "back_efficiency", "mesh_efficiency"),
     )
 )
-"""Keys of a gear set with separate columns or tables."""
+"""Keys of a gear set that are shown in other columns or tables."""
 _SPEED, _TORQUE = "speed, rad/s", "torque, N*m"
 _OVER = {"speed": (_SPEED,), "torque": (_TORQUE,), "both": (_SPEED, _TORQUE)}
 
 
 def cell_of(value: Any) -> Value:
-    """Return a number with the digits that a calculation needs, or a law with all points."""
+    """Return a cell for a number, with six significant digits, or for a law with all points."""
     if value is None or isinstance(value, str):
         return value or NOTHING
     if isinstance(value, Law):
@@ -98,7 +98,7 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
 
 
 def fills_a_gap(element: Element) -> bool:
-    """Return whether the teeth of some planets follow from sun and ring in a set with several."""
+    """Return whether teeth of planets follow from a sun and a ring, in a set with more planets."""
     if not isinstance(element.shape, Planetary) or element.rims:
         return False
     planets = group_of(element).planets
@@ -109,7 +109,7 @@ def fills_a_gap(element: Element) -> bool:
 
 
 def _teeth(element: Element) -> Iterator[str]:
-    """Yield the teeth of gears and rims; for a group also the pairs in mesh."""
+    """Yield phrases with the teeth of gears and rims; for a planet group, also the rims in mesh."""
     front = f"{tr('diameters')}: " if getattr(element.shape, "size", "") == "diameters" else ""
     for name, count in element.teeth.items():
         yield f"{front}{in_words(name)} {count:g}"
@@ -125,7 +125,7 @@ def _teeth(element: Element) -> Iterator[str]:
 
 
 def data_text(value: Any) -> str:
-    """Return plain data in words.
+    """Return plain data as a phrase.
 
     >>> data_text({"large_sun": -2.0, "rest": [1, 2]})
     'large_sun -2, rest (1, 2)'
@@ -160,7 +160,7 @@ def mechanisms(case: Transmission, gear: Gear) -> Grid:
 
 
 def _points(mechanism: Mechanism) -> str:
-    """Return the points in words, with lambda if the load determines the speed ratio."""
+    """Return the points of a converter; with lambda if the load determines its speed ratio."""
     count = 3 if mechanism.can_be_open and math.isnan(mechanism.ratio) else 2
     points = ", ".join(
         f"({', '.join(f'{x:.6g}' for x in point[:count])})" for point in mechanism.points
@@ -170,7 +170,7 @@ def _points(mechanism: Mechanism) -> str:
 
 
 def losses(case: Transmission) -> Grid:
-    """Return the table of efficiencies of all mechanisms in the solution, defaults included."""
+    """Return the table of efficiencies of all mechanisms of the solver, including defaults."""
     rows = []
     for part in parts_of(case):
         for mechanism, members in part.lowered:
@@ -192,7 +192,7 @@ def kind_of(element: ShiftElement) -> Cell:
 
 
 def shift_elements(case: Transmission, gear: Gear, state: GearState) -> Grid:
-    """Return the table of shift elements, with given slips, and the drag of disengaged ones."""
+    """Return the table of shift elements, with given slips and drag of disengaged elements."""
     rows, drags = [], case.gear_open_drag(gear)
     for number, element in enumerate(case.shift_elements, 1):
         on, off = ("holds", "overruns") if element.is_freewheel else ("engaged", "disengaged")

@@ -16,14 +16,14 @@ from vstatics.core.tables.answer import Known
 
 
 class MachineShare(NamedTuple):
-    """Power of an electric machine from the link, and to the battery."""
+    """Power of an electric machine: from its link, and to the battery."""
 
     link: str
     power_kW: Known  # noqa: N815 - as `port_powers_kW`
-    """Power from the link to the machine, with losses."""
+    """Power from the link to the machine, in a gear with losses [kW]."""
     efficiency: Known
     battery_kW: Known  # noqa: N815
-    """Power to the battery, negative if the battery supplies the machine."""
+    """Power from the machine to the battery [kW]; negative if the battery supplies the machine."""
 
 
 MACHINES = (
@@ -34,19 +34,19 @@ MACHINES = (
 
 
 class MachineBalance(NamedTuple):
-    """Electric machines and battery, and the torque that balances the powers."""
+    """Battery balance of a gear: powers of the machines, and the torque that balances them."""
 
     link: str
     """Link with the balancing torque."""
     torque: Known
-    """Balancing torque, also in torques without losses; N*m if the input has no torque. [-]"""
+    """Balancing torque, relative to the input torque [-], or in N*m if the input has no torque."""
     shares: Sequence[MachineShare]
     battery_kW: Known  # noqa: N815
-    """Required power to the battery."""
+    """Required charging power of the battery [kW]."""
 
 
 def machine_balance(results: Results, number: int) -> MachineBalance | None:
-    """Return the balance of a gear by index, if given and solved.
+    """Return the battery balance of a gear, by index; None if it is not given or not solved.
 
     Examples
     --------

@@ -14,18 +14,18 @@ SIMPLE = re.compile(r"\w+")
 
 
 class Names(NamedTuple):
-    """Symbols of a case."""
+    """Symbols of a case in equations."""
 
     speeds: Sequence[str]
-    """Speed of each link, the housing first."""
+    """Symbol of the speed of each link, the housing first."""
     torques: Sequence[str]
-    """Torque of each device, then the output torque."""
+    """Symbol of the torque of each device, then of the output torque."""
     holding: Sequence[str]
-    """Torque that holds a given speed, for each link, the housing first."""
+    """Symbol of the torque that holds a given speed, for each link, the housing first."""
     ratios: Sequence[str]
-    """Basic ratio of each mechanism."""
+    """Symbol of the basic ratio of each mechanism."""
     efficiencies: Sequence[str]
-    """Efficiency of each mechanism."""
+    """Symbol of the efficiency of each mechanism."""
 
     def with_losses(self, signs: Sequence[float], efficiencies: Sequence[float]) -> Names:
         """Return the symbols with ``u eta^x`` instead of each u.
@@ -60,8 +60,8 @@ class Names(NamedTuple):
 def names_of(case: Transmission) -> Names:
     """Return the symbols of a case: ``w_`` link, ``M_`` device, ``u_`` and ``eta_`` mechanism.
 
-    A name that is not a single word is in brackets. A mechanism with such a name has its number
-    instead, because the name would make the equation hard to read.
+    A name that is not a single word is in brackets. For a mechanism with such a name, the symbol
+    contains its number instead, because the equation would be hard to read.
 
     Examples
     --------

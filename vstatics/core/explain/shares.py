@@ -1,7 +1,7 @@
 """Symbolic solution of the speed equations: share of each given speed in the output speed.
 
-Links that rotate together are one body. Bodies other than the output and those with a given speed
-are eliminated.
+Links that rotate together form a body, whose speed is an unknown. All bodies are eliminated except
+the output and the bodies with a given speed.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ from vstatics.core.statics.matrix import column
 from vstatics.core.statics.status import NEUTRAL
 
 MOST_FORMULA_TERMS = 400
-"""Largest number of terms of a formula; longer formulas are of no use and take long to derive."""
+"""Largest number of terms of a formula; longer formulas are useless and slow to derive."""
 
 Body = int
-"""Body of links, represented by the smallest link number in it."""
+"""Body of links, identified by its smallest link number."""
 Row = dict[Body, Any]
-"""Coefficients by body, as fractions of polynomials."""
+"""Coefficients of an equation by body, as fractions of polynomials."""
 
 
 class NoFormula(Exception):  # noqa: N818 - not an error of the case
-    """Exception for a missing formula; the text is the reason."""
+    """Exception raised if there is no formula; its text is the reason."""
 
 
 def shares(
@@ -38,7 +38,7 @@ def shares(
     given: Mapping[Body, str],
     output: Body,
 ) -> Row:
-    """Return the share of each given speed in the output speed."""
+    """Return the coefficient of each given speed in the formula of the output speed."""
     from sympy import ZZ
     from sympy.polys.fields import field
 
@@ -70,7 +70,7 @@ def shares(
 def _row(
     on_links: OwnLinks, number: int, body: Sequence[Body], ratios: Sequence[Any], fractions: Any
 ) -> Row:
-    """Return the speed equation of a mechanism, in bodies."""
+    """Return the speed equation of a mechanism in terms of bodies."""
     mechanism = on_links.case.mechanisms[number]
     ratio = ratios[number]
     if on_links.is_fixed(number):
@@ -83,7 +83,7 @@ def _row(
 
 
 def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
-    """Return the speed equation of a spring with constant twist; coefficients are as typed."""
+    """Return the speed equation of a spring with constant twist, with coefficients as fractions."""
     sums: dict[Body, Fraction] = {}
     for link, part in spring.form.items():
         sums[body[link]] = sums.get(body[link], Fraction(0)) + as_typed(part)
@@ -96,7 +96,7 @@ def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
 
 
 def as_typed(number: float) -> Fraction:
-    """Return the fraction that a person meant by a number.
+    """Return the simple fraction that a person probably meant by a number.
 
     >>> as_typed(1 / 3), as_typed(-4.1), as_typed(0.95 - 1)
     (Fraction(1, 3), Fraction(-41, 10), Fraction(-1, 20))

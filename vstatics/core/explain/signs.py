@@ -19,20 +19,20 @@ from vstatics.core.texts import tr
 
 
 class PowerSign(NamedTuple):
-    """Sign of a mechanism with losses; its ratio is replaced by ``ratio x efficiency**sign``."""
+    """Sign of the power of a mechanism, which changes its ratio to ``ratio x efficiency**sign``."""
 
     mechanism: str
     torque: float
-    """Torque on the first link, without losses, but with drag. [-]"""
+    """Torque on the first link, without losses in meshes but with drag. [-]"""
     motion: float
-    """Speed of the first link minus the third. [-]"""
+    """Speed of the first link minus speed of the third link. [-]"""
     power: float
     """Power that enters by the first link, seen from the third: torque times motion. [-]
 
-    When coasting the unit of power is negative, so an entering power is below 0.
+    When coasting, the reference of power is negative, so a power that enters is below 0.
     """
     sign: float
-    """+1, -1 or 0; NaN if indeterminate."""
+    """Sign of the power: +1, -1 or 0; NaN if indeterminate."""
     ratio: float
     """Basic ratio. [-]"""
     efficiency: float
@@ -75,26 +75,26 @@ def signs_of(state: GearState) -> list[PowerSign]:
 
 
 MOST_TRIED = 3
-"""Largest number of moving mechanisms with losses whose sets of signs are all shown."""
+"""Largest number of moving mechanisms with losses for which all sign combinations are shown."""
 
 
 class TriedSigns(NamedTuple):
-    """Signs that contradict the resulting power flow."""
+    """Combination of signs that contradicts the resulting power flow."""
 
     signs: Mapping[str, float]
     """Sign of each mechanism."""
     lossy_ratios: Mapping[str, float]
     """Ratio of each mechanism with losses, u eta^x. [-]"""
     output_torque: Known
-    """Resulting torque of the output on the load. [-]"""
+    """Resulting torque that the output gives to the load. [-]"""
     against: str
-    """Mechanism with reversed power flow; empty if power enters at the output."""
+    """Mechanism whose power flow contradicts its sign; empty if power enters at the output."""
 
 
 def tried_signs(state: GearState) -> list[TriedSigns]:
-    """Return all sets of signs of a self-locking gear, with the contradiction of each.
+    """Return all combinations of signs of a self-locking gear, each with its contradiction.
 
-    The list is empty for any other gear, and for more than `MOST_TRIED` moving mechanisms.
+    The list is empty for other gears, and for more than `MOST_TRIED` moving mechanisms.
 
     Examples
     --------

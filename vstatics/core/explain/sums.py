@@ -1,4 +1,4 @@
-"""Equations as text, and lines filled with terms."""
+"""Equations as data and as text, broken into lines."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ INDENT = "  "
 
 
 class Term(NamedTuple):
-    """Coefficient and unknown of an equation."""
+    """Term of an equation: coefficient times unknown."""
 
     unknown: str
     symbol: str
@@ -29,10 +29,10 @@ class Term(NamedTuple):
 
 @json_keys("of", "symbols", "numbers", "terms", "right")
 class Equation(NamedTuple):
-    """Linear equation, ``sum(coefficient x unknown) = right``."""
+    """Linear equation ``sum(coefficient x unknown) = right``."""
 
     of: str
-    """Device, link or condition of the equation."""
+    """Name of the device, link or condition that the equation describes."""
     terms: Sequence[Term]
     right: float
     """Right-hand side. [-]"""
@@ -58,11 +58,11 @@ class Equation(NamedTuple):
 
 @defined("system")
 class System(NamedTuple):
-    """Equations with the solution."""
+    """System of equations with its solution."""
 
     equations: Sequence[Equation]
     values: Mapping[str, float]
-    """Value of each unknown, NaN if indeterminate. [-]"""
+    """Value of each unknown; NaN if indeterminate. [-]"""
 
 
 def in_symbols(equation: Equation) -> list[str]:
@@ -83,7 +83,7 @@ def in_symbols(equation: Equation) -> list[str]:
 
 
 def in_numbers(equation: Equation, digits: int | None = None) -> list[str]:
-    """Return the terms and the right-hand side in numbers, with `digits` as in `short`."""
+    """Return the terms and the right-hand side in numbers; `digits` is the number of decimals."""
     shown = partial(short, digits=digits)
     terms = [(shown(term.coefficient), term.unknown) for term in equation.terms if term.coefficient]
     return _sum(terms, equation.right, digits)
@@ -101,7 +101,7 @@ def _sum(terms: Iterable[tuple[str, str]], right: float, digits: int | None = No
 
 
 def filled(parts: Iterable[str], front: str) -> Iterator[str]:
-    """Yield a sum in lines, broken before a sign."""
+    """Yield the lines of a sum, broken before a sign."""
     line, started = front, False
     for part in parts:
         if started and len(line) + 1 + len(part) > EQUATION_WIDTH:
@@ -113,7 +113,7 @@ def filled(parts: Iterable[str], front: str) -> Iterator[str]:
 
 
 def listed(texts: Iterable[str], front: str) -> Iterator[str]:
-    """Yield short texts in lines, separated by two blanks."""
+    """Yield lines of short texts, separated by two blanks."""
     line = front
     for text in texts:
         if line.strip() and len(line) + len(text) > EQUATION_WIDTH:

@@ -94,7 +94,7 @@ def _signs(explanation: Explanation) -> Grid:
 
 
 def _tried(explanation: Explanation) -> Grid:
-    """Return the table of sets of signs of a self-locking gear, each with its contradiction."""
+    """Return the table of sign combinations of a self-locking gear, each with its contradiction."""
     rows: list[Values] = [
         (name, whole(sign), tried.lossy_ratios[name], tried.output_torque, speaks_against(tried))
         for tried in explanation.tried or ()
@@ -105,13 +105,13 @@ def _tried(explanation: Explanation) -> Grid:
 
 
 def _converters(explanation: Explanation) -> Grid:
-    """Return the working points of converters."""
+    """Return the table of working points of converters."""
     headings = "speed ratio", "K", "lambda", "speed, rad/s", "torque, N*m"
     return grid_of("converters", ["converter", *headings], explanation.converters or ())
 
 
 def _machines(explanation: Explanation) -> Grid:
-    """Return the power of each machine to the battery, and the required power."""
+    """Return the table of the power of each machine to the battery, and the required power."""
     rows: list[Values] = []
     if explanation.balance is not None:
         rows = [tuple(share) for share in explanation.balance.shares]
@@ -121,7 +121,7 @@ def _machines(explanation: Explanation) -> Grid:
 
 
 def _ratio(explanation: Explanation) -> Grid:
-    """Return the formula and the values of the symbols."""
+    """Return the table of the formula and the values of its symbols."""
     ends = [typeset.symbol(name) for name in (explanation.input, explanation.output)]
     ratio = Cell(
         f"{explanation.input}/{explanation.output}", math=rf"\frac{{{ends[0]}}}{{{ends[1]}}}"

@@ -28,7 +28,7 @@ from vstatics.core.tables.text import lines as table_lines
 from vstatics.core.texts import tr
 
 LABEL = 20
-"""Width of labels before equations; a longer label has a separate line."""
+"""Width of labels before equations, in characters; a longer label is on a separate line."""
 
 
 def write(explained: Iterable[Explanation], digits: int | None = None) -> str:
@@ -37,8 +37,7 @@ def write(explained: Iterable[Explanation], digits: int | None = None) -> str:
     Parameters
     ----------
     digits : int, optional
-        Digits after the decimal point of numbers that are not whole. Default: five significant
-        digits.
+        Number of decimals of numbers that are not whole. Default: five significant digits.
     """
     return "\n".join("\n".join(_gear(explanation, digits)) + "\n" for explanation in explained)
 
@@ -57,7 +56,7 @@ def _gear(explanation: Explanation, digits: int | None) -> Iterator[str]:
 
 
 def _wrapped(text: str, depth: int = 1) -> list[str]:
-    """Return a text in indented lines; all lines after the first are indented by a further step."""
+    """Return the indented lines of a text; lines after the first are indented further."""
     further = INDENT * (depth + 1)
     return wrap(text, EQUATION_WIDTH, initial_indent=INDENT * depth, subsequent_indent=further)
 
@@ -72,7 +71,7 @@ class Chapter(NamedTuple):
 
 
 def sections(explanation: Explanation, digits: int | None = None) -> Iterator[Chapter]:
-    """Yield the sections of an explanation that are not empty, from the matrix to the ratio.
+    """Yield the non-empty sections of an explanation, from the matrix to the ratio.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.core.explain import explain_gear
@@ -160,7 +159,7 @@ def _matrix(explanation: Explanation, digits: int | None) -> Iterator[str]:
 
 
 def _system(system: System | None, digits: int | None, *, with_symbols: bool) -> Iterator[str]:
-    """Yield equations, in symbols if different, in numbers, and the solution."""
+    """Yield the lines of equations in symbols (if different), in numbers, and the solution."""
     if system is None:
         return
     labels = [equation.label for equation in system.equations]
@@ -195,7 +194,7 @@ def _solution(system: System, digits: int | None) -> Iterator[str]:
 def _losses(explanation: Explanation, digits: int | None) -> Iterator[str]:
     if explanation.torques is None or all(map(math.isnan, explanation.torques.values.values())):
         return
-    if not explanation.signs and not _drags(explanation):  # only springs
+    if not explanation.signs and not _drags(explanation):  # the gear has only springs
         return
     for sign in explanation.signs:
         yield from _sign(sign, digits)
@@ -225,7 +224,7 @@ def _tried(signs_tried: TriedSigns, digits: int | None) -> Iterator[str]:
 
 
 def speaks_against(tried: TriedSigns) -> str:
-    """Return the contradiction of a set of signs, in the current language."""
+    """Return the contradiction in a combination of signs, in the current language."""
     if not tried.against:
         return tr("power enters at the output, too")
     leaves, enters = "power leaves by the first link", "power enters by the first link"
@@ -250,7 +249,7 @@ def _drags(explanation: Explanation) -> bool:
 
 
 def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
-    """Yield lines about a mechanism: power at the first link, its sign, and ratio with losses."""
+    """Yield lines about a mechanism: power at its first link, sign, and ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
         yield f"{label}{sign.told}, u = {short(sign.ratio, digits)}"
@@ -302,7 +301,7 @@ def _machines(explanation: Explanation, digits: int | None) -> Iterator[str]:
 
 
 def _together(explanation: Explanation) -> Iterator[str]:
-    """Yield the groups of links that form bodies."""
+    """Yield lines about links that rotate together."""
     lines = []
     for body in explanation.together:
         by = tr(" (by {names})", names=", ".join(body.elements)) if body.elements else ""

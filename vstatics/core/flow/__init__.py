@@ -1,7 +1,7 @@
 """Power flow of a gear: losses, split power and recirculating power.
 
-`power` calculates the flow of each gear from results, `power_flow` holds the flow. `tables` chooses
-the lines of the tables, `text` writes them as text, `answer` as JSON.
+`power` calculates the flow of each gear from results, and `power_flow` defines its data. `tables`
+converts a flow to tables, `text` writes them as text, and `answer` as JSON.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
 >>> from vstatics.core.flow.power import flows
@@ -10,5 +10,6 @@ the lines of the tables, `text` writes them as text, `answer` as JSON.
 >>> round(gear.lossy.lost, 3), text(gear).splitlines()[-2]
 (0.02, 'in 1.000 - out 0.980 - lost 0.020 = 0.000')
 
-`circulation` finds loops of any graph, `graph_cycles` the edges on cycles.
+`circulation` finds loops in any directed graph, `graph_cycles` the edges on cycles of an undirected
+graph.
 """

@@ -1,4 +1,4 @@
-"""Answer of `vstatics flow`."""
+"""Record that `vstatics flow` writes as JSON."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ CONVENTIONS = {
     "by_convention": "locked-up nodes, whose share of the power statics does not determine",
     "null": "undefined or indeterminate",
 }
-"""Meaning of the numbers of an answer, by key."""
+"""Explanation of the numbers in the record, by key."""
 
 
 @document("vstatics-flow")

@@ -2,7 +2,7 @@
 
 A flow on a graph can be decomposed into paths from sources to sinks, and cycles (Ahuja, Magnanti
 and Orlin, Network Flows, 1993, theorem 3.5). Power in cycles is not transmitted. The decomposition
-need not be unique; here the shortest cycle is removed first, among equally long cycles the cycle
+is not always unique. Here the shortest cycle is removed first; of equally long cycles, the cycle
 with the most power.
 """
 
@@ -18,7 +18,7 @@ from vstatics.core.tables.answer import json_keys
 from vstatics.core.texts import translated
 
 NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag", "gear"]
-"""Kind of a node: an element is a shift element; a mechanism can be a drawn gear set."""
+"""Kind of a node; `element` is a shift element, `mechanism` can also be a drawn gear set."""
 
 
 class Node(NamedTuple):
@@ -26,7 +26,7 @@ class Node(NamedTuple):
 
     kind: NodeKind
     number: int
-    """Number among the nodes of the kind, from 1; number of the link for ports and drag."""
+    """Number among the nodes of its kind, from 1; for ports and drag, the number of the link."""
     name: str
 
     def __str__(self) -> str:
@@ -36,7 +36,7 @@ class Node(NamedTuple):
 
 @json_keys(from_="source", to="target", power="power")
 class Edge(NamedTuple):
-    """Power from one node to the next, above 0."""
+    """Power (above 0) from a node to another node."""
 
     source: Node
     target: Node
@@ -45,31 +45,31 @@ class Edge(NamedTuple):
 
 
 class CommonLinks(NamedTuple):
-    """Two mechanisms that can be parts of a set with shared planets, and the common links."""
+    """Two mechanisms that could share planets, and the links they have in common."""
 
     first: str
     second: str
     links: tuple[str, ...]
-    """Names of the common links, two at least."""
+    """Names of the common links, at least two."""
 
 
 @json_keys("power", "nodes", "note")
 class Loop(NamedTuple):
-    """Cycle of power: nodes in the direction of power, each once, and the recirculating power."""
+    """Cycle of power: its nodes in the direction of power, each once, and its power."""
 
     nodes: tuple[Node, ...]
     power: float
     """Recirculating power. [-]"""
     shared: tuple[CommonLinks, ...] = ()
-    """Common links of the mechanisms, for a loop that can be an artefact of the model."""
+    """Common links of mechanisms; not empty if the loop can be an artefact of the model."""
 
     @property
     def note(self) -> str:
-        """Note that a loop can be an artefact of the model; empty for a real loop."""
+        """Note that the loop can be an artefact of the model; empty for a real loop."""
         return self.told(partial(translated, language="en"))
 
     def told(self, text: Callable[..., str]) -> str:
-        """Return the note in a language, from the function that translates texts."""
+        """Return the note in another language, given the function that translates texts."""
         reasons = [
             text(
                 "{first} and {second} share {links}",
@@ -93,16 +93,16 @@ class Cancelled(NamedTuple):
 
 
 def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
-    """Remove directed cycles in turn, each by the smallest power along the cycle.
+    """Remove directed cycles one after the other, subtracting the smallest power along each cycle.
 
     Parameters
     ----------
     edges : sequence of Edge
-        Edges, at most one from a node to another.
+        Edges, with at most one edge from a node to another node.
     order : sequence of Node
-        Order of nodes. A loop begins with its first node in this order, and among cycles of equal
-        length and power the cycle of the earlier node is removed first. Default: the order in
-        `edges`.
+        Order of nodes, for reproducible results. A loop begins with its first node in this order;
+        of cycles with equal length and power, the cycle with the earlier node is removed first.
+        Default: the order in `edges`.
 
     Examples
     --------
@@ -134,7 +134,7 @@ def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
 def _shortest_cycle(
     powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
 ) -> Loop | None:
-    """Return the shortest cycle with the most power; of equal cycles the first."""
+    """Return the shortest cycle; of equally short cycles, the cycle with most power."""
     following: dict[Node, list[tuple[Node, float]]] = {}
     for (source, target), power in _without_ends(powers).items():
         following.setdefault(source, []).append((target, power))
@@ -149,7 +149,7 @@ def _shortest_cycle(
 def _without_ends(
     powers: Mapping[tuple[Node, Node], float],
 ) -> Mapping[tuple[Node, Node], float]:
-    """Return the edges without dead ends, which cannot be on a cycle."""
+    """Return the edges without dead ends, because these cannot be on a cycle."""
     while True:
         sources = {source for source, _ in powers}
         targets = {target for _, target in powers}
@@ -168,7 +168,7 @@ def _is_before(cycle: Loop, earlier: Loop) -> bool:
 def _shortest_cycle_through(
     start: Node, following: Mapping[Node, Iterable[tuple[Node, float]]]
 ) -> Loop | None:
-    """Return the shortest cycle through a node; among equally short cycles the strongest."""
+    """Return the shortest cycle through a node; of equally short cycles, that with most power."""
     layer = {start: Loop((start,), math.inf)}
     seen = {start}
     while layer:

@@ -1,9 +1,8 @@
 """Edges on cycles of an undirected graph.
 
-An edge is on a cycle unless it is a bridge, whose removal separates its ends. Bridges are found in
-a single walk over the graph (Tarjan, A note on finding the bridges of a graph, Information
-Processing Letters 2, 1974): no other edge leads back from the nodes that the walk found behind a
-bridge.
+An edge is on a cycle unless it is a bridge, an edge whose removal separates its ends. Bridges are
+found in a single depth-first walk over the graph (Tarjan, A note on finding the bridges of a graph,
+Information Processing Letters 2, 1974): from the nodes beyond a bridge, no other edge leads back.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ def edges_on_cycles(edges: Iterable[tuple[_Node, _Node]]) -> set[tuple[_Node, _N
     Parameters
     ----------
     edges : iterable of pairs of nodes
-        Each edge once, in any direction, between different nodes.
+        Edges between different nodes; each edge occurs once, in any direction.
 
     Examples
     --------
@@ -42,10 +41,10 @@ def edges_on_cycles(edges: Iterable[tuple[_Node, _Node]]) -> set[tuple[_Node, _N
 def _closed(
     root: _Node, nodes: Mapping[_Node, Sequence[tuple[int, _Node]]], order: dict[_Node, int]
 ) -> Iterator[int]:
-    """Yield the numbers of the edges on cycles in the part of the graph that contains a node.
+    """Yield the numbers of edges on cycles in the part of the graph that is connected to `root`.
 
-    The walk is depth-first and numbers the nodes in `order`. For each node, `back` is the smallest
-    number that an edge reaches from the node or from nodes found after it.
+    A depth-first walk numbers the nodes in `order`. For each node, `back` is the smallest number
+    that an edge reaches from the node or from nodes visited after it.
     """
     if root in order:
         return

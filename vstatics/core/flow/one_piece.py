@@ -1,7 +1,7 @@
 """Parts that rotate as a block, and the power in them that is split by convention.
 
-If a clutch locks a gear set up, its teeth do not move. Friction then leaves a range of tooth
-torques, of which the calculation takes one.
+If a clutch locks up a gear set, its teeth do not move. Because of friction, tooth torques are then
+possible in a whole range; the calculation takes a value from this range by convention.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ def links_of(state: GearState) -> dict[int, Node]:
 
 
 def pieces_of(state: GearState) -> dict[Node, int]:
-    """Return the body number of each link, and of each device that rotates as a block."""
+    """Return the body of each link and of each device that rotates as a block, by number."""
     bodies = state.bodies
     pieces = {node: bodies[link] for link, node in links_of(state).items()}
     return pieces | {node: bodies[links[0]] for node, links in _in_pieces(state)}
 
 
 def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
-    """Yield each device that rotates as a block, with the links."""
+    """Yield each device that rotates as a block, with its links."""
     case = state.case
     for number in state.engaged:
         element = case.shift_elements[number - 1]
-        if HOUSING not in element.links:  # a brake is at rest and has no power
+        if HOUSING not in element.links:  # a brake is at rest and passes no power
             yield Node("element", number, element.name), element.links
     for number, device in enumerate(case.own_devices, 1):
         links = [member.link for member in device.members]
@@ -48,20 +48,20 @@ def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
 def divided_by_convention(
     state: GearState, bearing: Container[Node], flows: Iterable[Sequence[Edge]]
 ) -> set[Node]:
-    """Return the devices and links of a gear whose power is split by convention.
+    """Return the devices and links of a gear whose power is determined only by convention.
 
-    Within parts that rotate as a block these are devices on a cycle, as statics does not determine
-    the split between two paths; mechanisms that rotate as a block only because of their speeds; and
-    links that receive power from such devices and give power to such devices. A clutch that must
-    pass all power of a part is not included.
+    Within parts that rotate as a block, these are devices on a cycle, because statics does not
+    determine how power is split between two paths; mechanisms that rotate as a block only because
+    their speeds happen to be equal; and links that both receive power from such devices and give
+    power to such devices. A clutch through which all power must pass is not included.
 
     Parameters
     ----------
     state : GearState
     bearing : container of Node
-        Nodes with power.
+        Nodes that carry power.
     flows : iterable of sequence of Edge
-        Powers without and with losses.
+        Edges of the power flow without and with losses.
 
     Examples
     --------

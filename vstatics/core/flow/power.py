@@ -1,8 +1,9 @@
 """Power flow of every gear through links, shift elements, mechanisms and springs.
 
-The power of a gear is a directed graph. The nodes are links, shift elements that carry torque
+The power flow of a gear is a directed graph. Its nodes are links, shift elements that carry torque
 or drag, mechanisms or drawn gear sets, springs, ports where power enters or leaves, and the drag of
-links. The edges are the exchanged powers. The housing has no power.
+links. Its edges are the powers that nodes exchange. The housing is not a node, because its power is
+0.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from vstatics.core.tables.ports import port_table
 
 
 class Exchange(NamedTuple):
-    """Power that a link gives to a member of a node; negative if the link receives power."""
+    """Power that a link gives to a member of another node; negative if the link receives it."""
 
     node: Node
     member: str
@@ -107,7 +108,7 @@ def _of_gear(state: GearState, by_unit: dict[str, float]) -> GearFlow:
 
 
 def _by_convention(state: GearState, sides: Sequence[PowerFlow]) -> Iterator[Node]:
-    """Yield nodes with a split of power by convention, in the order of the flow."""
+    """Yield nodes whose power is determined by convention, in the order of the flow."""
     if not sides:
         return
     nodes = sides[0].throughput
@@ -163,7 +164,7 @@ _Powered = TypeVar("_Powered", Exchange, ToothPower)
 
 
 def _without_noise(powers: Sequence[_Powered]) -> list[_Powered]:
-    """Return the powers, with 0 for powers that are rounding errors."""
+    """Return the powers, with 0 instead of rounding errors."""
     known = (abs(item.power) for item in powers if not math.isnan(item.power))
     noise = NO_POWER * max(known, default=0.0)
     return [item._replace(power=0.0) if abs(item.power) <= noise else item for item in powers]
@@ -184,7 +185,7 @@ def _by_link(
 def _throughput(
     powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
 ) -> dict[Node, float]:
-    """Return the power that enters each node; for a port the power exchanged."""
+    """Return the power that enters each node; for a port, the power that passes it."""
     entering = dict.fromkeys(nodes, 0.0)
     for (node, link), power in powers.items():
         if not power < 0 or node.kind == "port":

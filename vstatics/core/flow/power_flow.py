@@ -1,7 +1,8 @@
 """Power flow of a gear as data: graph, losses, recirculating power, ports.
 
-Powers are relative to the power at the input link. ``entering = leaving + sum(losses)``, except for
-rounding. The edges are the transmitted power (`forward`, without cycles) plus the cycles (`loops`).
+Powers are relative to the power at the input link. Power is conserved: ``entering = leaving +
+sum(losses)``, except for rounding. The edges are the sum of transmitted power (`forward`, without
+cycles) and recirculating power (`loops`).
 """
 
 from __future__ import annotations
@@ -25,9 +26,9 @@ class MemberPower(NamedTuple):
 
     device: Flat[Node]
     member: str
-    """Member of a mechanism or gear set; ``first`` or ``second`` of a shift element.
+    """Member of a mechanism or gear set; ``first`` or ``second`` for a shift element.
 
-    A spring has the name of the link.
+    For a spring, the name of the link.
     """
     link: str
     power: float
@@ -35,7 +36,7 @@ class MemberPower(NamedTuple):
 
 
 class NodePower(NamedTuple):
-    """Power through a node [-], NaN if indeterminate."""
+    """Power through a node [-]; NaN if indeterminate."""
 
     node: Flat[Node]
     power: float
@@ -47,7 +48,7 @@ class NodeLoss(NamedTuple):
     node: Flat[Node]
     power: float
     share: float
-    """Share of all losses. [-]"""
+    """Fraction of all losses. [-]"""
 
 
 @defined("side")
@@ -66,11 +67,11 @@ class NodeLoss(NamedTuple):
 class PowerFlow(NamedTuple):
     """Power flow of a gear, without or with losses, relative to the power at the input link.
 
-    Directions are real, also when coasting: then power 1 leaves at the input.
+    Directions are real: when coasting, the power 1 leaves at the input.
     """
 
     edges: tuple[Edge, ...]
-    """All determinate powers above rounding."""
+    """All determinate powers that exceed rounding errors."""
     forward: tuple[Edge, ...]
     """Transmitted power: the edges minus all loops, a graph without cycles."""
     members: tuple[MemberPower, ...]
@@ -78,7 +79,7 @@ class PowerFlow(NamedTuple):
     throughput: Mapping[Node, float]
     """Power that enters a node, or passes a port; NaN if indeterminate. [-]"""
     losses: Mapping[Node, float]
-    """Loss of each mechanism, dragging link, and dragging or slipping shift element. [-]
+    """Loss of each mechanism, each link with drag, and each shift element with drag or slip. [-]
 
     The mapping is empty in a flow without losses.
     """
@@ -87,11 +88,11 @@ class PowerFlow(NamedTuple):
     leaving: float
     """Power that leaves through all ports. [-]"""
     loops: tuple[Loop, ...]
-    """Cycles of recirculating power, as far as determinate."""
+    """Cycles of recirculating power; indeterminate powers are not included."""
     locked_in: tuple[Loop, ...]
     """Cycles of power within parts that rotate as a block.
 
-    They do not count as recirculating power, because nothing moves inside such parts.
+    These cycles do not count as recirculating power, because nothing moves inside such parts.
     """
     teeth: tuple[ToothPower, ...] = ()
     """Rolling power of every mechanism that can have teeth, and of each mesh."""
@@ -108,12 +109,12 @@ class PowerFlow(NamedTuple):
 
     @property
     def balance(self) -> float:
-        """Input power minus output power and losses [-], 0 but for rounding."""
+        """Input power minus output power and losses [-]; 0 except for rounding."""
         return self.entering - self.leaving - self.lost
 
     @property
     def shares(self) -> dict[Node, float]:
-        """Share of each loss in all losses [-]; NaN without losses."""
+        """Each loss as a fraction of all losses [-]; NaN without losses."""
         lost = self.lost
         return {node: loss / lost if lost else math.nan for node, loss in self.losses.items()}
 
@@ -124,7 +125,7 @@ class PowerFlow(NamedTuple):
 
     @property
     def node_losses(self) -> list[NodeLoss]:
-        """Losses with shares, as a list."""
+        """Losses with their shares, as a list."""
         return [NodeLoss(*item, self.shares[item[0]]) for item in self.losses.items()]
 
     @property
@@ -158,17 +159,17 @@ class GearFlow(NamedTuple):
 
     gear: str
     ideal: PowerFlow | None
-    """Flow without losses; absent if speeds or torques are contradictory."""
+    """Flow without losses; None if speeds or torques are contradictory."""
     lossy: PowerFlow | None
-    """Flow with losses; absent without `ideal`, or if the gear is self-locking."""
+    """Flow with losses; None if `ideal` is None or the gear is self-locking."""
     ports: Flat[PortTable]
-    """Speed, torque and power where power enters and leaves."""
+    """Speed, torque and power of the ports where power enters and leaves."""
     status: Status
     """Reason for a missing flow, or `OK`."""
     by_convention: tuple[Node, ...] = ()
-    """Nodes that rotate as a block and have a power by convention.
+    """Nodes that rotate as a block and whose power is determined by convention.
 
-    Statics determines the power into and out of the block, not the split inside.
+    Statics determines the power into and out of the block, but not how it is split inside.
     """
 
     def __repr__(self) -> str:
@@ -192,10 +193,10 @@ class GearFlow(NamedTuple):
         return self.lossy or self.ideal
 
     def divided(self, side: PowerFlow) -> set[tuple[Node, Node]]:
-        """Return the edges of a flow whose power is split by convention, as pairs of nodes.
+        """Return the edges of a flow whose power is determined by convention, as pairs of nodes.
 
-        These are the edges at devices that split power by convention. An edge that is the only
-        connection between its ends is left out, because all power must pass there.
+        Such edges end at nodes of `by_convention`. An edge that is the only connection between its
+        ends is left out, because all power must pass through it.
         """
         edges = [edge[:2] for edge in side.edges]
         devices = {node for node in self.by_convention if node.kind != "link"}
@@ -203,5 +204,5 @@ class GearFlow(NamedTuple):
 
     @property
     def note(self) -> str:
-        """Reason for a missing flow, or empty."""
+        """Reason for a missing flow; empty if the flow exists."""
         return self.status.english

@@ -1,7 +1,8 @@
 """Loops of power within a gear set that is given as several mechanisms.
 
-A deck gives a Ravigneaux set as two mechanisms. Power can then circulate between them in the model,
-while no part of the real set carries it. Only drawn gear sets show which mechanisms share planets.
+A deck describes a Ravigneaux set as two mechanisms. In the model, power can recirculate between
+them that no part of the real gear set carries. Only drawn gear sets show which mechanisms share
+planets.
 """
 
 from __future__ import annotations
@@ -17,14 +18,15 @@ from vstatics.core.model.transmission import Transmission
 def shared(case: Transmission, loop: Loop) -> tuple[CommonLinks, ...]:
     """Return the common links of mechanisms in a loop that can be an artefact of the model.
 
-    Shared planets have one carrier, so one link is common to all mechanisms. Two mechanisms that
-    share planets also have a central gear in common, or each has one in common with a third. A gear
-    pair has no planets. Links joined by a clutch are two links: a loop through a clutch is real.
+    Shared planets have a single carrier, so all mechanisms have a common link. Two mechanisms that
+    share planets also have a common central gear, or each has a common central gear with a third
+    mechanism. Gear pairs have no planets. Links joined by a clutch count as two links, because a
+    loop through a clutch is real.
 
     Returns
     -------
     tuple of CommonLinks
-        Pairs of mechanisms that connect all of them; empty for a real loop.
+        Pairs of mechanisms that together connect all mechanisms of the loop; empty for a real loop.
 
     Examples
     --------
@@ -71,7 +73,7 @@ def _sets(case: Transmission) -> dict[int, tuple[int, ...]]:
 def _joining(
     numbers: Sequence[int], given: Mapping[int, Sequence[int]]
 ) -> list[tuple[int, int, list[int]]]:
-    """Return pairs of mechanisms with two common links that connect the mechanisms."""
+    """Return pairs of mechanisms with two common links, which together connect all of them."""
     pairs = []
     joined, others = list(numbers[:1]), list(numbers[1:])
     while others:

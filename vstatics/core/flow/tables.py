@@ -1,4 +1,4 @@
-"""Power flow of a gear as a table with remarks, for all formats that people read."""
+"""Power flow of a gear as a table with remarks, for all formats for people."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ SECTIONS: Mapping[NodeKind, str] = {
     "drag": "drag of links",
     "gear": "loss of the gear as a whole",
 }
-"""Heading of each kind of nodes."""
+"""Heading for each kind of node."""
 NO_LOSSES = (None, None)
 _Line = tuple[int, Row]
-"""Row of a table, preceded by its level of indentation."""
+"""Level of indentation and cells of a table row."""
 CONVENTION = "~"
 """Mark of power that is split by convention in a part that rotates as a block."""
 
@@ -32,9 +32,10 @@ CONVENTION = "~"
 def power_grid(flow: GearFlow) -> Grid:
     """Return a table of the power through links, mechanisms, springs and shift elements.
 
-    With a load there are columns in kW. Below a mechanism follow its members and its teeth; below a
-    spring with more than two links follow its members. Nodes without power are left out, and so are
-    all rows without an ideal flow. A last column marks powers that are split by convention.
+    If the gear has a load, there are columns in kW. Below a mechanism are rows for its members and
+    its teeth; below a spring with more than two links, for its members. Nodes without power are
+    left out; the table is empty without a flow. The last column marks powers that are determined by
+    convention.
 
     Examples
     --------
@@ -59,7 +60,7 @@ def power_grid(flow: GearFlow) -> Grid:
             lines.append((2, _of_node(flow, node)))
             if kind in ("mechanism", "spring"):
                 below = [*_of_members(flow, node), *_of_teeth(flow, node)]
-                # in a shaft the output power is the input power
+                # both ends of a shaft have equal power
                 if kind == "spring" and len(below) < 3:
                     below = []
                 lines += below
@@ -73,7 +74,7 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
     Parameters
     ----------
     digits : int, optional
-        Digits after the decimal point. Default: three.
+        Number of decimals. Default: 3.
     balanced : bool
         False if the balance of powers is shown elsewhere.
     """
@@ -119,7 +120,7 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
 
 
 def around(loop: Loop) -> str:
-    """Return the nodes of a loop in words, with the first node repeated."""
+    """Return a phrase with the nodes of a loop; the first node is repeated at the end."""
     return " > ".join(map(str, (*loop.nodes, loop.nodes[0])))
 
 
@@ -134,14 +135,14 @@ def _circulating(ideal: PowerFlow, shown: PowerFlow, shown_as: Callable[[float],
 
 
 def doubt(side: PowerFlow, shown_as: Callable[[float], str]) -> str:
-    """Return a phrase on recirculating power that can be an artefact; empty if all is real."""
+    """Return a phrase about recirculating power that can be an artefact of the model; else ""."""
     if not side.doubtful > 0:
         return ""
     return tr("{power} of it may be an artefact of the model", power=shown_as(side.doubtful))
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:
-    """Return all nodes of both flows, and whether power passes each, or can."""
+    """Return all nodes of both flows, and whether power passes or can pass each node."""
     carrying: dict[Node, bool] = {}
     for side in (flow.ideal, flow.lossy):
         for node, power in side.throughput.items() if side is not None else ():
@@ -170,7 +171,7 @@ def _of_members(flow: GearFlow, node: Node) -> Iterator[_Line]:
 
 
 def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:
-    """Yield the rolling power of a mechanism, and of each mesh with the loss."""
+    """Yield rows with the rolling power of a mechanism, and of each of its meshes with the loss."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     ideal = [tooth_power for tooth_power in flow.ideal.teeth if tooth_power.device == node]
     lossy = (
@@ -208,7 +209,7 @@ def _row(
     *,
     mark: str = "",
 ) -> Row:
-    """Return a row: powers without and with losses, loss and share; missing values are empty."""
+    """Return a row: powers without and with losses, loss, and its share; empty if missing."""
     (ideal, lossy), (loss, share), unit = powers, losses, flow.kilowatts
     load = not math.isnan(unit)
     return [

@@ -1,7 +1,7 @@
 """Rolling power: the power through the meshes of a mechanism, relative to its carrier.
 
-Rolling power can be a small part of the power through the mechanism, or many times as much. The
-losses of a mechanism are a share of its rolling power: equation (2) of docs/method.md.
+Rolling power can be a small fraction of the power through the mechanism, or a multiple of it. The
+losses of a mechanism are a share of its rolling power, equation (2) of docs/method.md.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class ToothPower(NamedTuple):
     mesh: str
     """Names of the two gears in mesh; empty for a whole mechanism or gear set."""
     power: float
-    """Rolling power, NaN if indeterminate. [-]"""
+    """Rolling power; NaN if indeterminate. [-]"""
     loss: float
     """Power lost. [-]"""
 
@@ -63,7 +63,7 @@ def _has_teeth(part: DrawnPart) -> bool:
 
 
 def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, float]:
-    """Return the rolling power of a mechanism, by the first or second link, and the loss."""
+    """Return the rolling power of a mechanism, taken at its first or second link, and its loss."""
     torques = state.lossy_torques if lossy else state.torques
     torque = torques.on_first_link[len(state.case.shift_elements) + index]
     by_first = state.ideal.direction * plain(power(torque, state.relative_speeds[index]))
@@ -76,7 +76,7 @@ def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, 
 
 
 def _of_wheels(state: GearState, number: int, device: OwnDevice, *, lossy: bool) -> float:
-    """Return the power that enters a gear set by central gears, relative to the carrier."""
+    """Return the power that enters a gear set through central gears, relative to the carrier."""
     speeds = [0.0, *map(plain, state.speeds)]
     carrier = state.case.mechanisms[device.mechanisms[0]].third
     torques = state.member_torques(lossy=lossy)[number - 1]

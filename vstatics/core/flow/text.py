@@ -20,9 +20,9 @@ FLOW_TEXT_WIDTH = 79
 NAME, NUMBER, SHARE = 27, 8, 6
 """Widths of the columns; a longer name has a separate line."""
 HEADINGS = {"with losses": "lossy", "loss, kW": "kW", "share, %": "share"}
-"""Short headings for narrow columns."""
+"""Short headings that replace headings of tables."""
 DECIMALS = {"kW": UNITS["kW"].decimals, "loss": 4, "loss, kW": UNITS["kW"].decimals}
-"""Digits after the decimal point of columns that do not have three."""
+"""Number of decimals of the columns that do not have three decimals."""
 
 
 def text(flow: GearFlow, digits: int | None = None) -> str:
@@ -31,7 +31,7 @@ def text(flow: GearFlow, digits: int | None = None) -> str:
     Parameters
     ----------
     digits : int, optional
-        Digits after the decimal point of every number; more than four widen the columns.
+        Number of decimals of every number; more than four widen the columns.
 
     Examples
     --------
@@ -83,7 +83,7 @@ def _lines(flow: GearFlow, digits: int | None) -> Iterator[str]:
 
 
 def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
-    """Return the table with short headings, fitting numbers, and marks after names."""
+    """Return the table with short headings, shorter numbers, and marks after the names."""
     names = [column.heading for column in grid.columns[1:] if column.is_number]
     columns = [
         Column(heading, is_number=False),
@@ -100,7 +100,7 @@ def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
 
 
 def _field(name: str, cell: Cell, digits: int | None) -> str:
-    """Return the text of a number that fills the field even if indeterminate."""
+    """Return the text of a number; an indeterminate number fills its field with asterisks."""
     if cell.value is None:
         return ""
     if name == "share, %":

@@ -1,7 +1,7 @@
 """Interface of workers of every kind, and the simplest kind: the process itself.
 
-All workers provide `each(function, items)`, which calls `function(state, item)` for every item,
-with a state that each worker receives once. Only a few items are in progress at any time.
+All workers provide `each(function, items)`, which calls `function(state, item)` for every item.
+Each worker receives the state only once, and only a few items are in progress at any time.
 """
 
 from __future__ import annotations
@@ -16,22 +16,22 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 Describe = Callable[[Any], str]
 Work = Callable[[Any, Item], Result]
-"""Function that processes an item with the state of the workers, and returns the result."""
+"""Function that returns the result for an item, given the state of the workers."""
 
 
 class Workers(ABC):
-    """Workers that process items as long as the context lasts.
+    """Workers that process items within a `with` block.
 
     Parameters
     ----------
     state : object
-        State that each worker receives once.
+        Data that every call needs; each worker receives them only once.
     describe : callable
-        Function that names an item in words, for errors.
+        Function that returns the name of an item for error messages.
     """
 
     remote = False
-    """True if workers can be on other machines, which do not see local files."""
+    """True if workers can be on other machines, without access to local files."""
 
     def __init__(self, state: object, describe: Describe) -> None:
         self.state = state
@@ -41,7 +41,7 @@ class Workers(ABC):
         return self
 
     def __exit__(self, *error: object) -> None:  # noqa: B027 (not every kind has workers to end)
-        """End the workers, at once after an error."""
+        """End the workers; after an error, without waiting for items in progress."""
 
     @abstractmethod
     def each(
@@ -59,12 +59,12 @@ class Workers(ABC):
 
 
 class Rules(NamedTuple):
-    """Limits of waiting results and of retries, and the treatment of special items."""
+    """Limits for waiting results and retries, and functions for special items."""
 
     ahead: int = 2
-    """Largest number of unfinished items and waiting results per process, when one item is slow."""
+    """Largest number of unfinished items and waiting results per process while an item is slow."""
     tries: int = 3
-    """Number of processes that can die at an item before the item is abandoned."""
+    """Number of processes that may die while processing an item before it is abandoned."""
     lost: Callable[[Any], Any] | None = None
     """Function that returns a result for an abandoned item; by default an error is raised."""
     here: Callable[[Any], bool] = lambda item: False  # noqa: ARG005
@@ -72,7 +72,7 @@ class Rules(NamedTuple):
 
 
 def call(function: Work[Item, Result], state: object, item: Item, describe: Describe) -> Result:
-    """Return the result of an item.
+    """Return the result of `function` for an item.
 
     Raises
     ------
@@ -90,13 +90,13 @@ def call(function: Work[Item, Result], state: object, item: Item, describe: Desc
 
 
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
-    """Return the error that reports a fault in the program, with the name of the item."""
+    """Return the error for an unexpected exception (a fault in the program) at an item."""
     message = f"an error in vstatics, please report it: {type(error).__name__}: {error}"
     return CaseError("E002", f"{describe(item)}: {message}")
 
 
 class Alone(Workers):
-    """Workers that consist of the process itself."""
+    """Workers of the simplest kind: the present process."""
 
     def each(
         self,

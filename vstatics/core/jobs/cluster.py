@@ -15,14 +15,14 @@ from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.alone import Describe, Item, Result, Work, Workers, failure
 
 SCHEDULER_SECONDS = 10
-"""Longest wait for a scheduler, and then for a first worker [s]."""
+"""Longest time to wait for a scheduler, and again for its first worker. [s]"""
 RETRIES = 3
 LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
-"""Names of the errors of Dask if the scheduler, or all workers with the state, are lost."""
+"""Names of Dask errors that mean the loss of the scheduler or of all workers with the state."""
 
 
 class Cluster(Workers):
-    """The workers of a scheduler; see `vstatics.core.jobs.alone.Workers`."""
+    """Workers of a Dask scheduler; see `vstatics.core.jobs.alone.Workers`."""
 
     remote = True
 
@@ -33,7 +33,7 @@ class Cluster(Workers):
         self._sent: Any = None
 
     def __enter__(self) -> Self:
-        """Connect, compare builds and send the state once to every worker.
+        """Connect to the scheduler, compare builds, and send the state once to every worker.
 
         Raises
         ------
@@ -46,7 +46,7 @@ class Cluster(Workers):
             if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
                 logging.getLogger(name).setLevel(logging.CRITICAL)
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # about other Python versions on workers
+            warnings.simplefilter("ignore")  # Dask warns of other Python versions on workers
             try:
                 self._client = distributed.Client(
                     self.address, timeout=SCHEDULER_SECONDS, set_as_default=False
@@ -76,7 +76,7 @@ class Cluster(Workers):
         return ReadError([of_file("E028", self.address, message)])
 
     def _check_builds(self) -> None:
-        """Refuse workers without the package or with a different build."""
+        """Raise an error if a worker lacks the package or has a different build."""
         for worker, version in self._client.run(_version, on_error="return").items():
             if isinstance(version, Exception):
                 message = f"cannot calculate: {version}; install vstatics {__version__} there"
@@ -87,9 +87,9 @@ class Cluster(Workers):
             raise self._problem(f"worker {worker} {message}")
 
     def _loss(self, error: Exception) -> ReadError:
-        """Return the error of a lost scheduler or of lost workers.
+        """Return the error for a lost scheduler or for lost workers.
 
-        Dask can report both losses by the same error; the scheduler is then asked for an answer.
+        Dask can raise the same error for both; then the answer of the scheduler decides.
         """
         client = self._client
         is_scheduler_lost = getattr(error, "reason", None) == "scheduler-connection-lost"
@@ -134,9 +134,9 @@ class Cluster(Workers):
             raise self._loss(error) from None
 
     def _result(self, future: Any, item: object) -> Any:
-        """Return the result of a future; refuse a result that another build calculated.
+        """Return the result of a Dask future, which must come from the same build.
 
-        A worker with another build can join after the check of the builds.
+        A worker with another build can join after the first comparison of builds.
 
         Raises
         ------
@@ -165,7 +165,7 @@ class Cluster(Workers):
 
 
 async def _answers(client: Any) -> bool:
-    """Return whether the scheduler answers now; the client can notice a loss late."""
+    """Return whether the scheduler answers; the client may notice its loss only later."""
     request = asyncio.ensure_future(client.scheduler.ncores(workers=None))
     end = time.monotonic() + SCHEDULER_SECONDS
     while client.status == "running" and not request.done() and time.monotonic() < end:

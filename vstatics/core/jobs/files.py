@@ -19,7 +19,7 @@ STDIN_NAME = "<stdin>"
 OLD = ".old"
 PREFIX = ".vstatics-"
 OWN_FAULTS = {errno.EISDIR, errno.ENAMETOOLONG, errno.ELOOP, errno.EILSEQ}
-"""Numbers of errors of writing that concern a single name; other errors affect every file."""
+"""Error numbers for faults of a single file name; other errors affect all files."""
 Write = Callable[[bytes | memoryview], None]
 
 
@@ -41,7 +41,7 @@ def is_stream(output: str | None) -> bool:
 
 
 def unwritable(output: str | None, error: OSError) -> Problem:
-    """Return the problem of an output, or stdout, that cannot be written."""
+    """Return the problem that an output, or stdout, cannot be written."""
     message = f"cannot be written: {error.strerror or error}"
     if output is None or output == STDOUT:
         return of_file("E030", "<stdout>", message)
@@ -49,7 +49,7 @@ def unwritable(output: str | None, error: OSError) -> Problem:
 
 
 def missing_folder(output: str) -> Problem | None:
-    """Return the problem of an output in a missing directory.
+    """Return the problem that the directory of an output is missing; None if it exists.
 
     >>> str(missing_folder("nowhere/new.csv"))
     'nowhere/new.csv: error: cannot be written: there is no directory nowhere; create it [E030]'
@@ -62,7 +62,7 @@ def missing_folder(output: str) -> Problem | None:
 
 
 def opened(output: str) -> contextlib.AbstractContextManager[Write]:
-    """Open an existing stream for writing, at the current position of a redirected file."""
+    """Open an existing stream for writing; a redirected file continues at its current position."""
     standard = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
     if standard is None:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
@@ -73,7 +73,7 @@ def opened(output: str) -> contextlib.AbstractContextManager[Write]:
 
 @contextlib.contextmanager
 def descriptor_writing(handle: int) -> Iterator[Write]:
-    """Yield a function that writes to an open file, and close the file."""
+    """Yield a function that writes to an open file, and close the file at the end of the block."""
     try:
         yield partial(write_all, handle)
     finally:
@@ -88,8 +88,8 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
     path : str
     data : bytes
     mark : str, optional
-        Mark in temporary names. A later process removes files with the mark that a killed process
-        has left.
+        Part of the name of temporary files. If a process is killed, a later process recognises and
+        removes its temporary files by this mark.
 
     Raises
     ------
@@ -106,12 +106,12 @@ def replacing(
 ) -> Iterator[Write]:
     """Write a temporary file and move the file into place when the block ends without error.
 
-    An old file keeps its permissions; through a link, the target is written.
+    Permissions of an earlier file are preserved; if `path` is a link, its target is replaced.
 
     Raises
     ------
     ChangedFileError
-        If the old file has unexpected content, and is therefore unchanged.
+        If the earlier file does not have the `expected` content; it is left unchanged.
     """
     if os.path.islink(path):  # noqa: PTH114
         path = os.path.realpath(path)
@@ -130,7 +130,7 @@ def whole_file(  # noqa: PLR0913
     target: int | None = None,
     expected: bytes | None = None,
 ) -> Iterator[Write]:
-    """Write a new file, and rename the file to a path when the block ends without error.
+    """Write a new file, and rename it to a path when the block ends without error.
 
     Parameters
     ----------
@@ -138,16 +138,16 @@ def whole_file(  # noqa: PLR0913
     mark : str
         Mark in the temporary name; see `replace`.
     mode : int, optional
-        Permissions; by default as the umask says.
+        Permissions of the file; default: given by the umask.
     source, target : int, optional
-        Open folders of the temporary file and of the path.
+        Descriptors of the folders of the temporary file and of the path.
     expected : bytes, optional
-        Content of the file that is replaced; not together with open folders.
+        Required content of the replaced file; not in combination with `source` and `target`.
 
     Raises
     ------
     ChangedFileError
-        If the replaced file has unexpected content, and is therefore unchanged.
+        If the replaced file does not have the `expected` content; it is left unchanged.
     """
     folder = os.path.dirname(path) if source is None else ""  # noqa: PTH120
     temporary, handle = _new_file(folder, mark, source)
@@ -167,14 +167,14 @@ def whole_file(  # noqa: PLR0913
 
 
 class ChangedFileError(Exception):
-    """Error for a file that another process has changed in the meantime."""
+    """Error for a file that another process has changed since it was read."""
 
 
 def _exchange(new: str, path: str, expected: bytes) -> None:
-    """Move a new file into the place of a file with known content.
+    """Replace a file of known content by a new file.
 
-    If the system supports it, both files change places in one step and the old file is compared
-    afterwards, so that a text written between comparison and renaming is not lost.
+    If the system supports it, both files are exchanged in one step, and the content of the old file
+    is compared afterwards. So a change made just before the exchange is not lost.
     """
     if not _holds(path, expected):
         raise ChangedFileError
@@ -188,7 +188,7 @@ def _exchange(new: str, path: str, expected: bytes) -> None:
 
 
 def _swapped(new: str, old: str) -> bool:
-    """Exchange two files in a single step; return False if the system cannot."""
+    """Exchange two files in a single step; return False if the system does not support it."""
     import ctypes  # costs start-up time
 
     rename = getattr(ctypes.CDLL(None), "renameat2", None) if os.name == "posix" else None
@@ -214,7 +214,7 @@ def sync(path: str) -> None:
 
 
 def set_aside(path: str) -> str:
-    """Rename an earlier regular file with the suffix `OLD`; return the new name or ""."""
+    """Rename an earlier regular file with the suffix `OLD`; return its new name, or ""."""
     with contextlib.suppress(FileNotFoundError):
         if stat.S_ISREG(os.lstat(path).st_mode):
             os.replace(path, path + OLD)  # noqa: PTH105
@@ -223,14 +223,14 @@ def set_aside(path: str) -> str:
 
 
 def hash_of(case: bytes) -> str:
-    """Return the SHA-256 hash of the bytes of a case as read."""
+    """Return the SHA-256 hash of the bytes of a case."""
     from hashlib import sha256  # costs start-up time
 
     return sha256(case).hexdigest()
 
 
 def hash_of_file(name: str) -> str | None:
-    """Return the hash of a file, or `None` for a stream or an unreadable file."""
+    """Return the SHA-256 hash of a file; None for a stream or an unreadable file."""
     try:
         if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
             with open(name, "rb") as file:  # noqa: PTH123
@@ -241,12 +241,12 @@ def hash_of_file(name: str) -> str | None:
 
 
 def is_temporary(name: str) -> bool:
-    """Return whether the name belongs to an unfinished file."""
+    """Return whether a file name is that of a temporary, unfinished file."""
     return name.startswith(PREFIX) or name.endswith(".tmp")  # the suffix of earlier versions
 
 
 def front(mark: str) -> str:
-    """Return the prefix of the names of temporary files with a mark."""
+    """Return the prefix of the names of temporary files that have a mark."""
     return f"{PREFIX}{mark}-" if mark else PREFIX
 
 
@@ -266,14 +266,14 @@ def _new_file(folder: str, mark: str, opened: int | None) -> tuple[str, int]:
 
 
 def write_all(handle: int, data: bytes | memoryview) -> None:
-    """Write all data, although a single call writes at most 2 GB, and less on a full disk."""
+    """Write all data in several calls if necessary: a call writes 2 GB at most."""
     remaining = memoryview(data)
     while remaining:
         remaining = remaining[os.write(handle, remaining) :]
 
 
 def _mode(path: str) -> int | None:
-    """Return type and permissions of a file, or `None` if missing; refuse a directory."""
+    """Return type and permissions of a file, None if missing; raise an error for a directory."""
     try:
         mode = os.stat(path).st_mode  # noqa: PTH116
     except FileNotFoundError:

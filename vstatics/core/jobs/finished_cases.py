@@ -1,11 +1,11 @@
 """Results in a directory, which a resumed run reuses.
 
-A run into a directory leaves a hidden file for each format: the options and the build of this
-package, then a line for each result as soon as it is finished. The line contains the hashes of
-the case that was read and of the files that it names, a number for everything on which the run
-depends, the state of the result, and whether the case failed (a gear is tied up). A result counts
-as done if its line agrees with this case and this run, and the file has not been changed since.
-Each line begins with its own hash, and damaged lines are ignored.
+A run into a directory writes a hidden file (the record) for each format. Its first line contains
+the options and the build of this package. A line for each finished result follows. It contains the
+hashes of the case and of the files that the case names, a hash of the first line, size and time of
+the result, and whether the case failed (a gear is tied up). A result counts as done if its line
+agrees with the present case and run, and the result has not been changed since. Each line begins
+with its own hash, and damaged lines are ignored.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder
 
 Description = dict[str, Any]
-"""Everything on which finished work depends, except the inputs."""
+"""Options and other data on which finished work depends, except the input files."""
 LOCKED = ".lock"
 _SEAL = 16
-"""Number of digits of the hash of a line: 64 bits."""
+"""Number of hexadecimal digits of the hash of a line (64 bits)."""
 NO_RUN = "there is no earlier run to resume"
 OTHER_BUILD = "the finished work belongs to another build of vstatics"
 
 
 def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
-    """Return the keys of descriptions whose values differ between finished and new work.
+    """Return the keys whose values differ between the descriptions of finished and new work.
 
     >>> differing({"gears": [7, [6.5, 9]]}, {"gears": (7, (6.5, 9.0))})
     []
@@ -44,7 +44,7 @@ def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
 
 
 def sealed(text: bytes) -> bytes:
-    r"""Return a line of a state: a hash that reveals damage, and a text.
+    r"""Return a line of a record: a hash that reveals damage, and a text.
 
     >>> unsealed(sealed(b"[1, 2]").rstrip(b"\n")), unsealed(b"[1, 3]")
     (b'[1, 2]', None)
@@ -53,7 +53,7 @@ def sealed(text: bytes) -> bytes:
 
 
 def unsealed(line: bytes) -> bytes | None:
-    """Return the text of a line of a state without its end, or `None` if damaged."""
+    """Return the text of a line of a record (without line end); None if damaged."""
     text = line[_SEAL + 1 :]
     return text if sealed(text) == line + b"\n" else None
 
@@ -77,9 +77,9 @@ def why_not_taken(
         First line of the finished work, which identifies the run.
     options : dict
     path : str
-        File that contains the line.
+        File that contains the line, for messages.
     anew : str
-        Advice for a new run, in words.
+        Advice in the message about how to start a new run.
 
     Raises
     ------
@@ -103,7 +103,7 @@ def why_not_taken(
 
 
 class CaseMark(NamedTuple):
-    """Hashes that identify a case."""
+    """Hashes that identify the content of a case."""
 
     case: str
     """Hash of the case."""
@@ -111,13 +111,13 @@ class CaseMark(NamedTuple):
     """Hashes of the files that the case names."""
 
     def is_of(self, file: str) -> bool:
-        """Return whether a case and all files that it names are unchanged."""
+        """Return whether a case file and all files that it names are unchanged."""
         hashes = {file: self.case, **self.named_files}
         return all(hash_of_file(name) == known for name, known in hashes.items())
 
 
 def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
-    """Return the mark of a case as read, and of further files named in the case.
+    """Return the hashes of a case, from its bytes, and of the files that the case names.
 
     >>> case_mark(b"links: 2", ["nowhere.csv"]).named_files
     {'nowhere.csv': None}
@@ -126,17 +126,17 @@ def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
 
 
 class _Entry(NamedTuple):
-    """Line about a result."""
+    """Line of the record about a result."""
 
     mark: CaseMark
     run: str
-    """Identification of the options and the build of the run."""
+    """Hash of the options and the build of the run."""
     state: list[int]
     """Size of the result, and time of writing [ns]."""
 
 
 class FinishedCases:
-    """Results of a run in a directory to which only one process at a time writes."""
+    """Results of a run in a directory, to which only one run at a time may write."""
 
     def __init__(self, folder: str, suffix: str, options: Description) -> None:
         self.folder = folder
@@ -151,14 +151,14 @@ class FinishedCases:
         self._record: int | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the attributes for another process, which opens the record itself."""
+        """Return the attributes for pickling; another process opens the record itself."""
         return vars(self) | {"_record": None}
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Release the directory, and remove unfinished files of ended workers."""
+        """Release the lock, and remove files that workers left unfinished."""
         if self._record is not None:
             os.close(self._record)
         if self._lock is not None:
@@ -167,7 +167,7 @@ class FinishedCases:
         unlock(self._lock)
 
     def exists(self) -> bool:
-        """Return whether there is a record of a run."""
+        """Return whether the record of a run exists."""
         return os.path.isdir(self.folder) and self.name in self._files.names()  # noqa: PTH112
 
     def lock(self) -> None:
@@ -178,7 +178,7 @@ class FinishedCases:
             self._files.forget(self.mark)  # unfinished files of a killed run
 
     def begin(self) -> None:
-        """Begin a run.
+        """Begin a run with a new record.
 
         Raises
         ------
@@ -205,7 +205,7 @@ class FinishedCases:
             return why_not
         for line in lines:
             self._take(line)
-        if lines[-1:] != [b""]:  # a full disk has cut the last line
+        if lines[-1:] != [b""]:  # the last line is incomplete, because the disk was full
             self._append(b"\n")
         return ""
 
@@ -215,7 +215,7 @@ class FinishedCases:
         write_all(self._record, data)
 
     def _take(self, line: bytes) -> None:
-        """Register the result of a line, unless the line is cut or damaged or the case failed."""
+        """Register the result of a line, unless the line is damaged or the case failed."""
         text = unsealed(line)
         if text is None:
             return
@@ -225,7 +225,7 @@ class FinishedCases:
             self._done[name] = _Entry(CaseMark(case, named_files), run, state)
 
     def is_done(self, file: str, target: str) -> bool:
-        """Return whether the run has a result for the present version of the case `file`."""
+        """Return whether the run has a result for the present content of the case `file`."""
         entry = self._done.get(os.path.basename(target))  # noqa: PTH119
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False
@@ -240,12 +240,12 @@ class FinishedCases:
         *,
         failed: bool,
     ) -> None:
-        """Write a result, and record the case as read and all files named in the case.
+        """Write a result, and record the hashes of the case and of the files that it names.
 
         Parameters
         ----------
         result : sequence of bytes
-            Pages of the result; a text has one.
+            Contents of the pages of the result; a text has a single page.
 
         Raises
         ------

@@ -1,10 +1,10 @@
 """Parts of a single output of many cases, which a resumed run reuses.
 
-While a run writes a file, a directory next to it contains the parts of finished cases: a line for
-the options and the build of this package, then for each part a line with the hashes of the case,
-of the files that it names and of the part, and the part itself. Each of these lines begins with
-its own hash, and damaged lines are ignored. The directory is removed with the output complete,
-unless a case failed: then only failed cases are calculated again.
+While a run writes a file, a directory next to it contains a file with the parts of finished cases.
+Its first line identifies the options and the build of this package. Each part follows a line with
+the hashes of the case, of the files that the case names, and of the part. Every line begins with
+its own hash, and damaged lines are ignored. The directory is removed when the output is complete.
+It stays if a case failed, so that a resumed run calculates only the failed cases again.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder
 
 PARTS, OVER = "parts", "over"
-"""Name of the file of parts, and of a file that marks a run that was not stopped."""
+"""Names of the file with the parts, and of a file that marks a run as completed."""
 ANEW = "remove the directory to begin anew"
 
 
 class _Stretch(NamedTuple):
-    """Position of a part in the file of parts."""
+    """Position of a part in the file with the parts."""
 
     mark: CaseMark
     start: int
@@ -44,7 +44,7 @@ class _Stretch(NamedTuple):
 
 
 class FinishedParts:
-    """Parts of an output of a single process.
+    """Parts of an output that a single process writes.
 
     Parameters
     ----------
@@ -72,9 +72,9 @@ class FinishedParts:
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Release the parts, which stay after an error or on request."""
+        """Release the lock; parts are removed unless an error occurred or they are still needed."""
         if self._file is not None:
-            with contextlib.suppress(OSError):  # a missing part is calculated again
+            with contextlib.suppress(OSError):  # a part that is lost is calculated again
                 os.close(self._file)
             self._leave(is_over=error[0] is None)
         elif self._lock is not None:
@@ -82,7 +82,7 @@ class FinishedParts:
         unlock(self._lock)
 
     def _leave(self, *, is_over: bool) -> None:
-        """Remove the parts, or keep all; a mark shows that a run was completed, not stopped."""
+        """Remove the parts or leave them; mark a completed run, in contrast to a stopped run."""
         if (self._parts or self._added) and (self.stays or not is_over):
             if is_over:
                 with contextlib.suppress(OSError):
@@ -101,11 +101,11 @@ class FinishedParts:
         return len(self._parts)
 
     def exists(self) -> bool:
-        """Return whether a file or directory has the name of the directory of parts."""
+        """Return whether the directory of parts, or a file of the same name, exists."""
         return self.folder.exists()
 
     def open(self, *, resume: bool) -> str:
-        """Begin a run or resume an earlier run; return "", or why resuming is impossible.
+        """Begin a run or resume an earlier run; return "", or why the run cannot be resumed.
 
         Raises
         ------
@@ -129,12 +129,12 @@ class FinishedParts:
             self.folder.replace(PARTS, first)
         self._file = self.folder.open(PARTS, os.O_RDWR)
         end = max([len(first), *(part.start + part.size for part in self._parts.values())])
-        os.ftruncate(self._file, end)  # remove a part that a killed run has cut
+        os.ftruncate(self._file, end)  # remove a part that a killed run left incomplete
         os.lseek(self._file, end, os.SEEK_SET)
         return why_not if resume else ""
 
     def _refuse(self) -> None:
-        """Refuse to overwrite the parts of a stopped run."""
+        """Raise an error if parts of a stopped run would be overwritten."""
         count = 0
         with contextlib.suppress(FileNotFoundError), self.folder.reading(PARTS) as file:
             file.readline()
@@ -156,7 +156,7 @@ class FinishedParts:
         return why_not
 
     def is_done(self, file: str) -> bool:
-        """Return whether a part of the present version of a case exists."""
+        """Return whether a part exists for the present content of a case."""
         part = self._parts.get(file)
         return part is not None and part.mark.is_of(file)
 
@@ -177,11 +177,11 @@ class FinishedParts:
         assert self._file is not None  # noqa: S101 - it was opened
         entry = [file, *mark, len(part), hash_of(part)]
         write_all(self._file, sealed(json.dumps(entry).encode()) + part)
-        self._added = True  # what is new is in memory no longer than it takes to write it
+        self._added = True  # new parts are read from the file, not from memory
 
 
 def _whole_parts(file: IO[bytes]) -> Iterator[tuple[str, _Stretch]]:
-    """Yield the parts behind the first line, each with its case, without damaged parts.
+    """Yield the undamaged parts after the first line, each with the file name of its case.
 
     Reading stops at a truncated or damaged line, because the start of the next part is unknown.
     """

@@ -1,8 +1,8 @@
 """Finished pieces of long work such as a sweep, which a resumed run reuses.
 
 While a sweep into `out.csv` runs, the directory `out.csv.parts` contains a file for each finished
-piece, a description of the sweep, and a lock. For other kinds of work, the caller gives the name of
-the work, and says whether the output is a directory.
+piece, a description of the sweep, and a lock file. Other kinds of work use the same format; the
+output can also be a directory.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ SUFFIX = ".parts"
 PLAN = "plan.json"
 LOCK = "lock"
 CASE = "the case, a file that it names, or an option"
-"""Words in a message for a change that cannot be named more precisely."""
+"""Phrase in a message for a change of the work that cannot be named more precisely."""
 OF_BUILDS = ("build", "fingerprint", "pieces")
-"""Keys of a description that can differ between builds for equal work."""
+"""Keys of a description whose values can differ between builds of the package for equal work."""
 
 
 class FinishedPieces:
@@ -38,7 +38,7 @@ class FinishedPieces:
     what : str
         Name of the work in messages.
     into_folder : bool
-        Whether the output is a directory, which the caller fills.
+        True if the output is a directory that the caller fills.
     """
 
     def __init__(self, output: str, what: str = "sweep", *, into_folder: bool = False) -> None:
@@ -56,7 +56,7 @@ class FinishedPieces:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Release the directory; finished pieces stay."""
+        """Release the directory without removing finished pieces."""
         if self.is_open and not self.finished():
             self._remove()
         self.unlock()
@@ -66,31 +66,31 @@ class FinishedPieces:
         return self.folder.file(name)
 
     def exists(self) -> bool:
-        """Return whether a file or directory has the name of the directory of pieces."""
+        """Return whether the directory of pieces, or a file of the same name, exists."""
         return self.folder.exists()
 
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
-        """Create the directory or load the pieces; return "", or why pieces cannot be used.
+        """Create the directory or load the pieces; return "", or the reason why this is impossible.
 
         Parameters
         ----------
         description : dict
-            Definition of the work, with a `fingerprint` equal to that of existing pieces.
+            Definition of the work. Its `fingerprint` must equal the fingerprint of existing pieces.
             Pieces of another `build` of this package are removed.
         pieces : int
             Number of all pieces.
         resume : bool
-            Whether existing pieces are accepted.
+            True to reuse existing pieces.
 
         Raises
         ------
         ReadError
-            If another process holds the directory, or existing pieces cannot be accepted.
+            If another process holds the lock, or existing pieces belong to other work.
         OSError
         """
         if os.path.isdir(self.output) and not self.into_folder:  # noqa: PTH112
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
-        if self.into_folder:  # created with its parents, like every directory of results
+        if self.into_folder:  # results directories are created together with their parents
             os.makedirs(os.path.dirname(self.output), exist_ok=True)  # noqa: PTH103, PTH120
         self.work = description["fingerprint"]
         self.lock()
@@ -103,7 +103,7 @@ class FinishedPieces:
             accounts = (read_account(self.directory, piece, self.work) for piece in trusted)
             self.accounts = {account.piece: account for account in accounts if account}
         self.is_open = True
-        for name in self.folder.names():  # left unfinished by a killed process
+        for name in self.folder.names():  # remove files that a killed process left unfinished
             if name not in (PLAN, LOCK) and not (name.isdigit() and int(name) in self.accounts):
                 self.folder.remove(name)
         self.folder.replace(PLAN, json.dumps(description, indent=2, ensure_ascii=False).encode())
@@ -123,16 +123,16 @@ class FinishedPieces:
         raise ReadError([of_file("E032", self.directory, message)])
 
     def finished(self) -> list[int]:
-        """Return the numbers of the existing pieces, whichever process has written them."""
+        """Return the numbers of the existing pieces, written by this or an earlier process."""
         return sorted(int(name) for name in self.folder.names() if name.isdigit())
 
     def _check(
         self, known: Description, wanted: Description, finished: int, *, resume: bool
     ) -> str:
-        """Refuse pieces of other work, and existing pieces without --resume.
+        """Raise an error for pieces of other work, or for existing pieces without --resume.
 
-        Return why pieces of this work are not used: two builds have different fingerprints for
-        equal work.
+        Otherwise return "", or the reason why pieces of this work cannot be used: they are from
+        another build.
         """
         changed = differing(known, wanted)
         said = [key for key in changed if key not in OF_BUILDS]
@@ -149,13 +149,13 @@ class FinishedPieces:
         raise ReadError([of_file("E033", self.directory, message)])
 
     def lock(self) -> None:
-        """Lock the directory; see `vstatics.core.jobs.lock.lock`."""
+        """Lock the directory against other processes; see `vstatics.core.jobs.lock.lock`."""
         self.folder.make()
         self.folder.check()
         self._lock = lock(self.folder, LOCK, self.what)
 
     def unlock(self) -> None:
-        """Release the directory."""
+        """Release the lock of the directory."""
         unlock(self._lock)
         self._lock = None
 
@@ -170,12 +170,12 @@ class FinishedPieces:
         self.drop()
 
     def drop(self) -> None:
-        """Remove the pieces after the output was written."""
+        """Remove the pieces, after the output has been written."""
         self._remove()
         self.unlock()
 
     def _remove(self) -> None:
-        """Remove the directory, and the description last, so that resuming stays possible."""
+        """Remove the directory, its description last, so that resuming stays possible."""
         for name in sorted(self.folder.names(), key=(PLAN, LOCK).__contains__):
             self.folder.remove(name)
         self.folder.drop()

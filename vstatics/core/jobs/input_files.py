@@ -23,9 +23,9 @@ KINDS = {
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
-"""Words in messages for kinds of files, by the type bits of their mode."""
+"""Names of the kinds of files in messages, by the type bits of the file mode."""
 AT_ONCE = getattr(os, "O_NONBLOCK", 0)
-"""Flag that opens a FIFO without waiting for the process at the other end."""
+"""Flag to open a FIFO without waiting for the process at its other end."""
 _STREAM_PIECE = 2**20
 """Size of the parts in which a stream is read. [bytes]"""
 Data = TypeVar("Data", str, bytes)
@@ -48,7 +48,7 @@ class TooLargeError(OSError):
 
 
 class NotRegularError(OSError):
-    """Error for a pipe or device named by a file, which could block or never end."""
+    """Error for a pipe or device where a regular file is required, because it could block."""
 
     def __init__(self, mode: int, file: str) -> None:
         kind = KINDS.get(stat.S_IFMT(mode), "not a file")
@@ -66,13 +66,13 @@ def read_file(
     most : int
         Largest size. [bytes]
     regular : bool
-        Whether the file must be regular. A user can name a pipe and wait for it; a pipe that
-        another file names, or that appears in a folder, is refused.
+        True if the file must be regular. A user may name a pipe and wait for it, but a pipe that is
+        named in another file, or found in a folder, is refused.
 
     Raises
     ------
     OSError
-        If the file cannot be opened or read, with `TooLargeError` and `NotRegularError`.
+        If the file cannot be opened or read; this includes `TooLargeError` and `NotRegularError`.
     """
     with opened(file, regular=regular) as stream:
         about = os.fstat(stream.fileno())
@@ -84,7 +84,7 @@ def read_file(
 
 
 def unreadable(file: str, error: OSError) -> Problem:
-    """Return the problem of an input that cannot be read.
+    """Return the problem that an input cannot be read.
 
     >>> str(unreadable("large.yaml", TooLargeError(2_000_000)))
     'large.yaml: error: cannot be read: larger than 2 MB, expected at most this size [E046]'
@@ -106,7 +106,7 @@ def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:
 
 
 def _at_once(name: str, flags: int) -> int:
-    """Open a file without waiting for another process to write."""
+    """Open a file without waiting for another process that writes to it."""
     return os.open(name, flags | AT_ONCE)
 
 
@@ -121,7 +121,7 @@ def read_stream(
     most : int
         Largest length. [bytes or characters]
     file : str, optional
-        Name in the message.
+        Name of the stream in the error message.
     first : int
         Size of the first part read. [bytes]
 
@@ -145,4 +145,4 @@ def read_stream(
         length, size = length + len(part), _STREAM_PIECE
         if length > most:
             raise TooLargeError(most, file)
-    return part.join(parts)  # the last part is empty
+    return part.join(parts)  # an empty part ends the stream

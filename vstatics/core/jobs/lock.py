@@ -1,4 +1,4 @@
-"""Lock of a directory for the lifetime of a process."""
+"""Lock of a folder that a process holds while it runs."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.state_files import StateFolder
 
 WITHOUT = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)
-"""Numbers of errors that a file system without locks gives."""
+"""Error numbers that a file system without locks returns."""
 LOCK_TENTHS = 10
-"""Longest wait for the lock, in tenths of a second."""
+"""Longest time to wait for the lock, in tenths of a second."""
 
 
 def lock(folder: StateFolder, name: str, what: str) -> int | None:
-    """Create a folder if necessary, lock the folder, and return the file for `unlock`.
+    """Create a folder if necessary, lock it, and return the descriptor of the lock file.
 
-    Return None if the system or the file system has no such locks.
+    The descriptor is the argument of `unlock`; it is None on systems without locks.
 
     Parameters
     ----------
     folder : StateFolder
     name : str
-        Name of the lock file, which contains the number of the process.
+        Name of the lock file, which contains the process id.
     what : str
-        Name of the work, for the message of other processes.
+        Name of the work, for the message in other processes.
 
     Raises
     ------
     ReadError
-        If another process holds the lock, or the name belongs to something else.
+        If another process holds the lock, or a different kind of file has this name.
     OSError
     """
     folder.make()
@@ -57,8 +57,8 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
                 return None
             raise
         else:
-            if folder.has(name, file):  # true unless a process that finished has removed the file
-                with contextlib.suppress(OSError):  # a full disk does not prevent the lock
+            if folder.has(name, file):  # false if its earlier owner removed it
+                with contextlib.suppress(OSError):  # a full disk must not prevent the lock
                     os.ftruncate(file, 0)
                     os.write(file, f"{os.getpid()}\n".encode())
                 return file
@@ -69,7 +69,7 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
 
 
 def unlock(file: int | None) -> None:
-    """Release a folder."""
+    """Release the lock of a folder."""
     if file is not None:
-        with contextlib.suppress(OSError):  # after a full disk, the file may lack the number
+        with contextlib.suppress(OSError):  # the file is empty if the disk was full
             os.close(file)

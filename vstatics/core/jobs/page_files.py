@@ -1,7 +1,8 @@
 """Pages of a picture in a series of files: NAME.svg, NAME-2.svg, NAME-3.svg.
 
-The user has not named the files of further pages. So these files carry a mark, which
-distinguishes them from other files: only marked files are replaced, or removed when stale.
+The user names only the file of the first page. The files of further pages therefore contain a mark
+that distinguishes them from other files; only marked files are replaced or, if no longer needed,
+removed.
 """
 
 from __future__ import annotations
@@ -15,15 +16,15 @@ from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.files import replacing, set_aside
 
 PAGE_KEY = "data-page"
-"""Attribute of an SVG, or text key of a PNG, with the number of a further page."""
+"""Attribute of an SVG, or text key of a PNG, that contains the number of a further page."""
 _MARK = re.compile(rb'(?:<svg\b[^>]*? data-page="|tEXtdata-page\0)([1-9]\d{0,5})')
 _LOOKED_AT = 2000
-"""Number of bytes at the beginning of a file that are searched for the mark."""
+"""Number of bytes at the beginning of a file in which the mark is searched for."""
 _FURTHER = re.compile(r"(.+)-([1-9]\d{0,5})")
 
 
 def page_name(path: str, number: int) -> str:
-    """Return the file of a page of a picture, from 1.
+    """Return the file name of a page of a picture; pages are numbered from 1.
 
     >>> page_name("flows/box.svg", 1), page_name("flows/box.svg", 2)
     ('flows/box.svg', 'flows/box-2.svg')
@@ -33,7 +34,7 @@ def page_name(path: str, number: int) -> str:
 
 
 def replace_pages(path: str, pages: Sequence[bytes], mark: str = "") -> None:
-    """Write the pages of a picture, all or none, and remove stale further pages.
+    """Write all pages of a picture or none, and remove further pages of an earlier picture.
 
     Parameters
     ----------
@@ -53,7 +54,7 @@ def replace_pages(path: str, pages: Sequence[bytes], mark: str = "") -> None:
         If a page cannot be written.
     """
     _refuse(path, len(pages))
-    with ExitStack() as stack:  # moved into place when all are written, the first page last
+    with ExitStack() as stack:  # files are moved into place at the end
         for number, page in enumerate(pages, 1):
             stack.enter_context(replacing(page_name(path, number), mark))(page)
     for stale in further_pages(path, len(pages)):
@@ -76,7 +77,7 @@ def set_pages_aside(path: str) -> str:
 
 
 def _refuse(path: str, count: int) -> None:
-    """Refuse to replace files of another origin."""
+    """Raise an error if files would be replaced that are not pages of an earlier picture."""
     stem, suffix = os.path.splitext(path)  # noqa: PTH122
     named = _FURTHER.fullmatch(stem)
     if named and os.path.exists(named[1] + suffix) and _marked(path) == int(named[2]):  # noqa: PTH110

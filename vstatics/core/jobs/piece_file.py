@@ -1,8 +1,8 @@
 """File with a finished piece of a sweep.
 
-The file is written under another name and then renamed, so it is complete or absent. The data
-come first, so that they can be copied into the output unchanged, then an account of the data in
-JSON, with checksums, and the length and checksum of the account.
+The file is written under another name and then renamed, so it is complete or absent. It begins with
+the data, which can be copied unchanged into the output. Then follow a JSON description of the data
+with checksums (the account), and the length and checksum of the account.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 from vstatics.core.jobs.state_files import StateFolder
 
 ASSEMBLED = "output"
-"""Name of the file that becomes the output."""
+"""Name of the file in which the output is assembled."""
 _END = struct.Struct("<QL8s")
 _MAGIC = b"vstpiece"
 _BUFFER = 2**20
@@ -34,38 +34,38 @@ class Segment(NamedTuple):
 
 
 class Noticed(NamedTuple):
-    """Message that several variants share, except for the numbers in the text."""
+    """Message that applies to several variants, with different numbers in the text."""
 
     id: str
     text: str
     """Text of the message for the first variant."""
     first: int
-    """Number of the first variant with the message."""
+    """Number (position in the sweep) of the first variant with the message."""
     variants: int
-    """Number of variants with the message."""
+    """Count of the variants with the message."""
 
     @property
     def alike(self) -> tuple[str, str]:
-        """Key that is equal for messages that differ in numbers only."""
+        """Key that is equal for messages that differ only in numbers."""
         return self.id, _NUMBER.sub("0", self.text)
 
 
 _NUMBER = re.compile(r"(?<![\w.])-?\d+(\.\d+)?(e[+-]?\d+)?(?!\w)")
-"""Number in a message; digits of a name such as C1 do not match."""
+"""Pattern of a number in a message; digits of names such as C1 do not match."""
 
 
 class Account(NamedTuple):
-    """Content of a finished piece."""
+    """Account of a finished piece: counts, messages, and the layout of the data."""
 
     piece: int
     rows: int
     counts: dict[str, int]
-    """Number of variants by status, including variants without a row."""
+    """Number of variants by status, including variants that have no row in the output."""
     segments: tuple[Segment, ...]
     removed: tuple[int, ...] = ()
-    """Numbers of variants that the parts of the condition removed, in the order of the parts."""
+    """Numbers of variants removed by each part of the filter condition, in its order."""
     outside: tuple[str, ...] = ()
-    """Laws that were evaluated outside their points."""
+    """Names of laws that were evaluated outside their points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
     work: str = ""
@@ -83,7 +83,7 @@ class Account(NamedTuple):
 
 
 class Copy(NamedTuple):
-    """Part of a piece to be copied, with the offsets in its file and in the output, in bytes."""
+    """Part of a piece to be copied: offsets in its file and in the output, in bytes."""
 
     piece: int
     source: int
@@ -101,7 +101,7 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     noticed: tuple[Noticed, ...] = (),
     work: str = "",
 ) -> tuple[Account, list[Any]]:
-    """Return a finished piece as buffers to be written in sequence.
+    """Return the content of a piece file as buffers to be written in sequence.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
 
 
 def read_account(directory: str, piece: int, work: str = "") -> Account | None:
-    """Return the account of a piece, if the file exists and is intact."""
+    """Return the account of a piece; None if the file is missing or damaged."""
     try:
         with StateFolder(directory).reading(piece_name(piece)) as file:
             size = file.seek(0, os.SEEK_END)
@@ -188,9 +188,9 @@ def piece_path(directory: str, piece: int) -> str:
 
 
 def copy(directory: str, copies: Sequence[Copy]) -> int:
-    """Copy parts of pieces into the file that becomes the output; return the number of bytes.
+    """Copy parts of pieces into the file `ASSEMBLED`; return the number of bytes copied.
 
-    The kernel copies if the system supports it.
+    If the system supports it, the kernel copies the data without passing them to Python.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 """Several processes on this machine, replaced when one dies.
 
-Each process has its own pipe, so the item at which a process died is known. This item is tried
-again by a new process, and finally given up. All other items are unaffected.
+Each process has its own pipe, so the item at which a process died is known. A new process tries
+this item again; after several deaths the item is abandoned. Other items are unaffected.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
 QUEUED = 2
-"""Number of items queued per process, so that no process waits for the next item."""
+"""Number of items queued per process, so that processes need not wait for items."""
 END_SECONDS = 5
-"""Time after the closing of its pipe at which a process that still runs is killed. [s]"""
+"""Time between closing the pipe of a process and killing the process if it still runs. [s]"""
 TELLING = "telling"
-"""Name of a thread that sleeps, and holds locks only while printing."""
+"""Name of the thread that prints progress; it holds locks only while printing."""
 
 
 class Processes(Workers):
@@ -39,7 +39,7 @@ class Processes(Workers):
         self._processes: list[_Process] = []
 
     def __exit__(self, *error: object) -> None:
-        """End the processes, at once after an error."""
+        """End the processes; after an error, without waiting for items in progress."""
         self._end(list(self._processes), at_once=error[0] is not None)
 
     def each(
@@ -72,7 +72,7 @@ class Processes(Workers):
         return sum(len(process.items) for process in self._processes)
 
     def _give(self, function: Work[Any, Any], coming: _Coming, done: dict[int, Any]) -> None:
-        """Give items to the processes, up to the limits of `QUEUED` and `Rules.ahead`."""
+        """Send items to the processes, up to the limits `QUEUED` and `Rules.ahead`."""
         under_way = self._under_way()
         while under_way + len(done) < self.rules.ahead * self.jobs:
             if under_way >= QUEUED * self.jobs:
@@ -100,7 +100,7 @@ class Processes(Workers):
         return min(self._processes, key=lambda process: len(process.items))
 
     def _gather(self, coming: _Coming, done: dict[int, Any]) -> None:
-        """Wait for results; queue the items of a process that died again."""
+        """Wait for results; if a process has died, queue its items again."""
         from multiprocessing.connection import wait
 
         ready = set(wait([process.connection for process in self._processes]))
@@ -118,7 +118,7 @@ class Processes(Workers):
             done[number] = process.items.pop(number), result
 
     def _again(self, entries: list[tuple[int, Any]], coming: _Coming, done: dict[int, Any]) -> None:
-        """Queue the items of a dead process again; it died at the first of these items."""
+        """Queue the items of a dead process again; its first item is counted as the cause."""
         if entries and coming.dies(entries[0][0]) >= self.rules.tries:
             number, item = entries.pop(0)
             if self.rules.lost is None:
@@ -136,7 +136,7 @@ class Processes(Workers):
 
 
 class _Coming:
-    """Numbered items that no process has yet; items to be tried again come first."""
+    """Numbered items that are not yet assigned to a process; items to be retried come first."""
 
     def __init__(self, items: Iterable[Any]) -> None:
         self.items = enumerate(items)
@@ -156,17 +156,17 @@ class _Coming:
 
 
 class _Process:
-    """Process with a pipe and queued items."""
+    """Process with its pipe and its queued items."""
 
     def __init__(self, state: object, describe: Describe, others: Iterable[_Process]) -> None:
         import multiprocessing
         from multiprocessing import resource_tracker
 
-        # A fork is fast, but is not safe if another thread holds a lock.
+        # A fork is fast, but not safe while another thread can hold a lock.
         may_hold = [thread for thread in threading.enumerate() if thread.name != TELLING]
         fork = sys.platform == "linux" and len(may_hold) == 1
         context: Any = multiprocessing.get_context("fork" if fork else "spawn")
-        if not fork:  # a later start could be interrupted by a signal
+        if not fork:  # start now, because a signal could interrupt a later start
             resource_tracker.ensure_running()
         self.items: dict[int, Any] = {}
         self.connection, far = context.Pipe()
@@ -174,14 +174,14 @@ class _Process:
         arguments = (state, describe, far, inherited)
         self.process = context.Process(target=_serve, args=arguments, daemon=True)
         with _later(signal.SIGINT, signal.SIGTERM), warnings.catch_warnings():
-            # Python warns of the threads of BLAS, which are safe to fork.
+            # Python warns of forks with several threads; the threads of BLAS are no problem.
             warnings.simplefilter("ignore", DeprecationWarning)
             self.process.start()
         far.close()
 
     def give(self, number: int, item: Any, function: Work[Any, Any]) -> None:
         self.items[number] = item
-        with suppress(OSError):  # a dead process is noticed when its results are read
+        with suppress(OSError):  # the death of a process is detected when its results are read
             self.connection.send((number, item, function))
 
     def dismiss(self, *, at_once: bool) -> None:
@@ -208,14 +208,14 @@ def _later(*signals: signal.Signals) -> Iterator[None]:
 def _serve(
     state: object, describe: Describe, connection: Connection, inherited: Iterable[Connection]
 ) -> None:
-    """Process items until the pipe or the parent ends; the parent handles Ctrl-C."""
+    """Process items until the pipe is closed or the parent ends; the parent handles Ctrl-C."""
     for other in inherited:
         other.close()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT, signal.SIGTERM])
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    with suppress(EOFError, OSError):  # the pipe has ended
+    with suppress(EOFError, OSError):  # the pipe is closed
         while True:
             number, item, function = connection.recv()
             try:
@@ -227,7 +227,7 @@ def _serve(
 
 
 def _end_with_parent() -> None:
-    """End this process with the parent, even in the middle of an item."""
+    """Ensure that this process ends with its parent, even in the middle of an item."""
     from multiprocessing import connection, parent_process
 
     parent = parent_process()

@@ -17,11 +17,11 @@ PREFIX = "vstatics-table-"
 
 
 class Spool:
-    """Rows of doubles in a temporary file, written by a single process and readable by all.
+    """Rows of doubles in a temporary file, written by one process and readable by all.
 
-    The original object owns the file, which is deleted by `close`, with the object, or with the
-    process. A pickled copy knows only the path: it can read on the same machine while the owner
-    lives, and deletes nothing.
+    The original object owns the file, which is deleted by `close`, with the object, or at the end
+    of the process. A pickled copy can read the file on the same machine while the owner exists, and
+    never deletes it.
 
     Parameters
     ----------
@@ -90,12 +90,12 @@ class Spool:
         return np.frombuffer(data).reshape(stop - start, self.columns)
 
     def close(self) -> None:
-        """Remove the file if owned by this object."""
+        """Remove the file, if this object owns it."""
         if self._remove is not None:
             self._remove()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state without the right to remove the file."""
+        """Return the attributes for pickling, without ownership of the file."""
         return {**vars(self), "_remove": None}
 
 

@@ -1,10 +1,10 @@
 """Locks and finished work in a folder to which other users can have access.
 
-No other module opens, renames or removes these files. The folder is opened first, then its files
-by their names in it, so the file that is checked is the file that is used. A file is accepted if
-it is a regular file of this user with a single name. A link, a FIFO, a device, a socket, a folder
-or a file of another owner is refused by name before anything is read or written. The folder itself
-is checked in the same way.
+State files are locks and records of finished work; only this module opens, renames or removes them.
+The folder is opened first, and its files are opened relative to it, so that the checked file is the
+file that is used. A file is accepted if it is a regular file of this user with a single name. A
+link, a FIFO, a device, a socket, a folder or a file of another owner is refused before anything is
+read or written. The folder itself is checked in the same way.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ CURE = "remove it, or choose another output"
 
 
 class StateFolder(NamedTuple):
-    """Folder with locks and records of finished work, the files of a state.
+    """Folder with state files: locks and records of finished work.
 
     Parameters
     ----------
     path : str
     has_results : bool
-        Whether the folder is the output itself, which can be a link or belong to others.
-        Otherwise the folder contains nothing but the state.
+        True if the folder is the output itself, which can be a link or belong to others. Otherwise
+        the folder contains only state files.
     """
 
     path: str
@@ -44,7 +44,7 @@ class StateFolder(NamedTuple):
         return os.path.join(self.path, name)  # noqa: PTH118
 
     def exists(self) -> bool:
-        """Return whether a file or folder has the name of the folder."""
+        """Return whether the folder, or a file of the same name, exists."""
         return os.path.lexists(self.path)
 
     def make(self) -> None:
@@ -53,7 +53,7 @@ class StateFolder(NamedTuple):
             os.mkdir(self.path)  # noqa: PTH102
 
     def check(self, *names: str) -> None:
-        """Refuse named files, or by default all files of the folder, that are not files of a state.
+        """Check that named files, by default all files of the folder, are state files.
 
         Raises
         ------
@@ -67,7 +67,7 @@ class StateFolder(NamedTuple):
                 self._look(folder, name)
 
     def names(self) -> list[str]:
-        """Return the names of all files, if the folder exists."""
+        """Return the names of all files; empty if the folder does not exist."""
         if not self.exists():
             return []
         with self._opened() as folder:
@@ -82,12 +82,12 @@ class StateFolder(NamedTuple):
             return sum(os.lstat(name, dir_fd=folder).st_size for name in names)
 
     def open(self, name: str, flags: int) -> int:
-        """Open a file, and return the descriptor; the caller closes it.
+        """Open a file, and return its descriptor, which the caller must close.
 
         Raises
         ------
         ReadError
-            If the file is not a file of a state.
+            If the file is not acceptable as a state file.
         OSError
         """
         with self._opened() as folder:
@@ -101,7 +101,7 @@ class StateFolder(NamedTuple):
         return handle
 
     def has(self, name: str, handle: int) -> bool:
-        """Return whether an open file still has this name in the folder."""
+        """Return whether an open file still has the given name in the folder."""
         try:
             with self._opened() as folder:
                 return os.path.samestat(os.fstat(handle), os.lstat(name, dir_fd=folder))
@@ -117,7 +117,7 @@ class StateFolder(NamedTuple):
         return descriptor_writing(self.open(name, os.O_WRONLY | os.O_APPEND | os.O_CREAT))
 
     def writing(self, name: str) -> IO[bytes]:
-        """Open a new file for writing; an earlier file of the name is removed."""
+        """Open a new file for writing, after removing an earlier file of this name."""
         self.check(name)
         self.remove(name)
         return open(self.open(name, os.O_RDWR | os.O_CREAT | os.O_EXCL), "r+b")  # noqa: PTH123
@@ -137,12 +137,12 @@ class StateFolder(NamedTuple):
 
     @contextlib.contextmanager
     def replacing_output(self, path: str) -> Iterator[Write]:
-        """Write a file in the folder, and finally move the file to a path."""
+        """Write a file in the folder, and move it to a path when the block ends."""
         with self._opened() as folder, replacing(path, folder=folder) as write:
             yield write
 
     def put_for_good(self, name: str, path: str) -> None:
-        """Move a file to a path, and synchronise the disk.
+        """Move a file to a path, and wait until it is on the disk.
 
         Raises
         ------
@@ -153,7 +153,7 @@ class StateFolder(NamedTuple):
             os.fsync(file.fileno())
         with self._opened() as folder:
             os.replace(name, path, src_dir_fd=folder)
-        with contextlib.suppress(OSError):  # not every system can synchronise a folder
+        with contextlib.suppress(OSError):  # some systems cannot synchronise a folder
             sync(os.path.dirname(path) or os.curdir)  # noqa: PTH120
 
     def remove(self, name: str) -> None:
@@ -162,7 +162,7 @@ class StateFolder(NamedTuple):
             os.unlink(name, dir_fd=folder)
 
     def forget(self, mark: str = "") -> None:
-        """Remove unfinished files with a mark, while no process is writing such a file."""
+        """Remove unfinished files with a mark; no process may be writing such a file."""
         for name in self.names():
             if re.fullmatch(rf"{re.escape(front(mark))}\d+-\d+", name):
                 self.remove(name)
@@ -174,12 +174,12 @@ class StateFolder(NamedTuple):
 
     @contextlib.contextmanager
     def _opened(self) -> Iterator[int]:
-        """Open the folder.
+        """Open the folder as a context, and yield its descriptor.
 
         Raises
         ------
         ReadError
-            If a folder that holds nothing but a state is something else, or has another owner.
+            If the path is not a folder, or if a folder for state files only has another owner.
         OSError
         """
         if not self.has_results:
@@ -201,7 +201,7 @@ class StateFolder(NamedTuple):
 
 
 def _refuse(path: str, status: os.stat_result, kind: int) -> None:
-    """Refuse a path of a wrong kind or with a wrong owner.
+    """Raise an error for a path of a wrong kind or with a wrong owner.
 
     Raises
     ------

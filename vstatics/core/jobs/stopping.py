@@ -11,13 +11,13 @@ from types import FrameType
 
 ENDING = (signal.SIGINT, signal.SIGTERM)
 AGAIN = (signal.SIGALRM,) if hasattr(signal, "setitimer") else ()
-"""Signal of a timer, as a tuple; empty on systems without timers."""
+"""Timer signal, in a tuple; empty on systems without timers."""
 SIGNAL_DELAY = 0.001
-"""Delay of a signal that arrives during the import of a module [s]."""
+"""Delay after which a signal that arrived during an import is raised again. [s]"""
 
 
 class StoppedError(BaseException):
-    """Request by a signal to end the process."""
+    """Exception raised when a signal requests the end of the process."""
 
     def __init__(self, number: int) -> None:
         self.signal = number
@@ -29,9 +29,9 @@ class Stop:
     error: StoppedError | None = None
 
     def check(self) -> None:
-        """Raise the error of a received signal again.
+        """Raise the error again if a signal was received.
 
-        Python drops an exception that is raised while an object is finalised.
+        This is necessary because Python drops an exception that is raised in a finaliser.
 
         Raises
         ------
@@ -46,8 +46,8 @@ class Stop:
 def stoppable() -> Iterator[Stop]:
     """Make SIGINT and SIGTERM raise `StoppedError` within the block.
 
-    During an import the error is raised after the import, because half-imported modules and
-    half-created classes would turn it into unrelated errors.
+    A signal during an import raises the error after the import. Otherwise partly imported modules
+    and partly created classes would cause unrelated errors.
 
     >>> try:
     ...     with stoppable() as stop:
@@ -58,7 +58,7 @@ def stoppable() -> Iterator[Stop]:
     """
     stop = Stop()
     if threading.current_thread() is not threading.main_thread():
-        yield stop  # only the main thread receives signals
+        yield stop  # in other threads signals cannot be handled
         return
     later = False
 

@@ -26,9 +26,9 @@ def workers(
     Parameters
     ----------
     state, describe
-        See `Workers`; both can be pickled.
+        Arguments of `Workers`; both must be picklable.
     jobs : int
-        Number of processes; with 1, this process does all the work.
+        Number of processes; 1 means that the present process does all the work.
     scheduler : str, optional
         Address of a Dask scheduler.
     rules : Rules

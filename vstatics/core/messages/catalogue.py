@@ -21,14 +21,14 @@ _WIDTH = 80
 
 
 class ExplainedMessage(NamedTuple):
-    """Kind of message, with an explanation."""
+    """Kind of message with its explanation."""
 
     id: str
     severity: Severity
     cause: str
     remedy: str
     example: str | None
-    """YAML case whose check prints the message, if a case alone can show the message."""
+    """YAML case whose check prints the message; None if a case alone cannot cause it."""
 
 
 @cache
@@ -52,7 +52,7 @@ def _order(identity: str) -> tuple[int, str]:
 
 
 def known_ids() -> list[str]:
-    """List the ids of all errors, warnings and notes."""
+    """Return the ids of all errors, warnings and notes."""
     return list(_explanations())
 
 
@@ -76,7 +76,7 @@ def explained(identity: str) -> ExplainedMessage:
 
 
 def text(message: ExplainedMessage) -> str:
-    """Write the explanation of a message, with an example if there is any.
+    """Return the explanation of a message as text, with an example if there is one.
 
     >>> print(text(explained("W432")), end="")
     W432 (warning)

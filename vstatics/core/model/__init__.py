@@ -7,8 +7,9 @@
 >>> case.devices, case.output, [gear.name for gear in case.gears]  # checked, defaults filled in
 (['T1', 'F2', 'D1'], 3, ['1', '2'])
 
-`parts` defines its parts, `fields` its derived quantities, and `checks` and `part_checks` find
-errors. `keys` declares the keys of YAML and JSON with the shapes of `shape`; `paths` defines paths
-to numbers, and `declared_numbers` follows them. `springs`, `torsional_checks` and `torsional_keys`
-are for torsional vibration and are imported only for such cases.
+`parts` defines the parts of a transmission, `fields` its derived quantities, and `checks` and
+`part_checks` find errors. `keys` declares the keys of YAML and JSON cases with the types of
+`shape`; `paths` defines paths to numbers, and `declared_numbers` finds their declarations.
+`springs`, `torsional_checks` and `torsional_keys` are for torsional vibration and are imported only
+for such cases.
 """

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 Bodies = list[int]
-"""Body of each link, housing first: the smallest number of a link in the body."""
+"""Body of each link, housing first, identified by the smallest link number in the body."""
 
 
 def join(bodies: Bodies, *links: int) -> None:

@@ -1,4 +1,4 @@
-"""Data of annexes in a case, under keys that annexes declare; the core calculates without them."""
+"""Data of annexes in a case, under keys that the annexes declare; the core does not use them."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ def _nothing(_: TransmissionFields) -> Iterator[Problem]:
 
 
 class CaseKey(NamedTuple):
-    """Key of a case provided by an annex, whose module defines `KEY` of this type."""
+    """Key of a case that an annex provides; the module of the annex defines it as `KEY`."""
 
     shape: KeyShape
     type: object
-    """Type of the case's field, for messages about arguments."""
+    """Type of the field of the case, for messages about wrong arguments."""
     record: Callable[[TransmissionFields], Any]
-    """Function that returns the data of a case in the form of a document."""
+    """Function that returns the data of a case as they are written in a document."""
     problems: Callable[[TransmissionFields], Iterator[Problem]]
     doubts: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
     left_out: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
     """Function that yields notes about data that simulation and vibration ignore."""
     names_members: bool = False
-    """True if the data name members of gear sets, which are unknown if a gear set is in error."""
+    """True if the data refer to members of gear sets; not checked if a gear set has errors."""
 
 
 def as_type(data: object, kind: type[Data]) -> Data | None:
-    """Return data of an annex, checked to be of the type that the annex declares.
+    """Return data of an annex after checking that they have the type declared by the annex.
 
     Raises
     ------

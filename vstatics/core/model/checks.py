@@ -35,10 +35,10 @@ from vstatics.core.suggestions import why_not_allowed
 MOST_FREEWHEELS = 8
 """Largest number of freewheels in a case.
 
-In every gear all combinations of holding freewheels can be tried, 2^8 at most.
+The solver may try all combinations of holding freewheels in every gear: at most 2^8.
 """
 LARGE_DRAG = 0.05
-"""Largest plausible drag torque, relative to the input torque; a larger number is meant in N*m."""
+"""Largest plausible relative drag torque; a larger number was probably meant in N*m. [-]"""
 
 
 def problems(case: TransmissionFields) -> Iterator[Problem]:
@@ -77,7 +77,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield problems of torsional vibration data and of the annexes' data."""
+    """Yield errors in data for torsional vibration and in data of annexes."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     elastic = any(part.stiffness is not None or part.damping for part in parts)
     if _moves(case) or case.converters or elastic:
@@ -111,7 +111,7 @@ def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _moves(case: TransmissionFields) -> bool:
-    """Return whether springs or inertias alone make a case, without gears or mechanisms."""
+    """Return whether a case has springs, inertias or masses, so it needs no gears."""
     return bool(case.springs or case.inertias or case.masses)
 
 
@@ -166,7 +166,7 @@ def _bare(
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield notes about the assumptions that a case leaves to the program."""
+    """Yield notes about possibly shared planets, an assumed input direction, and ignored data."""
     sets = (
         (number, mechanism.name or mechanism_name(number), mechanism.third, mechanism.links[:2])
         for number, mechanism in _not_drawn(case)
@@ -186,7 +186,7 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _turning(case: TransmissionFields) -> Iterator[Problem]:
-    """Note gears with another input link if its direction, needed for freewheels, is assumed."""
+    """Yield notes about gears with a separate input link whose direction is assumed."""
     for number, gear in enumerate(case.gears if case.freewheels else (), 1):
         if gear.input not in (None, case.input) and not case.input_turns(gear):
             yield Problem(
@@ -198,15 +198,15 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
-    """List the mechanisms given directly by the case; gear sets are checked separately."""
+    """Return the number and mechanism of each directly given mechanism."""
     return list(enumerate(case.mechanisms, 1))[case.own_mechanisms]
 
 
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:
-    """Check the number of links, gears and names.
+    """Check the numbers of links, gears and names.
 
-    Links are limited by the components that connect them, so that a short text cannot demand a lot
-    of memory.
+    The number of links is limited by the number of components, so that a short text cannot claim a
+    large amount of memory.
     """
     joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
     joined += sum(len(spring.twist) for spring in case.springs) + len(case.heavy)
@@ -232,7 +232,7 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _first_gear(case: TransmissionFields) -> str:
-    """Return the text of an example gear that engages as many shift elements as speeds need."""
+    """Return an example of a gear, as text, that engages the required number of shift elements."""
     named = zip(case.shift_elements, element_names(case.shift_elements), strict=True)
     names = [name for element, name in named if not element.is_freewheel]
     count = max(case.links - len(case.mechanisms) - 1, 1)
@@ -241,7 +241,7 @@ def _first_gear(case: TransmissionFields) -> str:
 
 
 def _counted(case: TransmissionFields) -> str:
-    """Count the components that can connect links, in words."""
+    """Return a phrase with the numbers of components that can connect links."""
     parts = [f"{len(case.shift_elements)} shift elements", f"{len(case.mechanisms)} mechanisms"]
     parts += [f"{len(case.springs)} springs"] * bool(case.springs)
     return spoken(parts + [f"{len(case.heavy)} inertias"] * bool(case.heavy))
@@ -265,7 +265,7 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _drawn(case: TransmissionFields) -> Iterator[Problem]:
-    """Check that the case has as many mechanisms as follow from the drawing."""
+    """Check that the number of mechanisms agrees with the drawing."""
     if case.drawing is None:
         return
     count = sum(len(device.mechanisms) for device in case.drawing.devices)
@@ -315,7 +315,7 @@ def _is_name(name: str) -> bool:
 
 def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from of_link(case.input, ("input",), case.own_links, lowest=1)
-    if case.output or not case.outputs:  # else the first of the outputs
+    if case.output or not case.outputs:  # otherwise the first of `outputs` is the output
         yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
     yield from _outputs(case)
     if case.input == case.main_output and not (_moves(case) and case.links == 1):

@@ -1,7 +1,8 @@
-"""Declarations of the numbers in a document, found by following its shape along their keys.
+"""Search for the declaration of a number in a document, by the keys of the number.
 
-`leaf_at` finds the declaration at some keys, `bare_unit` the unit of a number without one, and
-`numbers_below` all numbers below a part of the model.
+A document is a case as YAML or JSON; its shape declares the keys and their values. `leaf_at` finds
+the declaration of a value by its keys, `bare_unit` the unit of a number that is written without a
+unit, and `numbers_below` all numbers of a part of the model.
 """
 
 from __future__ import annotations
@@ -31,13 +32,14 @@ from vstatics.core.model.shape import (
 
 _UNITS = {str(kind): unit for kind, unit in UNIT_OF.items()}
 _NUMBERS = ("number", "count", "relative_torque", "efficiency", *get_args(Measure))
-"""Kinds of leaves that are numbers in every document."""
+"""Kinds of declared single values (leaves) that are always numbers."""
 
 
 def leaf_at(shape: Shape, keys: Sequence[str]) -> Leaf | Parsed | None:
-    """Return the declaration of the single value at some keys, counting list items from 1.
+    """Return the declaration of the single value at the given keys; list items count from 1.
 
-    Return None if no single value can be there, or if keys alone do not decide it.
+    The result is None if there can be no single value, or if its declaration depends on other
+    values of the document.
     """
     if isinstance(shape, Leaf | Parsed):
         return None if keys else shape
@@ -48,7 +50,7 @@ def leaf_at(shape: Shape, keys: Sequence[str]) -> Leaf | Parsed | None:
 
 
 def bare_unit(shape: Shape, keys: Sequence[str]) -> str:
-    """Return the unit of a bare number at some keys; empty without a unit.
+    """Return the unit of a number written without a unit at the given keys; empty if dimensionless.
 
     Examples
     --------
@@ -65,15 +67,15 @@ def bare_unit(shape: Shape, keys: Sequence[str]) -> str:
 def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Keys, Leaf]]:
     """Yield keys and declarations of the numbers below a part of the model, given or omitted.
 
-    Laws and short forms are left out.
+    Numbers given by laws or short forms are omitted.
 
     Parameters
     ----------
     shape : Shape
     part : object
-        A record by its attributes or keys, a mapping of names, or a sequence.
+        Part of the model: an object with attributes, a mapping or a sequence.
     keys : tuple of str
-        Keys of the part itself, with which all yielded keys begin.
+        Keys of the part itself, which begin all yielded keys.
 
     Examples
     --------
@@ -100,7 +102,7 @@ def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Ke
 
 
 def value_at(part: Any, key: str) -> Any:
-    """Return the value at a key of a part, or at an item number from 1; None if omitted."""
+    """Return the value of a part under a key or item number (from 1); None if omitted."""
     if hasattr(part, "_fields"):
         return getattr(part, key, None)
     if isinstance(part, Sequence):
@@ -109,7 +111,7 @@ def value_at(part: Any, key: str) -> Any:
 
 
 _Below = tuple[Shape | None, Sequence[str]]
-"""Declaration at a key, or of the mapping or list there, and the remaining keys."""
+"""Declaration of the value under the first key, and the keys that remain to be followed."""
 
 
 def _by_key(shape: ByKey | ByKind, first: str, others: Sequence[str]) -> _Below:
@@ -130,7 +132,7 @@ def _row(shape: RowOf, first: str, others: Sequence[str]) -> _Below:
 
 
 def _one_or_many(shape: OneOrMany, first: str, others: Sequence[str]) -> _Below:
-    # Numbers of two levels address a list of lists, which is a single item given by points.
+    # Two item numbers in a row, such as `1.2`, address a list of points, which is a single item.
     is_many = first.isdigit() and not (others and others[0].isdigit())
     return shape.item, others if is_many else (first, *others) if first else ()
 

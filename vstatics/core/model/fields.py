@@ -1,4 +1,4 @@
-"""Fields of a transmission before they are checked, and the quantities derived from them."""
+"""Fields of a transmission before its checks, and quantities derived from the fields."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:  # cases without converters must not import them
 
 Value = TypeVar("Value")
 IdleConvention = Literal["published", "exact"]
-"""Convention for the sign of idle mechanisms; see docs/method.md."""
+"""Convention for the direction of power in idle mechanisms; see docs/method.md."""
 
 
 MOST_CYLINDERS = 48
@@ -42,35 +42,35 @@ MOST_CYLINDERS = 48
 
 @runtime_checkable
 class AnyDrawing(Protocol):
-    """Interface of a drawing of gear sets with teeth, implemented by `vstatics.core.elements`."""
+    """Interface of a drawing (gear sets with teeth), implemented by `vstatics.core.elements`."""
 
     @property
     def links(self) -> int:
-        """Number of the case's own links; links of planets are numbered after them."""
+        """Number of links of the case; links of planets are numbered after them."""
 
     @property
     def mechanisms(self) -> Sequence[Mechanism]:
-        """Mechanisms that the case gives directly, not through gear sets."""
+        """Mechanisms that the case gives directly, in addition to gear sets."""
 
     @property
     def devices(self) -> Sequence[OwnDevice]:
-        """Gear sets and mechanisms in the order of the mechanisms derived from them."""
+        """Gear sets and mechanisms of the case, in the order of the mechanisms of the solver."""
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Return the bounds of a mechanism's basic ratio, by the kind of gear set."""
+        """Return the bounds of a mechanism's basic ratio, which depend on the kind of gear set."""
 
     def problems(self) -> Iterator[Problem]:
         """Yield every error of the gear sets."""
 
     def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
-        """Return the fields of a case that follow from the drawing and the link names."""
+        """Return the fields of a case set by the drawing: links, link names, mechanisms."""
 
 
 class Carried(Protocol):
-    """Data of an annex in a case, not read by the core."""
+    """Interface of data that an annex stores in a case and the core does not read."""
 
     def completed(self) -> Self:
-        """Return checked data with all numbers as floats."""
+        """Return the data, already checked, with all numbers as floats."""
 
 
 @dataclass(frozen=True)
@@ -106,13 +106,13 @@ class TransmissionFields:
     hushed: Sequence[str] = field(default=(), repr=False, compare=False)
     """Ids of messages suppressed by the caller, not by the case."""
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
-    """Drawing from which the mechanisms were derived, to notice when `drawing` is replaced."""
+    """Drawing from which the mechanisms were derived, to detect a replaced `drawing`."""
 
     def __post_init__(self) -> None:
         """Leave all checks to `Transmission`."""
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the fields, without derived values, for a copy or another process."""
+        """Return the fields without derived values, for copying and pickling."""
         return {name: getattr(self, name) for name in self.__dataclass_fields__}
 
     @cached_property
@@ -120,10 +120,10 @@ class TransmissionFields:
         return {}
 
     def derived(self, derive: Callable[[Self], Value]) -> Value:
-        """Return the value that a function derives from a case, calculated once.
+        """Return the value that a function derives from the case; it is calculated only once.
 
-        Cases that differ only in ratios, efficiencies and planet ratios share the value, so the
-        function must not read these numbers.
+        Cases that differ only in ratios, efficiencies and planet ratios share the value. The
+        function must therefore not read these numbers.
         """
         if derive not in self._derived:
             self._derived[derive] = derive(self)
@@ -132,7 +132,7 @@ class TransmissionFields:
 
     @property
     def untold(self) -> Sequence[str]:
-        """Ids of suppressed messages, by the case and by the caller."""
+        """Ids of messages suppressed by the case or by the caller."""
         return (*self.allow, *self.hushed)
 
     @property
@@ -142,7 +142,7 @@ class TransmissionFields:
 
     @property
     def own_links(self) -> int:
-        """Number of links without planets."""
+        """Number of links of the case, without planets."""
         return self.links if self.drawing is None else self.drawing.links
 
     @property
@@ -156,13 +156,13 @@ class TransmissionFields:
 
     @cached_property
     def own_devices(self) -> Sequence[OwnDevice]:
-        """Mechanisms and gear sets as the case names them, before gear sets become mechanisms."""
+        """Gear sets and mechanisms as named by the case, unlike the mechanisms of the solver."""
         if self.drawing is not None:
             return self.drawing.devices
         return [_own_device(number, mechanism) for number, mechanism in enumerate(self.mechanisms)]
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Return the bounds of a mechanism's basic ratio; infinite without a gear set."""
+        """Return the bounds of a mechanism's basic ratio; infinite if it is not from a gear set."""
         return self.drawing.ratio_range(index) if self.drawing else (-math.inf, math.inf)
 
     def gear_number(self, asked: int | str) -> int:
@@ -177,8 +177,8 @@ class TransmissionFields:
         Raises
         ------
         ValueError
-            If the gear does not exist, with the nearest name; or if an int is the number of one
-            gear and the name of another.
+            If the gear does not exist (the message suggests the nearest name), or if an int is the
+            number of a gear and the name of another gear.
         """
         names = [gear.name for gear in self.gears]
         if asked in names:
@@ -198,7 +198,7 @@ class TransmissionFields:
         Raises
         ------
         ValueError
-            If the link does not exist, with the nearest name.
+            If the link does not exist. The message suggests the nearest name.
         """
         names = self.link_names[: self.own_links]
         if str(asked) in names:
@@ -224,7 +224,8 @@ class TransmissionFields:
     def gear_load(self, gear: Gear) -> Load:
         """Return the operating point of a gear, which inherits omitted values from the case.
 
-        `coast` turns the torque against the input speed if true, along the speed if false.
+        If `coast` is given, it determines the sign of the torque: against the input speed if true,
+        along the speed if false.
         """
         if gear.load is None and self.load is None:
             return NO_LOAD
@@ -239,21 +240,21 @@ class TransmissionFields:
         return load._replace(torque=-load.torque, power=power)
 
     def gear_coast(self, gear: Gear) -> bool | None:
-        """Return `coast` of a gear, by default of the case."""
+        """Return the `coast` setting of a gear, by default that of the case; None if not given."""
         return self.coast if gear.coast is None else gear.coast
 
     def coasts(self, gear: Gear) -> bool:
-        """Return whether a gear coasts, by the sign of the input power or else by `coast`."""
+        """Return whether a gear coasts, from the sign of the input power or else from `coast`."""
         load = self.gear_load(gear)
         if load.speed and load.torque:
             return load.speed * load.torque < 0
         return bool(self.gear_coast(gear))
 
     def torque_unit(self, gear: Gear) -> float:
-        """Return the torque to which a gear's torques are relative: the signed input torque [N*m].
+        """Return the reference of relative torques in a gear, the signed input torque [N*m].
 
-        Without torque of the operating point the unit is 1 N*m, along the speed unless the gear
-        coasts; it is 0 if no torque is given.
+        If the input torque is 0, the reference is 1 N*m, along the speed unless the gear coasts. If
+        no torque is given, the result is 0.
         """
         load = self.gear_load(gear)
         if load.torque is None or load.torque:
@@ -261,7 +262,7 @@ class TransmissionFields:
         return math.copysign(1.0, load.speed or 1.0) * (-1.0 if self.coasts(gear) else 1.0)
 
     def input_torque(self, gear: Gear) -> float:
-        """Return the relative input torque of a gear: 1, or 0 if the input is unloaded."""
+        """Return the relative input torque of a gear: 1, or 0 if the input torque is 0."""
         return 0.0 if self.gear_load(gear).torque == 0 else 1.0
 
     @cached_property
@@ -270,7 +271,7 @@ class TransmissionFields:
         return [n for n, gear in enumerate(self.gears) if not self.input_torque(gear)]
 
     def input_turns(self, gear: Gear) -> Direction | Literal[""]:
-        """Return the direction in which a gear's input turns; empty if the case does not say."""
+        """Return the direction of rotation of a gear's input; empty if it is not given."""
         if gear.input_turns:
             return gear.input_turns
         load = self.gear_load(gear)
@@ -279,7 +280,7 @@ class TransmissionFields:
 
     @cached_property
     def has_converter(self) -> bool:
-        """True if a converter makes the torque ratio of a gear differ from its speed ratio."""
+        """True if the case has a converter, which multiplies torque differently from speed."""
         return any(mechanism.kind == "converter" for mechanism in self.mechanisms)
 
     def elements_at(self, numbers: Iterable[int]) -> list[ShiftElement]:
@@ -287,7 +288,7 @@ class TransmissionFields:
         return [self.shift_elements[number - 1] for number in numbers]
 
     def conserves_power(self, gear: Gear) -> bool:
-        """Return whether the output of a gear takes the whole input power if meshes lose none."""
+        """Return whether, without mesh losses, the output of a gear takes the whole input power."""
         return not (gear.speeds or gear.torques or self.has_converter or gear.slipping)
 
     def bodies(self, gear: Gear) -> Bodies:
@@ -304,7 +305,7 @@ class TransmissionFields:
         bodies = list(range(self.links + 1))
         for element in self.elements_at(gear.joining):
             join(bodies, element.first, element.second)
-        for spring in self.springs:  # at mean speeds the twist of a shaft is constant
+        for spring in self.springs:  # at constant speeds the twist of a shaft is constant
             join(bodies, *(() if spring.is_damper else ends(spring.twist) or ()))
         return bodies
 
@@ -334,7 +335,7 @@ class TransmissionFields:
     def unloaded_converters(self, gear: Gear) -> set[int]:
         """Return the indices of converters that a gear bypasses or opens.
 
-        They carry no torque and have no equation in this gear.
+        Such converters carry no torque and have no equation in this gear.
 
         Examples
         --------
@@ -367,19 +368,19 @@ class TransmissionFields:
 
     @property
     def own_mechanisms(self) -> slice:
-        """Slice of the mechanisms that the case gives directly, after the gear sets' mechanisms."""
+        """Slice of the mechanisms given directly by the case, after the mechanisms of gear sets."""
         drawn = len(self.mechanisms) - len(self.drawing.mechanisms) if self.drawing else 0
         return slice(drawn, len(self.mechanisms))
 
     def gear_ratios(self, gear: Gear, ratios: Sequence[Any] | None = None) -> list[Any]:
-        """Return the ratio of each mechanism in a gear [-], with the gear's own speed ratios.
+        """Return the ratio of each mechanism in a gear [-], including speed ratios of the gear.
 
         A converter that is bypassed or open gets the ratio 1 as a placeholder.
 
         Parameters
         ----------
         ratios : sequence, optional
-            Ratios of the mechanisms in all gears, by default their `ratio`. [-]
+            Ratios that apply in all gears; default: the `ratio` of each mechanism. [-]
         """
         in_gear = (
             list(ratios)
@@ -412,7 +413,7 @@ class TransmissionFields:
         return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
 
     def gear_drag(self, gear: Gear) -> dict[int, float]:
-        """Return the drag torque on links in a gear, by default of the case.
+        """Return the drag torque on links in a gear; the case gives the default for each link.
 
         Examples
         --------
@@ -434,14 +435,14 @@ class TransmissionFields:
 
     @cached_property
     def gears_with_drag(self) -> Sequence[Gear]:
-        """Gears completed with the drag torques of the case and the shift elements."""
+        """Gears that include the drag torques given by the case and by its shift elements."""
         return [
             gear._replace(drag=self.gear_drag(gear), open_drag=self.gear_open_drag(gear))
             for gear in self.gears
         ]
 
     def _in_gear(self, gear: Gear, torques: Mapping[int, float]) -> dict[int, float]:
-        """Relate torques that were given with a unit to the input torque of a gear."""
+        """Return torques, with torques given in N*m made relative to the input torque of a gear."""
         if not any(isinstance(torque, OfLoad) for torque in torques.values()):
             return dict(torques)
         unit = abs(self.torque_unit(gear))
@@ -481,12 +482,12 @@ class TransmissionFields:
 
     @property
     def has_own_rows(self) -> bool:
-        """True if results have rows without a name in a deck: gear sets or springs."""
+        """True if results have rows that a deck cannot name, because of gear sets or springs."""
         return self.drawing is not None or bool(self.springs)
 
     @property
     def among_devices(self) -> slice:
-        """Slice of the mechanisms in `devices`, between shift elements and springs."""
+        """Slice of the mechanisms in `devices`; they are between shift elements and springs."""
         elements = len(self.shift_elements)
         return slice(elements, elements + len(self.mechanisms))
 
@@ -494,8 +495,8 @@ class TransmissionFields:
 def gear_place(text: str, names: Sequence[str]) -> int | None:
     """Return the number of a gear from a text such as ``#3``; None for other texts.
 
-    Without ``#`` a text is a number only if no name has a digit: of gears 1 to 8 and R, `9` does
-    not mean the ninth gear, R.
+    Without ``#`` a text is a number only if no name contains a digit. So with gears 1 to 8 and R,
+    `9` does not mean R, the ninth gear.
 
     >>> names = ["1", "2", "R"]
     >>> gear_place("3", names), gear_place("#3", names), gear_place("2", ["low", "high"])
@@ -507,7 +508,7 @@ def gear_place(text: str, names: Sequence[str]) -> int | None:
 
 
 def numbered_gear(text: str, names: Sequence[str]) -> str:
-    """Return a hint to the gear whose number, not name, was given.
+    """Return a hint that names the gear, if its number was given instead of its name.
 
     >>> numbered_gear("3", ["1", "2", "R"]), numbered_gear("4", ["1", "2", "R"])
     ('; #3 is R', '')

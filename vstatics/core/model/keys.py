@@ -1,7 +1,7 @@
 """Keys of a case in YAML and JSON; see `model.shape`.
 
-Keys are the attributes of the model's classes, in the order of reading: links come before the
-parts that refer to them, for example.
+Keys have the names of the attributes of the model's classes. Their order is the order of reading;
+for example, links are read before the parts that refer to them.
 """
 
 from __future__ import annotations
@@ -156,7 +156,7 @@ DRAG = ByLaw(
     ),
     RowOf((Leaf("si_speed"), Leaf("si_torque")), "speed, torque"),
 )
-"""Drag torque relative to the input torque [-], or over the speed w [N*m, rad/s]."""
+"""Declaration of a drag torque: relative to the input torque [-], or a law over speed."""
 
 
 def _law(over: Any, points: Any) -> Any:
@@ -166,7 +166,7 @@ def _law(over: Any, points: Any) -> Any:
 
 
 def _map(columns: Any = (), rows: Any = (), unit: Any = "", **others: Any) -> Any:
-    """Return a map, or the name of the file that contains it."""
+    """Return a map from its values, or the values themselves if a file contains the map."""
     from vstatics.core.model.laws import MapLaw  # costs start-up time
 
     return others if "file" in others else MapLaw(columns, rows, unit)
@@ -181,7 +181,7 @@ def _map_fault(file: str | None = None, **others: object) -> str:
 
 
 def _map_keys(values: str, head: str, of: str, *others: KeyShape) -> ByKey:
-    """Return the shape of a map over speed and torque.
+    """Return the declaration of a map over speed and torque.
 
     Parameters
     ----------
@@ -236,16 +236,16 @@ def _map_keys(values: str, head: str, of: str, *others: KeyShape) -> ByKey:
 
 
 MAP = "[speed, torque]"
-"""Value of `over` of a map, whose rows begin with a speed."""
+"""Value of the key `over` for a map; its rows begin with a speed."""
 
 
 def _map_alone(values: str, head: str, of: str, *others: KeyShape) -> ByKind:
-    """Return the shape of a law that must be a map; see `_map_keys`."""
+    """Return the declaration of a law that must be a map; parameters as in `_map_keys`."""
     return ByKind({MAP: _map_keys(values, head, of, *others)}, "over")
 
 
 def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
-    """Return the shape of an efficiency given by points over speed or torque."""
+    """Return the declaration of an efficiency given by points over speed or torque."""
     return ByKey(
         f"Efficiency over {over}",
         "Points, interpolated linearly and held constant outside.",
@@ -286,7 +286,7 @@ EFFICIENCY = ByLaw(
     ),
     values="efficiency",
 )
-"""Efficiency [-], or over the speed w [rad/s] and the torque T [N*m]."""
+"""Declaration of an efficiency [-]: a number, or a law over speed [rad/s] and torque [N*m]."""
 
 MACHINE_EFFICIENCY = ByLaw(
     Leaf("efficiency"),
@@ -298,7 +298,7 @@ MACHINE_EFFICIENCY = ByLaw(
     ),
     values="efficiency",
 )
-"""Efficiency of an electric machine [-], or over its speed w [rad/s] and torque T [N*m]."""
+"""Declaration of the efficiency of an electric machine [-]: a number, or a law."""
 
 GEAR_LOSS = ByLaw(
     None,
@@ -310,7 +310,7 @@ GEAR_LOSS = ByLaw(
     ),
     values="loss",
 )
-"""Loss of a gear that is measured as a whole, over speed [rad/s] and torque [N*m] of the input."""
+"""Declaration of the loss of a gear as a whole, over input speed [rad/s] and torque [N*m]."""
 
 ELEMENT = ByKey(
     "Shift element",
@@ -463,7 +463,7 @@ COAST = KeyShape(
     "input speed, otherwise along it. By default the sign of the input power decides.",
 )
 ENGAGED = ListOf(Leaf("element"), "shift elements")
-"""Shape of the shift elements that a gear engages."""
+"""Declaration of the shift elements that a gear engages."""
 
 GEAR = ByKey(
     "Gear",
@@ -653,13 +653,13 @@ CASE = ByKey(
 
 
 def with_carried(case: ByKey, keys: Iterable[CaseKey]) -> ByKey:
-    """Return the shape of a case extended by keys of annexes, which come before `allow`."""
+    """Return the declaration of a case extended by keys of annexes, which precede `allow`."""
     *others, allow = case.keys
     return case._replace(keys=(*others, *(key.shape for key in keys), allow))
 
 
 def with_masses(case: ByKey) -> ByKey:
-    """Return the shape of a case with springs or inertias, which needs no links or mechanisms."""
+    """Return the declaration of a case with springs or inertias, without required mechanisms."""
     free = {"mechanisms", "links"}
     keys = (key._replace(required=key.required and key.name not in free) for key in case.keys)
     return case._replace(keys=tuple(keys))

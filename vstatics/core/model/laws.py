@@ -1,4 +1,4 @@
-"""Laws given by points or by a map, and the checks of laws and battery balances in a case."""
+"""Laws: drag, efficiency or loss over speed or torque, given by points or a map; checks."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from vstatics.core.numerics.lookup_table import LookupTable
 MOST_LAW_POINTS = 10_000
 """Largest number of points in a law."""
 LossUnit = Literal["", "W", "kW", "N*m"]
-"""Unit of the values of a map of losses; empty for a map of efficiencies."""
+"""Unit of the values of a loss map; empty for an efficiency map."""
 
 
 class PointLaw(Law):
-    """Law interpolated linearly between points and held constant outside.
+    """Law given by points: linear interpolation between them, constant values outside.
 
     Parameters
     ----------
     points : sequence of pairs
-        Speeds [rad/s] or torques [N*m] of 0 or more in ascending order, with the value at each.
+        Speed [rad/s] or torque [N*m], 0 or more in ascending order, and the value there.
     over : {"speed", "torque"}
         Quantity on which the value depends.
 
@@ -41,7 +41,7 @@ class PointLaw(Law):
     def __new__(
         cls, points: Sequence[Sequence[float]], over: Literal["speed", "torque"] = "speed"
     ) -> Self:
-        """Store the points, which are checked with the case."""
+        """Create a law without checking the points, which are checked with the case."""
         law = super().__new__(cls, points[0][1] if points else 1.0)
         law.points = tuple((float(x), float(y)) for x, y in points)
         law.over = over
@@ -52,14 +52,14 @@ class PointLaw(Law):
         return self.points, self.over
 
     def at(self, *sizes: Size) -> Size:
-        """Return the value at a speed or torque, or an array of values at an array of speeds."""
+        """Return the value at a speed [rad/s] or torque [N*m], a number or an array."""
         (size,) = sizes
         x, y = zip(*self.points, strict=True)
         values = np.interp(size, x, y)
         return values if isinstance(size, np.ndarray) else float(values)  # type: ignore[no-any-return]
 
     def is_outside(self, *sizes: Floats) -> Booleans:
-        """Return whether each speed or torque is outside the points."""
+        """Return flags that mark speeds or torques outside the points."""
         (size,) = sizes
         return (size < self.points[0][0]) | (size > self.points[-1][0])
 
@@ -71,14 +71,14 @@ class PointLaw(Law):
 
 
 class MapLaw(Law):
-    """Law interpolated bilinearly between the points of a map, and held constant outside.
+    """Law given by a map: bilinear interpolation between its points, constant values outside.
 
     Parameters
     ----------
     columns : sequence of float
         Torques in ascending order. [N*m]
     rows : sequence of sequence of float
-        Rows of a speed [rad/s], in ascending order, and the value at each torque.
+        Speed [rad/s] of each row, in ascending order, followed by the value at each torque.
     unit : {"", "W", "kW", "N*m"}
         Unit of the values of a loss; empty for an efficiency.
 
@@ -96,7 +96,7 @@ class MapLaw(Law):
     def __new__(
         cls, columns: Sequence[float], rows: Sequence[Sequence[float]], unit: LossUnit = ""
     ) -> Self:
-        """Store the map, which is checked with the case."""
+        """Create a law without checking the map, which is checked with the case."""
         law = super().__new__(cls, rows[0][1] if rows and rows[0][1:] else 1.0)
         law.over, law.unit = "both", unit
         law.columns = tuple(map(float, columns))
@@ -115,14 +115,14 @@ class MapLaw(Law):
         )
 
     def at(self, *sizes: Size) -> Size:
-        """Return the value at a speed and a torque, or at each of two arrays."""
+        """Return the value at a speed [rad/s] and a torque [N*m], numbers or arrays."""
         speed, torque = sizes
         if isinstance(speed, np.ndarray) or isinstance(torque, np.ndarray):
             return self.table.along(*np.broadcast_arrays(speed, torque))
         return self.table.at(speed, torque)
 
     def is_outside(self, *sizes: Floats) -> Booleans:
-        """Return whether each pair of speed and torque is outside the map."""
+        """Return flags that mark pairs of speed and torque outside the map."""
         speed, torque = sizes
         low, high = self.rows[0][0], self.rows[-1][0]
         first, last = self.columns[0], self.columns[-1]
@@ -139,7 +139,7 @@ class MapLaw(Law):
         return type(self), self.columns, self.rows, self.unit
 
     def __repr__(self) -> str:
-        """Return the whole definition, so that cases with different maps have different texts."""
+        """Return the full definition, so that cases with different maps have different texts."""
         return f"MapLaw({self.columns!r}, {self.rows!r}, {self.unit!r})"
 
 
@@ -148,7 +148,7 @@ def of_law(  # noqa: PLR0913
 ) -> Iterator[Problem]:
     """Check the points or the map of a law, with values from `low` to `high`.
 
-    Values of a formula are checked at the operating point. `signed` admits torques below 0.
+    Values of a formula are checked later, at the operating point. `signed` permits torques below 0.
     """
     if isinstance(law, MapLaw):
         yield from _of_map(law, path, low=low, high=high, what=what, signed=signed)
@@ -158,7 +158,7 @@ def of_law(  # noqa: PLR0913
 
 
 def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
-    """Check that points ascend from 0 on, with values from `low` to `high`."""
+    """Check that points ascend and begin at 0 or above, with values from `low` to `high`."""
     if len(law.points) > MOST_LAW_POINTS:
         yield Problem(
             "E266", f"read {len(law.points)} points, expected {MOST_LAW_POINTS} at most", path
@@ -182,9 +182,9 @@ def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> I
 def _of_map(  # noqa: PLR0913
     law: MapLaw, path: Path, *, low: float, high: float, what: str, signed: bool
 ) -> Iterator[Problem]:
-    """Check that the speeds and torques of a full map ascend, with values from `low` to `high`.
+    """Check that a map is complete and ascends, with values from `low` to `high`.
 
-    `signed` admits torques below 0.
+    `signed` permits torques below 0.
     """
     columns, rows = law.columns, law.rows
     if len(columns) * len(rows) > MOST_LAW_POINTS:
@@ -224,7 +224,7 @@ def _ascending(numbers: Sequence[float], noun: str, least: float, path: Path) ->
 
 
 def of_balances(case: TransmissionFields) -> Iterator[Problem]:
-    """Check battery balances: links, efficiencies, and a link whose torque is to be calculated."""
+    """Check battery balances: their links and efficiencies, and a link with an unknown torque."""
     for number, gear in enumerate(case.gears, 1):
         if gear.balance is None:
             continue
@@ -257,9 +257,9 @@ def of_balances(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def without_loads(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield laws in gears whose operating point lacks speed or torque, which statics needs.
+    """Yield errors for laws in a gear whose operating point has no speed or no torque.
 
-    Simulation does not need them.
+    Statics needs both; simulation does not. Only the first such gear is reported.
     """
     places: list[Path] = [
         ("mechanisms", number, name)
@@ -287,7 +287,7 @@ def without_loads(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield gears whose load does not determine the speed ratios that their converters lack."""
+    """Yield errors for gears whose load cannot determine the speed ratios of converters."""
     for number, gear in enumerate(case.gears, 1):
         sought = [case.mechanisms[place].name for place in case.sought_converters(gear)]
         load = case.gear_load(gear)

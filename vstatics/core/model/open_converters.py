@@ -1,4 +1,4 @@
-"""Conversion of converters with a given speed ratio into open converters, which slip freely."""
+"""Conversion of torque converters with a given speed ratio to converters that slip freely."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def with_open_converters(case: Transmission) -> Transmission:
 
 
 def with_needed_ratios(case: Transmission) -> Transmission:
-    """Return the case, with all converters open if any converter lacks a speed ratio.
+    """Return the case; if any converter lacks a speed ratio, all are moved to `converters`.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def with_needed_ratios(case: Transmission) -> Transmission:
 def with_mechanisms(
     case: Transmission, mechanisms: Sequence[Mechanism], **changes: Any
 ) -> Transmission:
-    """Return a case with other mechanisms, except those of gear sets, and further changes."""
+    """Return a case with its directly given mechanisms replaced, and with further changes."""
     if case.drawing is None:
         return case.replace(mechanisms=mechanisms, **changes)
     drawing: Any = case.drawing
@@ -67,7 +67,7 @@ def with_mechanisms(
 
 
 def without_lambda(case: Transmission) -> Iterator[Problem]:
-    """Yield problems of converters whose torque is unknown for lack of lambda."""
+    """Yield errors for converters whose torque is unknown because lambda is missing."""
     for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.kind == "converter" and not mechanism.can_be_open:
             message = (

@@ -35,14 +35,14 @@ from vstatics.core.numerics.tolerances import SAME_POWER
 
 
 def called(case: TransmissionFields, link: int) -> str:
-    """Return the name of a link, or the number if unnamed."""
+    """Return the name of a link, or its number if it has no name."""
     if link == HOUSING:
         return "0 (the housing)"
     return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
 
 
 def is_number(number: object, last: int, first: int = HOUSING) -> bool:
-    """Return whether an object is an integer from `first` to `last`, as links are numbered."""
+    """Return whether an object is an integer from `first` to `last`, such as a link number."""
     return hasattr(number, "__index__") and first <= number <= last  # type: ignore[operator]
 
 
@@ -56,7 +56,7 @@ def of_number(identity: str, number: object, noun: str, last: int, path: Path) -
 
 
 def expect(number: float, what: str, path: Path, *, right: bool) -> Iterator[Problem]:
-    """Yield a problem with the expectation `what` unless a number is right."""
+    """Yield a problem that states the expectation `what`, unless the number is right."""
     if not right:
         yield Problem("E216", f"read {number:g}, expected {what}", path)
 
@@ -140,7 +140,7 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
 def _of_temperatures(
     table: CoefficientTable, heat_capacity: float | None, path: Path
 ) -> Iterator[Problem]:
-    """Check a coefficient table: ascending temperatures, a coefficient for each."""
+    """Check that a table has ascending temperatures and a coefficient for each of them."""
     if heat_capacity is None:
         message = "the coefficient depends on temperature, expected a `heat_capacity` as well"
         yield Problem("E261", message, path)
@@ -255,7 +255,7 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 def of_characteristic(
     points: Sequence[tuple[float, ...]], path: Path, numbers: int = 2
 ) -> Iterator[Problem]:
-    """Check the points of a converter: speed ratio, torque ratio and, in all or none, lambda."""
+    """Check the points of a converter: speed ratio, torque ratio and (in all or none) lambda."""
     if not points:
         yield Problem("E219", "read no points, expected at least one", path)
     before = -math.inf
@@ -304,7 +304,7 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
 
 
 def _open(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """Check the converters that a gear opens."""
+    """Check the converters that a gear lists under `open`."""
     mechanisms = case.mechanisms[case.own_mechanisms]
     names = [*mechanism_names(mechanisms), *(converter.name for converter in case.converters)]
     for place, number in enumerate(gear.open, 1):
@@ -329,9 +329,9 @@ def _open(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]
 
 
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
-    """Return whether a gear bypasses a converter, numbered among the case's own mechanisms.
+    """Return whether a gear bypasses a converter, numbered among the given mechanisms.
 
-    With faulty links or engaged elements, which other checks report, nothing is bypassed.
+    The result is False if links or engaged elements are faulty, which other checks report.
     """
     elements = case.shift_elements
     if not all(is_number(element, len(elements), 1) for element in gear.carrying):
@@ -346,12 +346,12 @@ def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
 
 
 def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[Problem]:
-    """Yield variators and converters without a speed ratio in some gear.
+    """Yield errors for variators and converters that have no speed ratio in some gear.
 
     Parameters
     ----------
     open_too : bool
-        Whether to include converters with lambda, which can also be calculated open.
+        True to include converters with lambda, whose speed ratio the load can determine.
     """
     for number, mechanism in enumerate(case.mechanisms[case.own_mechanisms], 1):
         if (
@@ -398,9 +398,10 @@ def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
 def sets_side_by_side(
     sets: Iterable[tuple[int, str, int, Iterable[int]]],
 ) -> Iterator[tuple[int, str]]:
-    """Find sets (number, name, carrier, wheels) that share carrier and a wheel with earlier sets.
+    """Yield gear sets that share their carrier and a central gear with an earlier gear set.
 
-    Yields the number of the set and the name of the earlier set.
+    Each item is the number of the gear set and the name of the earlier one. `sets` contains
+    numbers, names, carriers and central gears.
     """
     seen: dict[tuple[int, int], str] = {}
     for number, name, carrier, wheels in sets:
@@ -424,7 +425,7 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
         )
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
-            "N204" if ratio == -1 else "W201",  # bevel differentials have -1
+            "N204" if ratio == -1 else "W201",  # ratio of bevel differentials
             f"ratio {ratio:g} is not the basic ratio of a simple planetary gear set, so there is "
             "no planet speed without `planet_ratio`",
             path,
@@ -469,7 +470,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
 def _sides_given(
     case: TransmissionFields, gear: Gear, ends: tuple[int, int], path: Path
 ) -> Iterator[Problem]:
-    """Check given speeds and torques; the input speed and output torque cannot be given."""
+    """Check given speeds and torques, which must exclude the input speed and the output torque."""
     yield from _speeds(case, gear.speeds, (*path, "speeds"))
     yield from _finite(gear.torques, (*path, "torques"), case.own_links)
     if ends[0] in gear.speeds:
@@ -505,7 +506,7 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
 
 
 def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
-    """Check an operating point."""
+    """Check the speed, torque and power of an operating point."""
     load = load or NO_LOAD
     if not isinstance(load, Load):
         yield Problem(
@@ -549,7 +550,7 @@ def _of_power(load: Load, power: float, path: Path) -> Iterator[Problem]:
 def of_link_drag(
     case: TransmissionFields, drag: Mapping[int, float], path: Path
 ) -> Iterator[Problem]:
-    """Check the drag torques on links, of a gear or of the case."""
+    """Check the drag torques on links, given by a gear or by the case."""
     for link, torque in drag.items():
         if link == HOUSING:
             yield Problem(
@@ -629,7 +630,7 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
 
 
 def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
-    """Return a note about an implausibly large number with a missing unit."""
+    """Return a note about an implausibly large number that probably lacks a unit."""
     other = "mm" if unit == "m" else "rpm"
     hint = f"a number without a unit is in {unit}, so write `{value:g} {other}` if this is meant"
     return Problem("N205", f"read {value:g} {unit}, more than {what} can have: {hint}", path)

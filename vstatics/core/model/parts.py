@@ -1,10 +1,10 @@
 """Parts of a transmission: shift elements, mechanisms, gears, operating points and their numbers.
 
-Links, shift elements, mechanisms and gears are numbered from 1 as in the source; link 0 is the
-housing. Numbers become indices only in `matrix`.
+Links, shift elements, mechanisms and gears are numbered from 1, as in the source of the method;
+link 0 is the housing. An index, by contrast, counts from 0.
 
-The solver calculates three-link mechanisms, with planets as links, whereas results name the gear
-sets of the case. `OwnDevice` relates the results of mechanisms to the gear set.
+The solver calculates three-link mechanisms, with planets as links if needed, whereas results are
+listed for the gear sets of the case. `OwnDevice` relates the mechanisms to a gear set.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Damping(NamedTuple):
     loss_factor: float = 0.0
 
     def __bool__(self) -> bool:
-        """Return whether there is any damping."""
+        """Return whether the damping is not 0."""
         return self.viscous != 0 or self.loss_factor != 0
 
 
@@ -105,7 +105,7 @@ Direction = Literal["forward", "backward"]
 """Direction of rotation of an input."""
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
 GearKind = Literal["gear", "neutral", "point"]
-"""A gear of the shift pattern, neutral on purpose, or an operating point of a variable drive."""
+"""Kind of a gear: ratio of the shift pattern, intended neutral, or operating point of a drive."""
 GEAR_KINDS: tuple[GearKind, ...] = get_args(GearKind)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
 MechanismKind = Literal["variator", "converter"]
@@ -119,7 +119,7 @@ class CoefficientTable(NamedTuple):
     columns: tuple[float, ...]
     """Temperatures in ascending order. [degC]"""
     rows: tuple[tuple[float, ...], ...]
-    """Rows of slip [rad/s], ascending, and the coefficient at each temperature [-]."""
+    """Rows with a slip [rad/s], in ascending order, and the coefficient at each temperature [-]."""
 
     def at(self, temperature: float) -> tuple[tuple[float, float], ...]:
         """Return pairs of slip and coefficient at a temperature.
@@ -137,7 +137,7 @@ class CoefficientTable(NamedTuple):
         )
 
     def completed(self) -> CoefficientTable:
-        """Return a checked table with all numbers as floats."""
+        """Return the table, already checked, with all numbers as floats."""
         rows = tuple(tuple(map(float, row)) for row in self.rows)
         return CoefficientTable(tuple(map(float, self.columns)), rows)
 
@@ -155,7 +155,7 @@ class Friction(NamedTuple):
     area: float = 0.0
     """Area of the piston. [m^2]"""
     surfaces: int = 0
-    """Pairs of friction surfaces."""
+    """Number of pairs of friction surfaces."""
     coefficient: tuple[tuple[float, float], ...] | CoefficientTable = ()
     """Coefficient of friction [-] over ascending slip [rad/s], or also over temperature; empty if
     only the heat is known."""
@@ -173,7 +173,7 @@ class Friction(NamedTuple):
 
     @property
     def table(self) -> CoefficientTable | None:
-        """Coefficient of friction if dependent on temperature, else None."""
+        """Table of the coefficient of friction if it depends on temperature, else None."""
         return self.coefficient if isinstance(self.coefficient, CoefficientTable) else None
 
     @property
@@ -184,7 +184,7 @@ class Friction(NamedTuple):
         return self.coefficient
 
     def completed(self) -> Friction:
-        """Return a checked friction pack with all numbers as floats."""
+        """Return the friction pack, already checked, with all numbers as floats."""
         table = self.table
         points = tuple((float(slip), float(coefficient)) for slip, coefficient in self.points)
         heat = None if self.heat_capacity is None else float(self.heat_capacity)
@@ -200,7 +200,7 @@ class Friction(NamedTuple):
 
 
 class ShiftElement(NamedTuple):
-    """Shift element: a clutch joins two links, a brake joins a link to the housing (0).
+    """Shift element: a clutch connects two links, a brake connects a link to the housing (0).
 
     Parameters
     ----------
@@ -209,13 +209,13 @@ class ShiftElement(NamedTuple):
     name : str
         By default a letter and the number; see `element_name`.
     kind : {"clutch", "brake", "dog_clutch", "freewheel"}, optional
-        By default a brake if the housing is one of the links, else a clutch. A freewheel keeps
-        its first link from turning backward relative to the second; it is never listed as
-        engaged, because torque and speed decide whether it holds.
+        By default a brake if the housing is one of the links, else a clutch. A freewheel prevents
+        its first link from turning backward relative to the second; it is never listed as engaged,
+        because torque and speed decide whether it holds.
     drag : float
         Drag torque when disengaged, relative to the input torque. [-]
     capacity : float, optional
-        Torque capacity relative to the input torque of the case, for margins only. [-]
+        Torque capacity relative to the input torque of the case; used only for margins. [-]
     stiffness : float, optional
         Stiffness when engaged, for vibration; rigid by default. [N*m/rad]
     damping : Damping or float
@@ -273,8 +273,8 @@ class Mechanism(NamedTuple):
     first, second, third : int
         Link numbers; 0 is the housing. In a planetary gear set: sun, ring, carrier.
     ratio : float
-        Basic ratio ``(w_first - w_third)/(w_second - w_third)``. Of a variator or converter the
-        speed ratio ``w_second/w_first``, of any sign or 0; NaN if gears give it. [-]
+        Basic ratio ``(w_first - w_third)/(w_second - w_third)``. For a variator or converter, the
+        speed ratio ``w_second/w_first``, of any sign or 0; NaN if each gear gives it. [-]
     efficiency : float
         Basic efficiency, third link held, above 0 and up to 1. [-]
     back_efficiency : float, optional
@@ -286,8 +286,8 @@ class Mechanism(NamedTuple):
     name : str
         By default ``D`` and the number.
     stiffness : float, optional
-        Torque on the first link per twist, which is the sum of (1, -u, u - 1) times the angles of
-        the links; for vibration, rigid by default. [N*m/rad]
+        Stiffness for vibration: torque on the first link divided by the twist, the sum of (1, -u, u
+        - 1) times the angles of the links. Default: rigid. [N*m/rad]
     damping : Damping or float
         Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     is_set : bool
@@ -295,10 +295,10 @@ class Mechanism(NamedTuple):
         carrier held, not a gear pair.
     kind : {"variator", "converter"}, optional
         A variator of speed ratio x has the torques of a gear pair of ratio ``1/x``; at x = 0 it
-        holds its second link. A converter is hydrodynamic.
+        holds its second link. A converter is a hydrodynamic torque converter.
     points : sequence of (float, float) or (float, float, float)
-        Speed ratio and torque ratio ``M_second/M_first`` of a converter [-]; with lambda
-        [N*m*s^2] as a third number it can also be calculated as an open `Converter`.
+        Speed ratio and torque ratio ``M_second/M_first`` of a converter [-]. With the pump factor
+        lambda [N*m*s^2] as a third number, the load can determine its speed ratio.
 
     Examples
     --------
@@ -330,27 +330,28 @@ class Mechanism(NamedTuple):
         return self.first, self.second, self.third
 
     def is_plain(self, ratio: Any) -> Any:
-        """Return whether a plain planetary gear set can have a basic ratio, or each of an array.
+        """Return whether a plain planetary gear set can have a basic ratio (a number or an array).
 
-        In a plain set ``z_planet = (z_ring - z_sun)/2``, so the ratio of first link to planet is
-        ``(ratio + 1)/2`` with either the sun or the ring as first link.
+        A plain set has a sun, a ring and single planets. There ``z_planet = (z_ring - z_sun)/2``,
+        so the speed ratio of first link to planet is ``(ratio + 1)/2`` with either the sun or the
+        ring as first link.
         """
         return (self.third != HOUSING) & (ratio < 0) & (ratio != -1)
 
     @property
     def can_be_open(self) -> bool:
-        """True for a converter with lambda, by which the pump torque is known."""
+        """True for a converter with known lambda, whose speed ratio the load can determine."""
         return self.kind == "converter" and bool(self.points) and len(self.points[0]) == 3
 
     def is_outside(self, ratio: Any) -> Any:
-        """Return whether a speed ratio, or each of an array, is outside a converter's points."""
+        """Return whether a speed ratio, or each in an array, is outside the converter's points."""
         return (ratio < self.points[0][0]) | (ratio > self.points[-1][0])
 
 
 def mechanism_of(
     third: int | None = None, speed_ratio: float | None = None, **others: Any
 ) -> Mechanism:
-    """Return the mechanism with the values of a document.
+    """Return the mechanism from the values of a document.
 
     A third link of 0 marks a planetary gear set with its carrier held; a gear pair has None.
 
@@ -421,7 +422,7 @@ class Load(NamedTuple):
 
     @property
     def torque_size(self) -> float:
-        """Reference torque of drag: ``|torque|``, 1 N*m for a torque of 0, or 0 without a torque.
+        """Reference of relative torques [N*m]: ``|torque|``, 1 if it is 0, and 0 if not given.
 
         >>> Load(torque=-300).torque_size, Load(torque=0).torque_size, Load().torque_size
         (300, 1.0, 0.0)
@@ -429,7 +430,7 @@ class Load(NamedTuple):
         return 0.0 if self.torque is None else abs(self.torque) or 1.0
 
     def or_else(self, other: Load) -> Load:
-        """Return the operating point with omitted values taken from `other`.
+        """Return the operating point, with omitted values taken from another operating point.
 
         >>> Load(speed=1000).or_else(load_of(speed=2000, power=50)).torque
         477.4648292756861
@@ -494,16 +495,17 @@ def load_fault(
 
 
 class OfLoad(float):
-    """Relative speed or torque that was given with a unit.
+    """Relative speed or torque that was originally given with a unit.
 
-    The relative number changes when the case has another operating point, or coasts.
+    The relative number has to be recalculated if the operating point of the case changes.
 
     Parameters
     ----------
     given : float
         Given speed [rpm] or torque [N*m].
     whole : float
-        Input speed or torque in the same unit, not 0; the reference of an unloaded input is 1 N*m.
+        Reference in the same unit, not 0: the input speed, or the input torque (1 N*m if that is
+        0).
 
     Examples
     --------
@@ -516,7 +518,7 @@ class OfLoad(float):
     whole: float
 
     def __new__(cls, given: float, whole: float) -> Self:
-        """Store the given value and the reference with the number."""
+        """Create the relative number, and store the given value and the reference with it."""
         number = super().__new__(cls, given / whole)
         number.given, number.whole = given, whole
         return number
@@ -526,7 +528,7 @@ class OfLoad(float):
         return self.given, self.whole
 
     def by(self, whole: float | None) -> OfLoad:
-        """Return the given value relative to a new reference; unchanged without a reference."""
+        """Return the number for a new reference; unchanged if the reference is None or 0."""
         return OfLoad(self.given, whole) if whole else self
 
 
@@ -544,37 +546,37 @@ Size = TypeVar("Size", float, "Floats")
 
 
 class Law(float):
-    """Drag torque [N*m], efficiency [-] or loss over speed [rad/s], torque [N*m] or both.
+    """Drag torque [N*m], efficiency [-] or loss as function of speed [rad/s], torque [N*m] or both.
 
-    A law needs an operating point. As a number it is the value at 0, for calculations without an
-    operating point. A law always counts as true, because its other values need not be 0 if the
-    value at 0 is.
+    A law needs an operating point. The float itself is the value at speed or torque 0, for
+    calculations without an operating point. A law is always true as a boolean, because it can be
+    nonzero elsewhere even if its value at 0 is 0.
     """
 
     over: Literal["speed", "torque", "both"] = "speed"
     points: tuple[tuple[float, float], ...] = ()
-    """Points of a `PointLaw`."""
+    """Points of a `PointLaw`: speed or torque, and value."""
     text: str = ""
-    """Text of a formula."""
+    """Text of a law given by a formula; empty for other laws."""
     file: str = ""
-    """Name of the file with the points; irrelevant for equality."""
+    """Name of the file with the points; ignored in comparisons of laws."""
 
     def at(self, *sizes: Size) -> Size:
-        """Return the value at the quantities of `sizes_of`, numbers or arrays."""
+        """Return the value at the arguments given by `sizes_of`, numbers or arrays."""
         raise NotImplementedError
 
     def is_outside(self, *sizes: Floats) -> Booleans:
-        """Return whether quantities of `sizes_of` are outside the given points."""
+        """Return whether the arguments given by `sizes_of` are outside the points of the law."""
         raise NotImplementedError
 
     def sizes_of(self, speed: Size, torque: Size) -> tuple[Size, ...]:
-        """Return speed, torque or both, whatever the law is over."""
+        """Return the arguments of the law: speed, torque or both."""
         if self.over == "both":
             return speed, torque
         return (speed,) if self.over == "speed" else (torque,)
 
     def __bool__(self) -> bool:
-        """Return True, because a law with the value 0 at 0 can be positive elsewhere."""
+        """Return True, because a law whose value at 0 is 0 can be nonzero elsewhere."""
         return True
 
     @property
@@ -589,7 +591,7 @@ class Law(float):
         return not self == other
 
     def __repr__(self) -> str:
-        """Return the whole definition, so that cases with different laws have different texts."""
+        """Return the full definition, so that cases with different laws have different texts."""
         return f"{type(self).__name__}({self.text or self.points!r}, over={self.over!r})"
 
     def __hash__(self) -> int:
@@ -602,7 +604,7 @@ def as_float(number: float) -> float:
 
 
 class SpeedOf(NamedTuple):
-    """Speed given as a multiple of a link's speed, as of wheels on a curve.
+    """Given speed that is a multiple of another link's speed, as for wheels on a curve.
 
     Parameters
     ----------
@@ -622,8 +624,8 @@ class BatteryBalance(NamedTuple):
     Parameters
     ----------
     efficiencies : sequence of pairs
-        Link, and the efficiency of its machine, above 0 and up to 1, or a law over the speed of
-        the link and the torque of the machine. [-]
+        Link of each machine, and the efficiency of the machine: above 0 and up to 1, or a law over
+        the speed of the link and the torque of the machine. [-]
     battery : float
         Power that charges the battery. [kW]
     """
@@ -640,9 +642,10 @@ class Gear(NamedTuple):
     engaged : sequence of int
         Numbers of the engaged shift elements.
     speeds : mapping of int to float or SpeedOf
-        Further given link speeds, relative to the speed of the input or of another link. [-]
+        Given speeds of further links, relative to the input speed or (`SpeedOf`) to another link.
+        [-]
     torques : mapping of int to float
-        Further external torques on links, relative to the input torque. [-]
+        Given external torques on further links, relative to the input torque. [-]
     input, output : int, optional
         Input and output link of this gear, by default those of the case.
     name : str
@@ -659,30 +662,33 @@ class Gear(NamedTuple):
         Direction of rotation of the input, on which freewheels depend since all speeds are
         relative. By default the sign of the operating point, or forward without it.
     kind : {"gear", "neutral", "point"}
-        A gear that is ``neutral`` on purpose gets no warning. It has no step ratio and is not part
-        of the spread, like an operating point (``point``).
+        ``neutral`` marks an intended neutral, for which no warning is given; ``point`` marks an
+        operating point of a variable drive. Neither has a step ratio or counts for the ratio
+        spread.
     coast : bool, optional
         Whether power enters at the output; by default as in the case, or by the sign of its
         operating point.
     balance : BatteryBalance, optional
-        Balance from which the torque on one of its links is calculated; the torques on the other
-        links follow from equilibrium.
+        Power balance that determines the torque on one of its links; the torques on its other links
+        follow from equilibrium.
     speed_ratios : mapping of int to float
-        Speed ratio of variators and converters in this gear, by number: first the mechanisms that
-        the case gives, then its `converters`. [-]
+        Speed ratios of variators and converters in this gear, by number. The mechanisms given by
+        the case are numbered first, then its `converters`. [-]
     slip : mapping of int to float
-        Slip, first link minus second, of clutches and brakes that slip under torque, by their
-        numbers, relative to the input speed. They carry the torque that the train needs. [-]
+        Slip speed (first link minus second) of clutches and brakes that slip under torque, by
+        number, relative to the input speed. Such elements carry the torque that equilibrium
+        requires. [-]
     loss : Law, optional
-        Loss of the gear over the speed [rad/s] and torque [N*m] of its input link, which it brakes.
+        Loss of the gear as a whole, which brakes its input link, over the speed [rad/s] and torque
+        [N*m] of that link.
     holding : tuple of int, optional
-        Links whose external torque follows from equilibrium, by default the links with a given
-        speed. The search for the torque of a `balance` sets it.
+        Links whose external torque follows from equilibrium; by default the links with a given
+        speed. Only the search for the torque of a `balance` sets this field.
     loss_torques : mapping of int to float
-        Torque by which `loss` brakes the input link, relative to the input torque, by link. The
-        calculation sets it. [-]
+        Torque by which `loss` brakes the input link, relative to the input torque, by link number.
+        Only the solver sets this field. [-]
     open : sequence of int
-        Converters that transmit nothing in this gear, numbered as in `speed_ratios`.
+        Disengaged converters, which transmit no torque in this gear, numbered as in `speed_ratios`.
 
     Examples
     --------
@@ -716,12 +722,12 @@ class Gear(NamedTuple):
 
     @property
     def carrying(self) -> tuple[int, ...]:
-        """Numbers of the shift elements that carry torque: engaged, then with a given slip."""
+        """Numbers of the shift elements that carry torque: engaged, then slipping elements."""
         return (*self.engaged, *self.slip)
 
     @property
     def joining(self) -> tuple[int, ...]:
-        """Numbers of the shift elements whose links turn as one: engaged, or with a slip of 0."""
+        """Numbers of shift elements whose links rotate together: engaged, or with a slip of 0."""
         return (*self.engaged, *(number for number, slip in self.slip.items() if slip == 0))
 
     @property
@@ -730,14 +736,14 @@ class Gear(NamedTuple):
         return tuple(number for number, slip in self.slip.items() if slip != 0)
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
-        """Return the links of the balance without speed or torque, except input and output."""
+        """Return the links of the battery balance without given speed or torque, except `ends`."""
         links = [link for link, _ in self.balance.efficiencies] if self.balance else []
         return [link for link in links if link not in (*ends, *self.speeds, *self.torques)]
 
     def renumbered(self, numbers: Mapping[int, int]) -> Gear:
-        """Return the gear with new numbers of variators and converters, by their old numbers.
+        """Return the gear with new numbers of variators and converters, given by old number.
 
-        Those without a new number are left out.
+        Variators and converters without a new number are removed from the gear.
 
         >>> Gear(speed_ratios={1: 0.8, 2: 0.5}, open=[3]).renumbered({2: 4, 3: 5}).open
         (5,)
@@ -780,12 +786,12 @@ def mechanism_names(mechanisms: Sequence[Mechanism]) -> list[str]:
 
 
 class Member(NamedTuple):
-    """Member of a gear set, with the mechanism torques that add up to the member's torque."""
+    """Member of a gear set, with the mechanism torques whose sum is the torque on the member."""
 
     name: str
     link: int
     places: tuple[tuple[int, int], ...]
-    """Pairs of the mechanism's index and the place there: 0 first, 1 second, 2 third."""
+    """Index of each mechanism and its link at the member: 0 first, 1 second, 2 third."""
 
 
 class WheelOfPlanet(NamedTuple):
@@ -793,28 +799,28 @@ class WheelOfPlanet(NamedTuple):
 
     link: int
     mechanism: int
-    """Index of a mechanism with the gear, which shows whether gear and carrier are locked up."""
+    """Index of a mechanism with the gear, which shows if gear and carrier are locked up."""
     ratio: float
-    """Speed of the central gear divided by the train's speed, relative to the carrier. [-]"""
+    """Speed of the gear divided by the speed of the planet train, relative to the carrier. [-]"""
 
 
 class Planet(NamedTuple):
-    """Planet, with the data to calculate the speed relative to the carrier."""
+    """Planet, with the data for its speed relative to the carrier."""
 
     name: str
     mechanism: int = -1
-    """Index of the mechanism that determines the speed, or -1."""
+    """Index of the mechanism that determines the speed of the planet, or -1."""
     ratio: float = 0.0
-    """Mechanism's ratio by tooth numbers; `wheels` are ignored at other ratios. [-]"""
+    """Ratio of the mechanism according to its teeth; `wheels` do not apply to other ratios. [-]"""
     wheels: tuple[WheelOfPlanet, ...] = ()
     """Central gears of the planet; empty if the mechanism's `planet_ratio` applies."""
     carrier: int = 0
     speed: float = 1.0
-    """Speed divided by the speed of the planet's train; NaN without tooth numbers. [-]"""
+    """Speed divided by the speed of the train of planets; NaN if teeth are unknown. [-]"""
 
 
 class OwnDevice(NamedTuple):
-    """Gear set or mechanism under the name that the case gives."""
+    """Gear set or mechanism as named by the case, in contrast to the mechanisms of the solver."""
 
     name: str
     mechanisms: tuple[int, ...]
@@ -822,10 +828,10 @@ class OwnDevice(NamedTuple):
     members: tuple[Member, ...]
     planets: tuple[Planet, ...]
     meshes: tuple[bool, ...] = ()
-    """Flags of the mechanisms that are meshes of planets: True if the torque is known, because the
-    teeth of the first gear are known."""
+    """Flag for each mechanism that is a mesh of planets: True if the torque of the mesh is known,
+    because the teeth of its first gear are known."""
 
     @property
     def meshes_by_index(self) -> list[tuple[int, bool]]:
-        """Pairs of a mesh's index among the mechanisms and a flag for a known torque."""
+        """Index of each mesh among the mechanisms, and a flag for a known torque."""
         return list(zip(self.mechanisms, self.meshes, strict=False))

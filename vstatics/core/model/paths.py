@@ -1,8 +1,9 @@
 """Paths to the numbers of a document: `P1.teeth.sun`, `gears.low.speeds.MG1`, `shifts.1.overlap`.
 
-A path is a list of keys with points between them. Items of a list count from 1. A key with a point
-or a sign in it goes in quotes. The unit of the values can follow in brackets: `load.speed [rpm]`.
-The name of a part is enough: `P1.teeth.sun` is `elements.P1.teeth.sun` in the document.
+A path consists of keys separated by points. List items are numbered from 1. A key that contains a
+point or another special character is written in quotes. The unit of the values can follow in
+brackets: `load.speed [rpm]`. A path can begin with the name of a part: `P1.teeth.sun` means
+`elements.P1.teeth.sun` of the document.
 """
 
 from __future__ import annotations
@@ -14,16 +15,16 @@ from typing import NamedTuple, TypeAlias
 from vstatics.core.errors import quoted
 
 Keys: TypeAlias = tuple[str, ...]
-"""Parts of a path, without quotes."""
+"""Keys of a path, without quotes."""
 
 PARTS = ("shift_elements", "elements", "mechanisms", "springs")
-"""Keys of a case that a path omits, because the name of the part is enough."""
+"""Keys of a case that a path omits, because it begins with the name of a part under them."""
 BODIES = ("inertias", "masses")
-"""Keys of a case with a number for each link; a path names that number `inertia` of the link."""
+"""Keys of a case with a number for each link; the path of such a number is `LINK.inertia`."""
 OWNERS: Mapping[str, int] = {"load": 1, "gears": 2, "drag": 1, "mesh_efficiency": 1}
-"""Keys of a case that begin a path, and the number of keys that name the owner of the number."""
+"""Keys of a case with which a path can begin, and the number of keys that identify its owner."""
 MOST_PATH_PARTS = 16
-"""Largest number of keys in a path, more than documents nest."""
+"""Largest number of keys in a path; the keys of documents are nested less deeply."""
 
 _PART = re.compile(r"\"([^\"]*)\"|'([^']*)'|([^.\"']+)")
 _QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
@@ -32,15 +33,15 @@ _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
 
 
 class PathPart(NamedTuple):
-    """Part of a typed path."""
+    """Key of a path typed by a user."""
 
     name: str
     at: int
-    """Index in the text at which the part begins."""
+    """Index of the first character of the key in the text."""
 
 
 class NoValueError(Exception):
-    """Error for a path without a value; `at` is the index of the faulty part in the path."""
+    """Error for a path that leads to no value; `at` is the index of the faulty key."""
 
     def __init__(self, message: str, at: int) -> None:
         super().__init__(message)
@@ -95,7 +96,7 @@ def written(keys: Sequence[str]) -> str:
 
 
 def dotted(keys: Sequence[str]) -> str:
-    """Return a path without quotes, as columns, fields and changes are called."""
+    """Return a path without quotes, as in the names of columns, fields and changes."""
     return ".".join(keys)
 
 
@@ -109,7 +110,7 @@ def plain(text: str) -> str:
 
 
 def plain_keys(text: str) -> list[str]:
-    """Return the parts between the points of a path without quotes."""
+    """Return a typed path, split at every point after removal of its quotes."""
     return plain(text).split(".")
 
 
@@ -145,7 +146,7 @@ def with_unit(text: str) -> tuple[str, str | None]:
 
 
 def by_name(keys: Keys) -> Keys:
-    """Return the path by the name of a part that corresponds to the keys of a number in a document.
+    """Return the path that begins with the name of a part, from the keys of a number in a document.
 
     >>> by_name(("springs", "damper", "stiffness")), by_name(("inertias", "wheel"))
     (('damper', 'stiffness'), ('wheel', 'inertia'))
@@ -156,7 +157,7 @@ def by_name(keys: Keys) -> Keys:
 
 
 def typed_by_name(text: str) -> str:
-    """Return a typed path by the name of a part, without the key of the case before the name.
+    """Return a typed path shortened to begin with the name of a part.
 
     >>> typed_by_name("inertias.wl [kg*m^2]"), typed_by_name("D1.ratio")
     ('wl.inertia [kg*m^2]', 'D1.ratio')
@@ -168,7 +169,7 @@ def typed_by_name(text: str) -> str:
 
 
 def in_document(keys: Keys) -> list[Keys]:
-    """Return the keys in a document that a path by the name of a part can stand for.
+    """Return all keys in a document that a path beginning with the name of a part can mean.
 
     >>> in_document(("wheel", "inertia"))
     [('inertias', 'wheel'), ('masses', 'wheel')]

@@ -1,7 +1,7 @@
-"""Vocabulary to declare the shape of a document: its keys and the values that they accept.
+"""Types that declare the shape of a document (a case): its keys and the values they accept.
 
-The reader, the writer and the JSON Schema of YAML and JSON documents all follow one declaration.
-`model.keys` and `elements.keys` declare a case.
+The reader, the writer and the JSON Schema of YAML and JSON documents are all derived from the same
+declaration. `model.keys` and `elements.keys` declare a case.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ Measure = Literal[
     "straight_compliance",
     "straight_damping",
 ]
-"""Quantity that is stored in SI units and can be written with any unit of its kind."""
+"""Quantity that is stored in SI units and can be written in any unit of the quantity."""
 UNIT_OF: Mapping[Measure, str] = {
     "inertia": "kg*m^2",
     "stiffness": "N*m/rad",
@@ -95,22 +95,22 @@ LeafKind = (
     ]
 )
 UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
-"""Units of speeds, torques and powers that are not relative."""
+"""Units of speeds, torques and powers that are given without a unit but are not relative."""
 
 Limits: TypeAlias = Mapping[str, Any]
-"""Limits of a number as keywords of JSON Schema; the model has separate checks."""
+"""Limits of a number as keywords of JSON Schema; the program itself checks them elsewhere."""
 NO_LIMITS: Limits = MappingProxyType({})
 
 
 class Leaf(NamedTuple):
-    """Single value."""
+    """Declaration of a single value."""
 
     kind: LeafKind
     choices: tuple[str, ...] = ()
     infinite: bool = False
     """True if a number can be `.inf`."""
     straight: bool = False
-    """True if the unit can also be the corresponding unit of straight motion."""
+    """True if the value can also be in the corresponding unit of straight motion, such as N/m."""
 
 
 class InUnit(float):
@@ -127,18 +127,18 @@ class InUnit(float):
 
 
 class Links(NamedTuple):
-    """Number of links, or list of link names."""
+    """Declaration of links: their number, or a list of their names."""
 
 
 class Ends(NamedTuple):
-    """First and second link of a shift element."""
+    """Declaration of the first and second link of a shift element."""
 
     least: int = 2
-    """Smallest number of links; with 1, the second link defaults to the housing."""
+    """Smallest number of links; if 1, the second link defaults to the housing."""
 
 
 class Numbers(NamedTuple):
-    """Mapping of links, shift elements or other parts to numbers or to values of another shape."""
+    """Declaration of a mapping from links, shift elements or other parts to values."""
 
     by: Literal["link", "shift element", "mechanism", "spring", "elastic component"]
     item: Shape
@@ -146,13 +146,13 @@ class Numbers(NamedTuple):
 
 
 class Shares(NamedTuple):
-    """Mapping of gear names to shares; the reader does not compare the names with a case."""
+    """Declaration of a mapping from gear names to shares; names are not compared with a case."""
 
 
 class KeyShape(NamedTuple):
-    """Key of a document, with the shape of its value; the model's attribute has the same name.
+    """Declaration of a key, with the shape of its value; the attribute has the same name.
 
-    `default` is set if the document, not the model, defines the default.
+    `default` is set if the default applies to the document only, not to the class of the model.
     """
 
     name: str
@@ -163,7 +163,7 @@ class KeyShape(NamedTuple):
     limits: Limits = NO_LIMITS
     examples: tuple[Any, ...] = ()
     unless: str = ""
-    """Name of a key that makes this required key optional."""
+    """Name of another key whose presence makes this required key optional."""
 
     def leaves_out(self, value: Any) -> bool:
         """Return whether a value is the default, so that a document can omit the key.
@@ -175,15 +175,15 @@ class KeyShape(NamedTuple):
 
 
 class ByKey(NamedTuple):
-    """Mapping with declared keys."""
+    """Declaration of a mapping with fixed keys."""
 
     title: str
     description: str
     keys: tuple[KeyShape, ...]
     make: Callable[..., Any] = dict
-    """Function that creates the part of the model from the values, given as keyword arguments."""
+    """Function that creates the part of the model; its keyword arguments are the values."""
     fault: Callable[..., str] = lambda **_: ""
-    """Function that returns the message about contradictory values; empty if valid."""
+    """Function that returns a message about contradictory values; empty if they are valid."""
 
     @property
     def required(self) -> list[str]:
@@ -192,24 +192,24 @@ class ByKey(NamedTuple):
 
 
 class Either(NamedTuple):
-    """Mapping that can be shortened to the value of its most important key, a list or a number."""
+    """Declaration of a mapping that can be shortened to the value of its most important key."""
 
     short: Ends | ListOf | Leaf
     key: str
     record: ByKey
     written: bool = False
-    """True if the writer uses the short form wherever only the most important key has a value."""
+    """True if the writer uses the short form when no other key has a value."""
 
 
 class ByName(NamedTuple):
-    """Ordered mapping of names to items."""
+    """Declaration of an ordered mapping from names to items."""
 
     kind: str
     item: Shape
 
 
 class ListOf(NamedTuple):
-    """List of items of equal shape."""
+    """Declaration of a list of items of equal shape."""
 
     item: Shape
     kind: str = ""
@@ -219,30 +219,30 @@ class ListOf(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """List of two names."""
+    """Declaration of a list of two names."""
 
     kind: str
 
 
 class RowOf(NamedTuple):
-    """List of values in a fixed order."""
+    """Declaration of a list of values in a fixed order."""
 
     items: tuple[Shape, ...]
     kind: str
-    """Names of the values in messages: ``slip, coefficient``."""
+    """Names of the values in messages, such as ``slip, coefficient``."""
     optional: tuple[Shape, ...] = ()
-    """Further values that can follow."""
+    """Shapes of optional further values."""
     more: Shape | None = None
-    """Shape of any number of values behind the others."""
+    """Shape of any number of values after the others."""
 
     def shapes(self, count: int) -> tuple[Shape, ...]:
-        """Return the shape of each of a number of values, or of fewer if no more can follow."""
+        """Return the shapes of a list of `count` values, or fewer if the list must be shorter."""
         known = (*self.items, *self.optional)
         return known[:count] if self.more is None else (*known, *[self.more] * count)[:count]
 
 
 class ByPoints(NamedTuple):
-    """Curve given by a constant number, by a list of points, or by a mapping of keys.
+    """Declaration of a curve: a constant number, a list of points, or a mapping.
 
     A point is a row of two numbers, such as slip and coefficient of friction.
     """
@@ -252,23 +252,23 @@ class ByPoints(NamedTuple):
 
     @property
     def scalar(self) -> Shape:
-        """Shape of a constant number, the second number of a point."""
+        """Shape of the constant number, equal to that of the second number of a point."""
         return self.row.items[1]
 
 
 class Parsed(NamedTuple):
-    """Single value with a special parser."""
+    """Declaration of a single value with a special parser."""
 
     expected: str
     parse: Callable[[str], Any]
-    """Function from text to value; raises ValueError (what was expected) or ReadError (column)."""
+    """Function from text to value; raises ValueError (expectation) or ReadError (with a column)."""
     stand_in: Any
     unit: str = ""
-    """Unit of bare numbers, if independent of other keys."""
+    """Unit of numbers written without a unit, unless it depends on other keys."""
 
 
 class ByForm(NamedTuple):
-    """Single value, list or mapping, with a shape for each."""
+    """Declaration of a single value, list or mapping, with a shape for each form."""
 
     expected: str
     scalar: Leaf | Parsed
@@ -277,13 +277,13 @@ class ByForm(NamedTuple):
 
 
 class OneOrMany(NamedTuple):
-    """Single item or list of items; a list of lists of single values is a single item."""
+    """Declaration of an item or a list of items; a list of points is a single item."""
 
     item: ByForm
 
 
 class ByLaw(NamedTuple):
-    """Number or law; a law is a text, a list of points or a mapping."""
+    """Declaration of a number or a law; a law is a text, a list of points or a mapping."""
 
     scalar: Leaf | None
     """Shape of a number or text; None for a law that is a mapping."""
@@ -291,20 +291,21 @@ class ByLaw(NamedTuple):
     row: RowOf | None = None
     """Shape of a point in a list of points."""
     values: Literal["", "efficiency", "loss"] = ""
-    """Values of a map in a file; empty for a file of points."""
+    """Quantity of the map in a file; empty if the file contains points."""
 
 
 class Balances(NamedTuple):
-    """Mapping of links to numbers, with a further key, named by `power`, whose value is a power."""
+    """Declaration of a mapping from links to numbers, with a key (`power`) for battery power."""
 
     links: Numbers
     power: str
 
 
 class ByKind(NamedTuple):
-    """Mapping whose keys depend on the value of a key such as `kind`.
+    """Declaration of a mapping whose keys depend on the value of one key, such as `kind`.
 
-    The value can be a list of words; its record has the name `[speed, torque]`.
+    The value can also be a list of words such as `[speed, torque]`, under which the keys are
+    declared.
     """
 
     records: Mapping[str, ByKey]
@@ -312,7 +313,7 @@ class ByKind(NamedTuple):
 
     @property
     def keys(self) -> list[KeyShape]:
-        """Keys of all records."""
+        """All keys, for any value of the deciding key."""
         return [key for record in self.records.values() for key in record.keys]
 
 

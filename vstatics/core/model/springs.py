@@ -12,7 +12,7 @@ from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping
 from vstatics.core.model.struts import Strut, StrutCurve
 
 Twist = tuple[tuple[int, float], ...]
-"""Links with coefficients: the twist is the sum of coefficient times angle of link."""
+"""Links with coefficients; the twist is the sum of the link angles times the coefficients."""
 
 
 class TwistCurve(NamedTuple):
@@ -32,18 +32,18 @@ class TwistCurve(NamedTuple):
 
     @property
     def corners(self) -> tuple[float, ...]:
-        """Twists at which the slope changes [rad]."""
+        """Twists at which the slope of the curve changes [rad]."""
         return self.twists[1:-1]
 
     def piece(self, number: int) -> tuple[float, float]:
-        """Return the torque at zero twist and the slope of a piece's straight line."""
+        """Return the line of a piece: its torque at zero twist [N*m] and its slope [N*m/rad]."""
         left, right = self.twists[number : number + 2]
         below, above = self.torques[number : number + 2]
         slope = (above - below) / (right - left)
         return below - slope * left, slope
 
     def alone(self, number: int) -> TwistCurve:
-        """Return the curve that continues the straight line of a piece beyond both of its ends."""
+        """Return the straight line of a piece as a curve that extends beyond both ends."""
         return TwistCurve(self.twists[number : number + 2], self.torques[number : number + 2])
 
     @property
@@ -52,13 +52,13 @@ class TwistCurve(NamedTuple):
         return len(self.twists) > 2 or self.piece(0)[0] != 0
 
     def side(self, number: int) -> float:
-        """Return the sign of the torque on a piece next to a play; 0 in the play."""
+        """Return the sign of the torque on a piece, +1 or -1; 0 for a piece without torque."""
         torque = sum(self.torques[number : number + 2])
         return math.copysign(1.0, torque) if torque else 0.0
 
     @property
     def has_gap(self) -> bool:
-        """True if a piece of the curve has no torque: a gap or play."""
+        """True if the torque is 0 on some but not all pieces of the curve (a gap or play)."""
         pieces = self._pieces
         return (0.0, 0.0) in pieces and len({*pieces}) > 1
 
@@ -141,8 +141,8 @@ class SpringLimit(NamedTuple):
     of : str
         Name of the other spring.
     times : float
-        Increase of the limit per torque or force of the other spring; the limit is at least 0.
-        [-, m]
+        Increase of the limit per torque [-] or force [m] of the other spring. The limit is never
+        below 0.
     """
 
     base: float
@@ -151,7 +151,7 @@ class SpringLimit(NamedTuple):
 
 
 def limit_of(base: float, of: str = "", times: float = 0.0) -> float | SpringLimit:
-    """Return the limit with the values of a document."""
+    """Return the limit from the values of a document: a number if no other spring is named."""
     return SpringLimit(base, of, times) if of else base
 
 
@@ -166,9 +166,10 @@ def limit_fault(of: str = "", times: float | None = None, **_others: Any) -> str
 
 
 class Spring(NamedTuple):
-    """Elastic component: a torque over a twist, which is any linear form of angles.
+    """Elastic component whose torque depends on a twist, any linear combination of link angles.
 
-    The coefficients of the twist are the column of the structural-distribution matrix.
+    The coefficients of the twist are the column of the spring in the structural-distribution
+    matrix.
 
     Parameters
     ----------
@@ -213,13 +214,13 @@ class Spring(NamedTuple):
 
     @property
     def form(self) -> dict[int, float]:
-        """Links of the twist with coefficients, without the housing and without zeros."""
+        """Coefficients of the twist by link, without the housing and without zeros."""
         pairs = dict(self.twist).items()
         return {link: float(part) for link, part in pairs if link != HOUSING and part}
 
     @property
     def rate(self) -> float:
-        """Stiffness [N*m/rad], also from a compliance or strut; the largest slope of points."""
+        """Stiffness [N*m/rad]: given, from a compliance or strut, or the largest slope."""
         if self.strut:
             return self.strut.slope(self.strut.at)
         if self.points:
@@ -235,13 +236,13 @@ class Spring(NamedTuple):
 
     @property
     def curve(self) -> TwistCurve | StrutCurve:
-        """Torque over twist, in both directions."""
+        """Curve of the torque over the twist, in both directions."""
         if self.strut:
             return StrutCurve(self.strut)
         points = [*self.points]
         if not points:
             return straight_curve(self.rate)
-        if points[0][0] >= 0:  # mirrored without the first point, (0, 0), which is not a corner
+        if points[0][0] >= 0:  # the points apply in both directions; (0, 0) is not a corner
             points = [*((-twist, -torque) for twist, torque in points[:0:-1]), *points[1:]]
         twists, torques = zip(*points, strict=True)
         return TwistCurve(twists, torques)
@@ -257,7 +258,7 @@ def between(first: int, second: int = HOUSING) -> Twist:
 
 
 def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
-    """Return the links of the shaft with a given twist; None for other twists.
+    """Return the links of the shaft with a given twist; None if the twist is not that of a shaft.
 
     >>> ends(between(2)), ends({1: 1, 2: -1, 3: -1})
     ((2, 0), None)
@@ -275,7 +276,7 @@ def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
 def spring_of(
     links: tuple[int, int] | None = None, twist: Mapping[int, float] | None = None, **others: Any
 ) -> Spring:
-    """Return the spring with the values of a document: links of a shaft, or a twist."""
+    """Return the spring from the values of a document, with the links of a shaft or a twist."""
     return Spring(between(*links) if links else twist or (), **others)
 
 
@@ -295,7 +296,7 @@ def spring_fault(
 
 
 def spring_record(spring: Spring) -> dict[str, Any]:
-    """Return a spring as the keys and values of a document."""
+    """Return a spring as a mapping with the keys of a document."""
     links = ends(spring.twist)
     twist = spring.form if links is None else None
     limit = spring.limit

@@ -10,12 +10,12 @@ from typing import Any, NamedTuple
 
 
 class Strut(NamedTuple):
-    """Gas of a strut at rest; in each chamber ``p V^exponent`` is constant.
+    """State of the gas in a strut at rest; in each chamber ``p V^exponent`` is constant.
 
     Parameters
     ----------
     pressure, counter_pressure : float
-        Pressure in the chamber and in the counter chamber at rest. [Pa]
+        Pressure in the main chamber and in the counter chamber at rest. [Pa]
     area, counter_area : float
         Area of the piston towards each chamber. [m^2]
     length, counter_length : float
@@ -23,7 +23,7 @@ class Strut(NamedTuple):
     exponent : float
         Polytropic exponent. [-]
     at : float
-        Extension from rest at which the slope is the stiffness. [m]
+        Extension from rest at which the stiffness for linear calculations is taken. [m]
 
     Examples
     --------
@@ -43,14 +43,14 @@ class Strut(NamedTuple):
 
     @property
     def chambers(self) -> list[tuple[float, float]]:
-        """Force and length of each chamber at rest, negative of the counter chamber [N, m]."""
+        """Force [N] and length [m] of each chamber at rest; negative for the counter chamber."""
         counter = self.counter_pressure * self.counter_area
         below = [(-counter, -(self.counter_length or 0.0))] if counter else []
         return [(self.pressure * self.area, self.length), *below]
 
     @property
     def reach(self) -> tuple[float, float]:
-        """Bounds of the extension from rest [m]."""
+        """Smallest and largest possible extension from rest [m]."""
         return -self.length, -self.chambers[1][1] if len(self.chambers) > 1 else math.inf
 
     def slope(self, longer: float) -> float:
@@ -88,12 +88,12 @@ class StrutCurve(NamedTuple):
 
     strut: Strut
     corners: tuple[float, ...] = ()
-    """Extensions at which the slope jumps, as in `TwistCurve`; a strut has none."""
+    """Extensions at which the slope jumps, as in `TwistCurve`: empty for a strut."""
     bends: bool = True
 
     @property
     def steepest(self) -> float:
-        """Slope at rest, in the role of the largest slope of a `TwistCurve` [N/m]."""
+        """Slope at rest [N/m], which replaces the largest slope of a `TwistCurve`."""
         return self.strut.slope(0.0)
 
     def piece(self, number: int) -> tuple[float, float]:  # noqa: ARG002 - interface of TwistCurve

@@ -1,4 +1,4 @@
-"""Checks of springs, inertias and converters, each yielding problems with paths."""
+"""Checks of springs, inertias and converters; each check yields problems with paths."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
 
 
 def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Refuse keys that contradict the points or the strut of a spring."""
+    """Report keys that contradict the points or the strut of a spring."""
     given = {name: getattr(spring, name) is not None for name in ("stiffness", "compliance")}
     given |= {"limit": spring.limit is not None, "damping": damping(spring.damping).loss_factor > 0}
     for name, read in given.items():
@@ -127,7 +127,7 @@ def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
 
 
 def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Check that the units of a spring suit its links, which rotate or move straight."""
+    """Check that the units of a spring suit its links, which rotate or move along a line."""
     straight = [link for link in spring.form if link in case.masses]
     named = f"{called(case, straight[0])}, which is in" if straight else "no link of"
     numbers: list[tuple[Path, Any]] = [
@@ -220,7 +220,7 @@ def of_converter(converter: Converter, path: Path, links: int) -> Iterator[Probl
 def of_elastic(
     stiffness: float | None, damping: Damping | float, path: Path, *, always: bool = False
 ) -> Iterator[Problem]:
-    """Check the stiffness and damping of a component, rigid by default unless `always`."""
+    """Check the stiffness and damping of a component; with `always`, a stiffness is required."""
     viscous, loss_factor = damping if isinstance(damping, Damping) else (damping, 0.0)
     is_damper = always and stiffness == 0 and viscous > 0
     if stiffness is not None and not is_damper:

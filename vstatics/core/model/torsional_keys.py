@@ -53,7 +53,7 @@ DAMPING = Either(
     ),
     written=True,
 )
-"""Shape of a damping, viscous or relative to the elastic torque."""
+"""Declaration of a damping, viscous or relative to the elastic torque."""
 ABOVE_0: Limits = {"exclusiveMinimum": 0}
 _DAMPING = KeyShape("damping", DAMPING, "Damping in parallel with the stiffness, in N*m*s/rad.")
 
@@ -68,7 +68,7 @@ ELASTIC = (
     ),
     _DAMPING,
 )
-"""Keys of components that are rigid except in vibration."""
+"""Keys of components that are elastic only in vibration and rigid otherwise."""
 
 LIMIT = Either(
     Leaf("si_torque", straight=True),

@@ -41,7 +41,7 @@ __all__ = [
 ]
 
 _CLASSES = {"Converter": "vstatics.core.model.converters"}
-"""Modules of types that few cases need, for messages about arguments."""
+"""Modules of classes that few cases need, imported only for messages about wrong arguments."""
 
 
 class Transmission(TransmissionFields):
@@ -50,32 +50,31 @@ class Transmission(TransmissionFields):
     Parameters
     ----------
     links : int
-        Number of main links, without the housing.
+        Number of links, without the housing and without planets of drawn gear sets.
     shift_elements, mechanisms, gears : sequence
         Parts in the order of their numbers.
     input, output : int
         Link numbers; by default the output is the last link.
     idle : {"exact", "published"}
-        Convention for the sign of idle mechanisms.
+        Convention for the direction of power assumed in idle mechanisms.
     coast : bool, optional
-        Whether power enters at the output (engine braking): the input torque then acts against
-        the input speed, or along it if false. By default the sign of the input power decides.
+        True if power enters at the output (engine braking): the input torque acts against the input
+        speed. False if it acts along the speed. By default the sign of the input power decides.
     link_names : sequence of str
         By default the link numbers.
     load : Load, optional
         Operating point at the input, for results in rpm, N*m and kW.
     drawing : Drawing, optional
-        Gear sets from which links and mechanisms are derived; replacing the drawing, by
-        `dataclasses.replace` for example, derives them anew. Mechanisms that are replaced
-        without the drawing are used unchanged.
+        Gear sets from which links and mechanisms are derived. If `replace` changes the drawing,
+        they are derived again; if it changes only the mechanisms, these are used as given.
     outputs : sequence of int
-        Output links if there are several, the first of which is `output`. The others have a
-        given speed or torque.
+        Output links, if there are several. The first is `output`; each further link needs a given
+        speed or torque.
     inertias : mapping of int to float
         Moments of inertia of links, 0 by default. [kg*m^2]
     springs : sequence of Spring
-        Elastic components; with springs a case needs no mechanisms. A case without gears has a
-        single gear with nothing engaged.
+        Elastic components. A case with springs needs no mechanisms and no gears; without gears it
+        has a single gear with no engaged shift elements.
     converters : sequence of Converter
         Torque converters for vibration and simulation; they are open in statics.
     dump : ClutchDump, optional
@@ -87,17 +86,18 @@ class Transmission(TransmissionFields):
     bearings : mapping of str to Bearing
         Rolling bearings, by their names.
     masses : mapping of int to float
-        Masses of links that move along a straight line, so that their motion is in m. [kg]
+        Masses of links that move along a straight line, whose motion is in m instead of rad. [kg]
     cylinders : int, optional
-        Cylinders of the four-stroke engine at the input, half of which fire per revolution.
+        Number of cylinders of the four-stroke engine at the input; half of them fire per
+        revolution.
     drag : mapping of int to float
-        Torque of bearings and oil on links, against their rotation, relative to the input
-        torque; a gear can override it for each link. [-]
+        Drag torque of bearings and oil on links, against their rotation, relative to the input
+        torque. A gear can override it for each link. [-]
 
     Raises
     ------
     CaseError
-        With every `Problem` of the model and the path of the faulty value.
+        Contains a `Problem` for every error, with the path of the faulty value.
 
     Examples
     --------
@@ -112,7 +112,7 @@ class Transmission(TransmissionFields):
     """
 
     def __repr__(self) -> str:
-        """Return the name and the numbers of links, elements, mechanisms and gears."""
+        """Return a summary: the name, and the counts of links, elements, mechanisms and gears."""
         parts = {
             "link": self.own_links,
             "shift element": len(self.shift_elements),
@@ -157,10 +157,10 @@ class Transmission(TransmissionFields):
         return replace(self, load=Load(torque=torque).or_else(self.load or NO_LOAD), gears=gears)
 
     def as_pairs(self, gear: Gear) -> Transmission | None:
-        """Return the case with each variator replaced by a gear pair that has its ratio in a gear.
+        """Return the case with each variator replaced by a gear pair, for the ratios of one gear.
 
-        Return None if a converter carries torque in the gear, or a variator has the speed ratio
-        0.
+        The result is None if a converter carries torque in the gear, or a variator has the speed
+        ratio 0.
 
         Examples
         --------
@@ -188,8 +188,7 @@ class Transmission(TransmissionFields):
     def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:
         """Return the transmission with other ratios, efficiencies and planet ratios of mechanisms.
 
-        Everything else about the mechanisms must be unchanged. Only these numbers are checked
-        again.
+        All other fields of the mechanisms must be unchanged. Only the new numbers are checked.
 
         Raises
         ------
@@ -206,17 +205,17 @@ class Transmission(TransmissionFields):
             raise CaseError(errors)
         case = object.__new__(type(self))
         vars(case).update(vars(self), _derived=self._derived, mechanisms=others)
-        vars(case).pop("laws", None)  # alone among the cached values, they depend on the numbers
+        vars(case).pop("laws", None)  # of all cached values, only laws depend on the numbers
         return case
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Transmission:
-        """Return the transmission described by plain data, with the keys of YAML and JSON.
+        """Return the transmission described by a mapping with the keys of a YAML or JSON case.
 
         Raises
         ------
         ReadError
-            With every fault and its keys.
+            Contains every fault and its keys.
         """
         case: Transmission = higher("from_dict")(data)
         return case
@@ -227,7 +226,7 @@ class Transmission(TransmissionFields):
         return numbers
 
     def with_part_numbers(self, numbers: Sequence[Any], values: Sequence[float]) -> Transmission:
-        """Return the transmission with other values of numbers from `part_numbers`, in SI."""
+        """Return the transmission with other values of `part_numbers`, in SI units."""
         case: Transmission = higher("with_part_numbers")(self, numbers, values)
         return case
 
@@ -240,14 +239,14 @@ class Transmission(TransmissionFields):
                 raise CaseError(errors)
             self._set(**_completed(self))
             for name in vars(self).keys() - self.__dataclass_fields__.keys():
-                del vars(self)[name]  # derived from incomplete fields
+                del vars(self)[name]  # the value was derived from incomplete fields
         except (AttributeError, TypeError):
             types = {key.shape.name: key.type for key in carried_keys(self)}
             refuse_fields("Transmission", self, types, **_CLASSES)
             raise
 
     def _follow(self, drawing: AnyDrawing) -> None:
-        """Adopt links and mechanisms of a drawing; drop names of the previous drawing's planets."""
+        """Derive links and mechanisms from a drawing; drop planet names of the previous drawing."""
         if errors := list(drawing.problems()):
             raise CaseError(errors)
         before, names = self._lowered, list(self.link_names)
@@ -330,7 +329,7 @@ def _spring(spring: Spring, number: int) -> Spring:
 
 
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
-    """Complete a gear, and relate its numbers with a unit to the operating point."""
+    """Return a completed gear; its numbers with a unit are made relative to the operating point."""
     load, torque = case.gear_load(gear), case.torque_unit(gear)
     return gear._replace(
         engaged=tuple(gear.engaged),

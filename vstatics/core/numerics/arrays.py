@@ -1,6 +1,6 @@
 """Array types, and small functions on arrays.
 
-The types do without numpy.typing, which costs start-up time.
+The types avoid numpy.typing, whose import costs start-up time.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def as_floats(name: str, given: object, hint: str = "") -> Floats:
     Raises
     ------
     CaseError
-        If something other than a number is given; the message contains the name.
+        If `given` contains something other than numbers. The message contains `name` and `hint`.
 
     Examples
     --------
@@ -51,7 +51,7 @@ def _has_truths(given: object) -> bool:
 def first_largest(sizes: Floats) -> Integers:
     """Return the index of the largest number along the first axis.
 
-    Among numbers that are equal but for rounding, the first counts.
+    Of several largest numbers that are equal within rounding, the first is chosen.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
 
 
 def rounding_as_zero(values: Floats) -> Floats:
-    """Return values with 0 for those that are rounding beside the largest of their column.
+    """Return values with 0 for values that are negligible relative to the largest of their column.
 
     >>> rounding_as_zero(np.array([[3.0, np.nan], [1e-15, 1e-15]])).tolist()
     [[3.0, nan], [0.0, 1e-15]]
@@ -93,7 +93,7 @@ def rounding_as_zero(values: Floats) -> Floats:
 
 
 def without(values: Floats, flags: Booleans) -> Floats:
-    """Return values with NaN at flags, whose axes are the first axes of the values.
+    """Return values with NaN where a flag is True; flags have the leading axes of the values.
 
     >>> without(np.ones((2, 2)), np.array([False, True])).tolist()
     [[1.0, 1.0], [nan, nan]]
@@ -104,7 +104,7 @@ def without(values: Floats, flags: Booleans) -> Floats:
 def counted(lengths: Integers) -> tuple[Integers, Integers]:
     """Return the list number and the position of each item of concatenated lists.
 
-    Both count from 0.
+    Lists and positions are counted from 0.
 
         >>> [indices.tolist() for indices in counted(np.array([2, 0, 3]))]
         [[0, 0, 2, 2, 2], [0, 1, 0, 1, 2]]
@@ -114,7 +114,7 @@ def counted(lengths: Integers) -> tuple[Integers, Integers]:
 
 
 def portions(lengths: Integers, most: int) -> Iterator[slice]:
-    """Yield slices of consecutive lists with at most `most` items, or a single longer list.
+    """Yield slices that group lists in order, each with at most `most` items or one longer list.
 
     >>> list(portions(np.array([2, 0, 3, 9, 1]), 5))
     [slice(0, 3, None), slice(3, 4, None), slice(4, 5, None)]

@@ -15,11 +15,11 @@ CACHE_TROUBLE: list[str] = []
 
 
 def _cache() -> str:
-    """Return a folder for machine code in which no other user can write, or "".
+    """Return a folder for machine code in which no other user can write; "" if none is safe.
 
-    The path is resolved once, and its folders are checked from the root on, so that nobody can
-    exchange a folder that is checked later. The name of the folder depends on the compiled files
-    and on the tolerances in them, so that machine code of other versions is never used.
+    The path is resolved once and its folders are checked from the root downwards, so that no other
+    user can replace a folder after its check. The name of the folder depends on the source files
+    and tolerances that are compiled, so that machine code of another version is never used.
     """
     home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
     name = build(b"import compiled", b"Tolerances of", b"from numba")
@@ -46,13 +46,14 @@ def _cache() -> str:
 
 
 def _check(path: str, *, may_be_shared: bool = False) -> None:
-    """Refuse a file or folder that users other than the present user and root can change.
+    """Raise OSError for a file or folder that other users, except root, can change.
 
     Parameters
     ----------
     path : str
     may_be_shared : bool
-        True if others may write in a folder whose sticky bit protects the files of each user.
+        True if a folder that others can write to is accepted when its sticky bit protects the files
+        of each user.
 
     Raises
     ------
@@ -74,7 +75,7 @@ def _check(path: str, *, may_be_shared: bool = False) -> None:
 
 @contextmanager
 def private() -> Iterator[None]:
-    """Create files that no other user can write."""
+    """Set the umask for the `with` block so that no other user can write new files."""
     before = os.umask(0o077)
     try:
         yield
@@ -83,6 +84,6 @@ def private() -> Iterator[None]:
 
 
 ROOT = 0
-"""Number of the user who can change every file."""
+"""User id of root, who can change every file."""
 CACHE = _cache()
 """Folder for machine code; empty if no safe folder exists."""

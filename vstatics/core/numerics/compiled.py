@@ -1,6 +1,6 @@
 """Functions compiled with Numba, for loops that arrays cannot replace.
 
-Without Numba they run as plain Python.
+Without Numba the functions run as plain Python.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ __all__ = ["HAS_COMPILER", "WITHOUT_COMPILER", "compiled", "compiled_part", "fil
 HAS_COMPILER = find_spec("numba") is not None
 """True if Numba is installed."""
 WITHOUT_COMPILER = "without the package numba a long search takes ten to a hundred times as long"
-"""Statement for users about a search in plain Python."""
+"""Reason for slow searches without Numba, a clause of messages to users."""
 
 if TYPE_CHECKING or HAS_COMPILER:
     from vstatics.core.numerics.machine_code import compiled, compiled_part, shared
@@ -31,7 +31,7 @@ else:
 
 @compiled
 def put(values: Floats | Integers, into: Floats | Integers) -> None:
-    """Copy an array; an assignment of slices would take seconds to compile."""
+    """Copy an array element by element, because a slice assignment takes seconds to compile."""
     for place in range(len(values)):
         into[place] = values[place]
 

@@ -1,18 +1,20 @@
 """Sparse Gauss elimination of small linear systems that can be singular.
 
-Rows are sparse; the arithmetic of their entries (see `Entry`) decides whether an entry is zero.
-This gives rank and consistency without a scale from outside. Pivots are chosen by the structure, as
-far as their magnitude allows, so that variants of a structure are eliminated in the same order.
+Each entry of an equation is a value with a bound of its rounding error (see `Entry`), from which
+the elimination decides whether the entry is zero. So rank and consistency need no external scale.
+Pivots are chosen by sparsity, as far as their magnitude allows, so that systems of equal structure
+are eliminated in the same order.
 
-The size of a value is the sum of the magnitudes from which it was calculated. Its rounding error is
-at most a few units in the last place of its size (running error analysis: Wilkinson 1963). So a
-difference of at most a unit in the last place of its size is zero, unless a millionth of its larger
-term is left: sizes overestimate the error of long calculations. `solve_with_certainty` also returns
-whether larger differences keep enough digits.
+The size of a value is the sum of the magnitudes from which it was calculated. The rounding error of
+the value is at most a few units in the last place of its size (running error analysis: Wilkinson
+1963). So a difference counts as zero if it is at most a unit in the last place of its size. It must
+also be less than a millionth of its larger term, because sizes overestimate the error of long
+calculations. `solve_with_certainty` also returns whether larger differences keep enough digits.
 
-Whether a difference of traced numbers is zero is decided for the first variant, as for floats. For
-the other variants a guard checks the decision: by parts of the terms for numbers of fixed sign, by
-sizes for numbers of any sign. Such sizes are calculated only where a guard needs them.
+Traced numbers represent many variants. Whether their difference is zero is decided by the floats of
+the first variant; a guard checks the decision for every other variant. The guard compares the
+difference with its terms for numbers of fixed sign, and with sizes for numbers of any sign. These
+sizes are calculated only where a guard needs them.
 """
 
 from __future__ import annotations
@@ -59,31 +61,31 @@ from vstatics.core.numerics.traced import (
 )
 
 Entry = tuple[Number, Any]
-"""Value and size, a float; see `SIGNED` for numbers of any sign."""
+"""Value of an entry and its size (a float, or a `LaterSize` for numbers of any sign)."""
 Row = dict[int, Entry]
 """Entries of an equation by column."""
 Coefficient = Number | tuple[Number, ...]
-"""Number, or terms to be summed."""
+"""Coefficient of an equation: a number, or terms whose sum it is."""
 Equation = Mapping[int, Coefficient]
 """Coefficients of ``sum(a_j x_j) = b`` by column; b has the column `RIGHT`."""
 RIGHT = -1
 """Column of the right-hand side."""
 NOTHING: Entry = (0.0, 0.0)
 EXACTLY_ONE: Entry = (1.0, 0.0)
-"""Factor that adds no rounding error."""
+"""Entry of the value 1 without rounding error."""
 
 
 class Solution(NamedTuple):
-    """Values that a system determines."""
+    """Solution of a system, as far as the system determines it."""
 
     values: list[Number]
-    """Unknowns, then sums; NaN if not unique."""
+    """Values of the unknowns, then of the requested sums; NaN if not unique."""
     consistent: bool
     """True if no equation contradicts the others."""
     missing: int
-    """Number of unknowns minus rank."""
+    """Number of constraints that the unknowns lack: number of unknowns minus rank."""
     excess: int
-    """Number of equations minus rank."""
+    """Number of redundant or contradictory equations: number of equations minus rank."""
 
 
 def solve(
@@ -92,7 +94,7 @@ def solve(
     sums: Sequence[Mapping[int, Number]] = (),
     arithmetic: Arithmetic | None = None,
 ) -> Solution:
-    """Solve a system for every unknown and sum of unknowns that is unique.
+    """Solve a system for all unknowns, and sums of unknowns, that are unique.
 
     Parameters
     ----------
@@ -101,10 +103,10 @@ def solve(
     unknowns : int
         Number of unknowns, columns 0 to unknowns - 1.
     sums : sequence of mapping
-        Coefficients by column. A difference of two unknowns can be unique even if neither unknown
-        is.
+        Sums to be calculated, as coefficients by column. A difference of two unknowns can be unique
+        even if neither unknown is.
     arithmetic : Arithmetic, optional
-        Arithmetic of the entries. Default: according to the numbers, floats or traced.
+        Arithmetic of the entries. Default: the arithmetic for the type of the numbers.
 
     Examples
     --------
@@ -123,7 +125,7 @@ def solve_with_certainty(
     sums: Sequence[Mapping[int, Number]] = (),
     arithmetic: Arithmetic | None = None,
 ) -> tuple[Solution, bool]:
-    """Solve a system, and return whether rounding leaves digits of each pivot and value."""
+    """Solve a system, and return whether all pivots and values keep digits after rounding."""
     arithmetic = arithmetic or arithmetic_of(equations)
     run = _Elimination([row_of(equation, arithmetic) for equation in equations], arithmetic)
     consistent = run.consistent()
@@ -139,16 +141,16 @@ def solve_with_certainty(
 
 
 def _has_digits(entry: Entry) -> bool:
-    """Return whether rounding leaves digits of a number, according to the size.
+    """Return whether a number keeps digits after rounding, according to its size.
 
-    A number that does not exist (NaN) counts as certain.
+    NaN, for a value that does not exist, counts as True.
     """
     value, size = _of_first_variant(entry)
     return not EPSILON * size > UNCERTAIN * abs(value)
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
-    """Return the arithmetic for equations, by the first number that is neither float nor int."""
+    """Return the arithmetic for equations: that of the first number other than float or int."""
     for equation in equations:
         for coefficient in equation.values():
             for term in coefficient if isinstance(coefficient, tuple) else (coefficient,):
@@ -162,7 +164,7 @@ def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
 
 
 def in_free_unknowns(equations: Sequence[Equation], unknowns: int) -> list[dict[int, float]]:
-    """Return each unknown of homogeneous equations as a sum of the free unknowns.
+    """Return each unknown of homogeneous equations as a linear combination of free unknowns.
 
     Examples
     --------
@@ -176,10 +178,10 @@ def in_free_unknowns(equations: Sequence[Equation], unknowns: int) -> list[dict[
 
 
 def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], bool]]:
-    """Find repeated and contradictory equations.
+    """Find redundant and contradictory equations.
 
-    For every equation in excess, yield the numbers of the equations whose weighted sum contains no
-    unknown, and whether the right-hand sides agree.
+    For each redundant equation, yield the indices of equations whose weighted sum contains no
+    unknown, and whether their right-hand sides agree.
     """
     marked = [
         row_of({**equation, -2 - number: 1.0}, FLOATS) for number, equation in enumerate(equations)
@@ -191,8 +193,8 @@ def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], boo
 class _Elimination:
     """Elimination of a system.
 
-    `pivots` lists the column, the pivot and the other entries of its row, in order of elimination;
-    `left` contains the rows without unknowns.
+    `pivots` lists, in the order of elimination, the column, the pivot entry and the other entries
+    of its row; `left` contains the remaining rows, which have no unknowns.
     """
 
     def __init__(self, rows: Sequence[Row], arithmetic: Arithmetic) -> None:
@@ -227,13 +229,13 @@ class _Elimination:
                 row[column] = entry
 
     def consistent(self) -> bool:
-        """Return whether no row without unknowns has a right-hand side."""
+        """Return whether all rows without unknowns have the right-hand side 0."""
         return not any(RIGHT in row for row in self.left)
 
     def by_free_unknowns(self, unknowns: int) -> dict[int, Row]:
-        """Return each unknown as a sum of free unknowns and the right-hand side.
+        """Return each unknown as a combination of free unknowns and a constant: back substitution.
 
-        This is the back substitution.
+        The constant is under the column `RIGHT`.
         """
         pivots = {column for column, _, _ in self.pivots}
         known: dict[int, Row] = {
@@ -248,7 +250,7 @@ class _Elimination:
         return known
 
     def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Entry]:
-        """Return each unknown and sum, NaN if dependent on a free unknown."""
+        """Return each unknown and each sum; NaN if it depends on a free unknown."""
         known = self.by_free_unknowns(unknowns)
         totals = [known[column] for column in range(unknowns)]
         for terms in sums:
@@ -265,8 +267,8 @@ class _Elimination:
 def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
     """Return the row and column of the next pivot.
 
-    Among the entries of the shortest rows that are large enough, the pivot causes the least
-    fill-in (Markowitz).
+    Candidates are the sufficiently large entries of the shortest rows; the candidate with the least
+    fill-in is chosen (Markowitz).
     """
     lengths = [len(row) - (RIGHT in row) for row in active]
     shortest = min(lengths)
@@ -290,7 +292,7 @@ def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
 
 
 def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
-    """Return an equation as entries of a system.
+    """Return the entries of an equation.
 
     >>> row_of({0: 2.0, 1: (1.5, -1.0)}, FLOATS)
     {0: (2.0, 2.0), 1: (0.5, 2.5)}
@@ -304,7 +306,7 @@ def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
 
 
 def _sum_of_terms(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
-    """Return the sum of terms; exactly zero if the terms cancel."""
+    """Return the sum of terms as an entry; exactly zero if the terms cancel."""
     total = arithmetic.entry(terms[0])
     for term in terms[1:]:
         total = arithmetic.less(total, EXACTLY_ONE, arithmetic.entry(-term))
@@ -315,14 +317,14 @@ class Arithmetic(NamedTuple):
     """Operations of an elimination on entries."""
 
     entry: Callable[[Number], Entry]
-    """Return a given number as an entry."""
+    """Function that returns the entry of a given number."""
     quotient: Callable[[Entry, Entry], Entry]
     less: Callable[[Entry, Entry, Entry], Entry]
-    """Return a - b * c from (a, b, c); exactly 0 if the difference is rounding only."""
+    """Function that returns a - b * c from (a, b, c); exactly 0 if only rounding is left."""
     enough: Callable[[Number, Number], bool]
-    """Return whether a number is a sufficiently large pivot in a row with a second number."""
+    """Function that returns whether a number is large enough as a pivot beside a second number."""
     remains: Callable[[Number], bool]
-    """Return whether a number is nonzero in some variant."""
+    """Function that returns whether a number is nonzero in some variant."""
 
 
 FloatEntry = tuple[float, float]
@@ -359,7 +361,7 @@ def large_enough(pivot: Number, other: Number) -> bool:
 
 
 FLOATS = Arithmetic(_float_entry, quotient_of_floats, less_of_floats, large_enough, bool)  # type: ignore[arg-type]
-"""Arithmetic of equations without a traced number, as `arithmetic_of` ensures."""
+"""Arithmetic of floats, for equations without traced numbers."""
 
 
 def _remains(number: Number) -> bool:
@@ -406,7 +408,7 @@ def _of_first_variant(entry: Entry) -> FloatEntry:
 
 
 TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough, _remains)
-"""Arithmetic of numbers of fixed sign; sizes belong to the first variant."""
+"""Arithmetic of traced numbers of fixed sign; a size applies to the first variant."""
 
 
 class LaterSize(NamedTuple):
@@ -435,7 +437,7 @@ def _signed_quotient(entry: Entry, pivot: Entry) -> Entry:
 
 
 def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
-    """Return a - b * c from (a, b, c); no decision depends on the sign of the difference."""
+    """Return a - b * c from (a, b, c); any sign of the difference is allowed."""
     value, product = entry[0], factor[0] * term[0]
     left, first_size = less_of_floats(
         _of_first_variant(entry), _of_first_variant(factor), _of_first_variant(term)
@@ -472,7 +474,7 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
 
 
 def _of_all_variants(entry: Entry) -> tuple[Either, Callable[[], Either]]:
-    """Return the magnitude of an entry, and a function for the size, in all variants."""
+    """Return the magnitude of an entry in all variants, and a function for its size."""
     number, size = entry
     later = size.of_all if isinstance(size, LaterSize) else lambda: size
     return size_of(of_any_sign(number)), later
@@ -488,10 +490,10 @@ def _is_given(number: Either) -> bool:
 
 
 def _signed_enough(pivot: Number, other: Number) -> bool:
-    """Return whether a pivot is large enough.
+    """Return whether a number is large enough as a pivot beside a second number.
 
-    With ordinary ratios all pivots are large enough. Then only the structure decides on the order
-    of elimination, and all plans have the same order.
+    The limit is low: with ordinary ratios all pivots are large enough, so that only the structure
+    determines the order of elimination, which is then equal in all plans.
     """
     return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
 
@@ -501,7 +503,7 @@ SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enoug
 
 
 def _exact(number: Any) -> Any:
-    """Return a number as a fraction; a float as the fraction of the shown decimals."""
+    """Return a number as a fraction; a float as the fraction of its shortest decimals."""
     if is_exact(number):
         return number
     from fractions import Fraction  # the import costs start-up time
@@ -524,4 +526,4 @@ EXACT = Arithmetic(
     enough=lambda pivot, other: True,  # noqa: ARG005
     remains=bool,
 )
-"""Arithmetic of fractions, without rounding; slow, so for few and small systems."""
+"""Arithmetic of fractions, without rounding but slow; for few, small systems."""

@@ -1,7 +1,8 @@
 """Pareto fronts: the points that no other point dominates, by several objectives.
 
-A point dominates another point if it is no worse in all objectives and better in one. Equal points
-do not dominate each other. Smaller is better everywhere; points with NaN are in no front.
+A point dominates another point if it is not worse in any objective and better in at least one.
+Equal points do not dominate each other. Smaller objectives are better; points with NaN are never in
+a front.
 """
 
 from __future__ import annotations
@@ -11,9 +12,9 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
 LEAF = 128
-"""Largest number of points of which every pair is compared."""
+"""Largest number of points for which all pairs are compared."""
 BLOCK = 256
-"""Number of points compared at once with other points."""
+"""Number of points in a block that is compared with other points at the same time."""
 PIVOTS = 16
 """Number of good points that are compared with all others before sorting."""
 
@@ -21,19 +22,19 @@ PIVOTS = 16
 def non_dominated(objectives: Floats) -> Integers:
     """Return the rows that no other row dominates, in ascending order.
 
-    A few good rows are compared with all others; the remaining rows are sorted. Two objectives then
-    take a single pass. With three and more the rows are halved recursively, and the second half is
-    compared with the front of the first half: by a staircase for three objectives, in blocks for
-    more.
+    A few good rows are compared with all others, and the remaining rows are sorted. Two objectives
+    then need a single pass. For three and more objectives the rows are halved recursively, and the
+    second half is compared with the front of the first half: with a running minimum for three
+    objectives, in blocks for more.
 
     Parameters
     ----------
     objectives : ndarray, shape (rows, objectives)
-        Smaller is better.
+        Smaller objectives are better.
 
     Returns
     -------
-    ndarray of int, shape (kept,)
+    ndarray of int, shape (non-dominated rows,)
 
     Examples
     --------
@@ -55,8 +56,8 @@ def non_dominated(objectives: Floats) -> Integers:
 def merged(first: Floats, second: Floats) -> tuple[Integers, Integers]:
     """Return the rows of two fronts that are non-dominated in the union of both.
 
-    Both must be results of `non_dominated`. With four and more objectives this is faster than a
-    calculation for all points.
+    Both arguments must be fronts, such as results of `non_dominated`. With four or more objectives,
+    merging is faster than calculating the front of all points.
 
     Parameters
     ----------
@@ -65,7 +66,7 @@ def merged(first: Floats, second: Floats) -> tuple[Integers, Integers]:
     Returns
     -------
     first, second : ndarray of int
-        Remaining rows of each front, in their order.
+        Indices of the remaining rows of each front, in ascending order.
 
     Examples
     --------
@@ -80,7 +81,7 @@ def merged(first: Floats, second: Floats) -> tuple[Integers, Integers]:
 
 
 def scaled(objectives: Floats) -> Floats:
-    """Return each objective scaled from 0 (the best) to 1; infinite numbers count as far off."""
+    """Return each objective scaled from 0 (best) to 1 (worst); infinite values are clipped."""
     limits = np.finfo(np.float64).max / 4
     finite = np.clip(objectives, -limits, limits)
     span = np.ptp(finite, axis=0)
@@ -91,8 +92,8 @@ def scaled(objectives: Floats) -> Floats:
 def _sieved(rows: Integers, objectives: Floats) -> Integers:
     """Return the rows without most of the dominated rows.
 
-    Rows with small sums of objectives sort out the others. Whatever the sums are, only dominated
-    rows are left out.
+    The rows with the smallest sums of scaled objectives are compared with all others. Only
+    dominated rows are removed, so the choice of rows affects only the speed.
     """
     if len(rows) <= LEAF:
         return rows
@@ -109,7 +110,7 @@ def _sieved(rows: Integers, objectives: Floats) -> Integers:
 
 
 def _front(points: Floats) -> Integers:
-    """Return the non-dominated rows of different points, sorted by objectives."""
+    """Return the indices of non-dominated points, given distinct points in ascending order."""
     if points.shape[1] == 1:
         return np.arange(min(len(points), 1))
     if points.shape[1] == 2:
@@ -118,11 +119,11 @@ def _front(points: Floats) -> Integers:
         first[1:] = points[1:, 1] < least[:-1]
         return np.flatnonzero(first)
     if len(points) <= LEAF:
-        # A point is best if no other point is as good in all objectives.
+        # A point is non-dominated if no other point is equal or better in all objectives.
         as_good = np.ones((len(points), len(points)), dtype=np.bool_)
         for objective in points.T:
             as_good &= objective <= objective[:, None]
-        best: Booleans = as_good.sum(axis=1) == 1  # each point is as good as itself
+        best: Booleans = as_good.sum(axis=1) == 1  # each point is counted once for itself
         return np.flatnonzero(best)
     half = len(points) // 2
     before = _front(points[:half])
@@ -131,7 +132,7 @@ def _front(points: Floats) -> Integers:
 
 
 def _behind(points: Floats, by: Floats) -> Booleans:
-    """Return marks of points dominated by points that are as good in the first objective."""
+    """Return marks of points that are dominated by points with equal or smaller first objective."""
     if points.shape[1] > 3:
         return _dominated(by[:, 1:], points[:, 1:], strictly=False)
     order = np.argsort(by[:, 1], kind="stable")
@@ -142,7 +143,7 @@ def _behind(points: Floats, by: Floats) -> Booleans:
 
 
 def _dominated(by: Floats, points: Floats, *, strictly: bool) -> Booleans:
-    """Return marks of points to which a row of `by` is equal or better in all objectives.
+    """Return marks of points for which some row of `by` is equal or better in all objectives.
 
     If `strictly` is true, equal points are not marked.
     """

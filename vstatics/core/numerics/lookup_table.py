@@ -12,7 +12,7 @@ from vstatics.core.numerics.arrays import Floats, Integers
 
 
 class LookupTable(NamedTuple):
-    """Lookup table: linear between the points, constant outside.
+    """Lookup table with linear interpolation between the points and constant values outside.
 
     Parameters
     ----------
@@ -20,9 +20,9 @@ class LookupTable(NamedTuple):
         Variable of the rows, ascending. A table of one variable jumps at an x that appears twice:
         the later value is valid from there.
     values : sequence of sequence of float
-        For each x a row of values, with a value for each of `columns`.
+        Row of values for each x, with one value for each of `columns`.
     columns : sequence of float
-        Variable of the columns, ascending. A single column makes a table of one variable.
+        Variable of the columns, ascending. A table with a single column has one variable.
 
     Examples
     --------
@@ -71,7 +71,7 @@ class LookupTable(NamedTuple):
         return np.asarray(first + part * (last - first))
 
     def line_at(self, x: float) -> tuple[float, float]:
-        """Return the straight line that the table follows near x: its value at 0 and its slope.
+        """Return the straight line that the table follows near x, as value at 0 and slope.
 
         The table must have a single variable.
         """
@@ -83,7 +83,7 @@ class LookupTable(NamedTuple):
 
 
 def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
-    """Return the index of the point before x, and the part of the way to the next point."""
+    """Return the index of the point before x, and the fraction of the interval up to x."""
     behind = bisect_right(steps, x)
     if behind in (0, len(steps)):
         return max(0, behind - 1), 0.0

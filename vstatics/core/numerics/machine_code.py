@@ -1,9 +1,10 @@
 """Compilation with Numba, arranged so that it takes a quarter of its usual time.
 
-Numba optimises each function separately, and again within each function that calls it. Here parts
-are only translated. A whole function is optimised once, together with all parts that it calls.
-Functions receive the address of a tuple, not all numbers of all its arrays. References are not
-counted, so compiled functions allocate no arrays.
+Numba normally optimises each function separately, and again within each function that calls it.
+Here, functions that are called only by compiled code (parts) are translated without optimisation; a
+function called from Python is optimised once, together with all parts that it calls. Named tuples
+are passed by address instead of field by field. References are not counted, so compiled functions
+must not allocate arrays.
 """
 # mypy: disable-error-code="no-untyped-call, untyped-decorator"
 # Numba has few types.
@@ -38,11 +39,11 @@ Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 
 
 class _CachedCode(FunctionCache):
-    """Machine code in files; unreadable code is compiled again."""
+    """Cache of machine code in files; unreadable code is compiled again."""
 
     @contextmanager
     def _guard_against_spurious_io_errors(self) -> Iterator[None]:
-        """Guard each reading and writing against any fault of a file."""
+        """Ignore faults while a cache file is read or written, and record them for the user."""
         try:
             with private():
                 yield
@@ -55,25 +56,25 @@ class _CachedCode(FunctionCache):
 
 
 class SharedType(types.NamedTuple):
-    """Type of a named tuple of which compiled functions receive the address."""
+    """Numba type of a named tuple that compiled functions receive by address."""
 
     def __init__(self, fields: Sequence[Any], cls: type) -> None:
-        """Use a short name, because it is part of the names of all functions."""
+        """Create the type with a short name, because function names contain it."""
         super().__init__(fields, cls)
         self.name = f"{cls.__name__}{crc32(self.name.encode()):08x}"
 
     @property
     def key(self) -> str:
-        """Key in tables of types."""
+        """Key of the type in Numba's tables of types."""
         return str(self.name)
 
 
 @register_default(SharedType)
 class SharedModel(PrimitiveModel):
-    """Address of the fields of a shared tuple."""
+    """Numba data model of a shared tuple: the address of its fields."""
 
     def __init__(self, models: Any, shared: SharedType) -> None:
-        """Find the types of the fields."""
+        """Determine the data models of the fields."""
         fields = [models.lookup(field).get_value_type() for field in shared.types]
         super().__init__(models, shared, ir.LiteralStructType(fields).as_pointer())
 
@@ -94,7 +95,7 @@ def _field(_: Any, builder: Any, shared: SharedType, address: Any, name: str) ->
 
 
 def shared(cls: Shared) -> Shared:
-    """Let compiled functions receive the address of a named tuple."""
+    """Register a named tuple whose instances compiled functions receive by address."""
 
     @typeof_impl.register(cls)
     def of_tuple(value: Any, context: Any) -> SharedType:
@@ -104,19 +105,19 @@ def shared(cls: Shared) -> Shared:
 
 
 class _WholeCode(JITCodeLibrary):
-    """Code of a function and of all parts that it calls."""
+    """Machine code of a function and of all parts (functions for compiled code) that it calls."""
 
     def add_linking_library(self, library: CodeLibrary) -> None:
-        """Add the code of a called function and of all parts that it calls."""
+        """Add the code of a called function, including all parts that it calls."""
         for code in (library, *getattr(library, "parts", ())):
             super().add_linking_library(code)
 
     def add_llvm_module(self, ll_module: Any) -> None:
-        """Add code without optimisation."""
+        """Add the code of a module without optimising it."""
         self._final_module.link_in(ll_module)
 
     def finalize(self) -> None:
-        """Link parts before other functions, which the linker omits until a part calls them."""
+        """Link parts first, because the linker omits other functions until a part calls them."""
         self._linking_libraries.sort(key=lambda code: not isinstance(code, _PartCode))
         super().finalize()
 
@@ -125,7 +126,7 @@ class _WholeCode(JITCodeLibrary):
             if function.linkage == binding.Linkage.weak_odr:
                 function.linkage = "internal"
             elif function.linkage == binding.Linkage.external and not function.is_declaration:
-                function.add_function_attribute("noinline")  # fields are invariant only within it
+                function.add_function_attribute("noinline")  # fields are constant only inside it
         if not hasattr(binding, "create_pass_builder"):  # an old version of llvmlite
             super()._optimize_final_module()
             return
@@ -144,7 +145,7 @@ class _PartCode(_WholeCode):
         return list(self._linking_libraries)
 
     def finalize(self) -> None:
-        """Let the linker copy all functions; machine code is written only for the callers."""
+        """Leave the code to the linker; machine code is generated only for callers."""
         for function in self._final_module.functions:
             if not function.is_declaration:
                 function.linkage = "weak_odr"
@@ -158,7 +159,7 @@ class _LowerWhole(NativeLowering):
     _name = "lower_whole"
 
     def run_pass(self, state: Any) -> bool:
-        """Translate a function, link its parts and write machine code."""
+        """Translate a function, link its parts and generate machine code."""
         state.library = _WholeCode(state.targetctx.codegen(), state.func_id.func_qualname)
         state.library.enable_object_caching()
         return bool(super().run_pass(state))
@@ -171,13 +172,13 @@ class _LowerPart(NativeLowering):
     _name = "lower_part"
 
     def run_pass(self, state: Any) -> bool:
-        """Translate a function, and announce it to its callers."""
+        """Translate a function, and register it for its callers."""
         state.library = _PartCode(state.targetctx.codegen(), state.func_id.func_qualname)
         state.flags.no_compile = True
         super().run_pass(state)
         lowered = state["cr"]
         described = lowered.fndesc
-        entry = _dynfunc.make_function(  # cannot be called, but identifies the part
+        entry = _dynfunc.make_function(  # placeholder that identifies the part but cannot be called
             described.lookup_module(), described.qualname, "", 0, lowered.env, ()
         )
         state["cr"] = lowered._replace(cfunc=entry)
@@ -191,7 +192,7 @@ class _WholeCompiler(CompilerBase):
     lowering: type[NativeLowering] = _LowerWhole
 
     def define_pipelines(self) -> list[PassManager]:
-        """Return the passes of Numba, without those for expressions of arrays."""
+        """Return Numba's compiler passes without the passes for array expressions."""
         manager = DefaultPassBuilder.define_nopython_pipeline(self.state)
         manager.passes = [
             (self.lowering if each is NativeLowering else each, purpose)
@@ -209,7 +210,7 @@ class _PartCompiler(_WholeCompiler):
 
 
 def compiled(function: Compiled) -> Compiled:
-    """Return a function that is compiled at the first call, or loaded as stored machine code."""
+    """Return a function that is compiled, or loaded from the cache, at its first call."""
     dispatcher = _compiled(function, _WholeCompiler)
     before = numba.config.CACHE_DIR  # type: ignore[attr-defined]
     numba.config.CACHE_DIR = CACHE  # type: ignore[attr-defined]
@@ -221,13 +222,13 @@ def compiled(function: Compiled) -> Compiled:
                 dispatcher._cache = cache  # noqa: SLF001 - as its own enable_caching does
     except (OSError, RuntimeError) as error:
         CACHE_TROUBLE.append(f"{CACHE}: {error}")
-    finally:  # other packages' functions are stored where they want
+    finally:  # the setting must not affect other packages
         numba.config.CACHE_DIR = before  # type: ignore[attr-defined]
     return cast(Compiled, dispatcher)
 
 
 def compiled_part(function: Compiled) -> Compiled:
-    """Return a function that only compiled functions call."""
+    """Return a function for use in compiled functions only."""
     return cast(Compiled, _compiled(function, _PartCompiler, no_cpython_wrapper=True))
 
 

@@ -1,9 +1,9 @@
-"""Memory for the tables of results, reused when the tables are gone.
+"""Memory for arrays of results, reused after the arrays have been deleted.
 
-Fresh memory costs more time than the calculation that fills it: the system clears each page, and
-values that are equal for all variants are written again and again. So a block that is no longer
-referenced is stored for the next results of the same shape, with a note of its contents. For that
-reason tables are read-only for everybody else.
+New memory costs more time than the calculation that fills it: the operating system clears each
+page, and values that are equal for all variants are written every time. So a block that is no
+longer referenced is stored for the next results of the same shape, together with the constants it
+contains. Users get read-only arrays, so that these constants stay valid.
 """
 
 from __future__ import annotations
@@ -16,35 +16,35 @@ from typing import Any, NamedTuple
 import numpy as np
 
 KEPT_BYTES = 2**27
-"""Most bytes of blocks that are stored for later results."""
+"""Largest total size of the stored blocks, in bytes."""
 
 
 class Form(NamedTuple):
-    """Shape and type of a table: (gears, width, variants)."""
+    """Shape (gears, rows, variants) and data type of a table, the array of a result."""
 
     shape: tuple[int, int, int]
     kind: type
 
 
 class Layout(NamedTuple):
-    """Rows that vary, and the values of all other rows for every variant."""
+    """Division of the rows of a gear: rows that vary, and constants of all other rows."""
 
     varied: Sequence[int]
     constants: Sequence[tuple[int, Any]]
 
 
 class Rows:
-    """Rows of all tables of a gear, each over the variants."""
+    """Rows of all tables for one gear; each row is an array over the variants."""
 
     def __init__(self, arrays: Sequence[Any]) -> None:
         self.arrays = arrays
         self.holds: dict[int, Any] = {}
-        """Values that rows are known to hold for every variant, by row."""
+        """Constants that rows contain for every variant, by row."""
         self._layout: Layout | None = None
-        """Layout that all rows are known to have."""
+        """Layout in which the rows currently are; None if unknown."""
 
     def lay_out(self, layout: Layout) -> list[Any]:
-        """Fill the rows that do not vary, and return the arrays of the varying rows for writing."""
+        """Fill the constant rows, and return the arrays of the varying rows for writing."""
         if self._layout is not layout:
             for row, value in layout.constants:
                 if not self._holds(row, value):
@@ -81,7 +81,7 @@ class Rows:
             row[variant] = value
 
     def vary(self, row: int) -> Any:
-        """Return the array of a row for writing."""
+        """Return the array of a row for writing, and forget its constant."""
         self.holds.pop(row, None)
         self._layout = None
         return self.arrays[row]
@@ -101,7 +101,7 @@ class Block:
         ]
 
     def tables(self, memory: Any) -> dict[str, Any]:
-        """Return the tables of the block in the given memory."""
+        """Return arrays that show the tables of the block in the given memory."""
         return {
             name: np.ndarray(form.shape, form.kind, memory, start)
             for (name, form), start in zip(self.forms.items(), self.starts, strict=True)
@@ -114,9 +114,9 @@ def _size(form: Form) -> int:
 
 
 class _Lent:
-    """Owner of a block in use: the base of all arrays that show the block.
+    """Owner of a block in use: the base object of all arrays that show the block.
 
-    When the last such array is gone, the block is free again.
+    Python deletes the owner after the last of these arrays, and the block is stored for reuse.
     """
 
     def __init__(self, block: Block) -> None:
@@ -128,7 +128,7 @@ class _Lent:
         }
 
     def __del__(self) -> None:
-        # The garbage collector can call this at any moment, so nothing is locked here.
+        # The garbage collector can call this at any moment, so a lock could lead to a deadlock.
         while (
             sum(block.bytes.nbytes for block in tuple(_free)) + self.block.bytes.nbytes > KEPT_BYTES
         ):
@@ -144,7 +144,7 @@ _free: deque[Block] = deque()
 
 
 def block(forms: Mapping[str, Form]) -> Block:
-    """Return a block for tables of the given forms, largest type first.
+    """Return a block for tables of the given forms, which are sorted by type size, largest first.
 
     >>> made = block({"ratio": Form((6, 1, 100), np.float64)})
     >>> made.gears[0].lay_out(Layout([], [(0, 1.0)]))
@@ -163,5 +163,5 @@ def block(forms: Mapping[str, Form]) -> Block:
 
 
 def shown(block: Block) -> dict[str, Any]:
-    """Return the read-only tables of a block, which is freed with the last table."""
+    """Return read-only tables of a block; the block is reused after the last table is deleted."""
     return block.tables(np.asarray(_Lent(block)))

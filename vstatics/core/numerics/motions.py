@@ -1,8 +1,7 @@
-"""Free motions: all solutions of homogeneous equations, in terms of free unknowns.
+"""Free motions: all solutions of homogeneous linear equations, as functions of free unknowns.
 
-Equations of two unknowns, from shafts and gear pairs, are followed along a tree, in time
-proportional to their number. The other equations are eliminated by `elimination`, whose entries
-decide when they are zero.
+Equations with two unknowns, from shafts and gear pairs, form trees that are solved in time
+proportional to their number. The remaining equations are solved by `elimination`.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.elimination import in_free_unknowns
 
 Form = Mapping[int, float]
-"""Coefficients by index of the unknown."""
+"""Coefficients of a homogeneous equation, by index of the unknown."""
 
 
 def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
@@ -24,7 +23,7 @@ def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
     Returns
     -------
     ndarray, shape (unknowns, free)
-        In each column one free unknown is 1 and the other free unknowns are 0.
+        One column per free unknown, in which it is 1 and the other free unknowns are 0.
 
     Examples
     --------
@@ -50,7 +49,7 @@ def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
 
 
 def values_of(forms: Sequence[Form], unknowns: int) -> Floats:
-    """Return forms as rows of a matrix of shape (forms, unknowns)."""
+    """Return the coefficients as a matrix of shape (forms, unknowns)."""
     rows = np.zeros((len(forms), unknowns))
     for row, form in zip(rows, forms, strict=True):
         for unknown, coefficient in form.items():
@@ -59,7 +58,7 @@ def values_of(forms: Sequence[Form], unknowns: int) -> Floats:
 
 
 class _Tree:
-    """Unknowns joined by equations of two unknowns; equations of a single unknown give 0."""
+    """Trees of unknowns joined by equations with two unknowns; one unknown alone must be 0."""
 
     def __init__(self, unknowns: int) -> None:
         self.parent: list[int] = list(range(unknowns))
@@ -80,7 +79,7 @@ class _Tree:
         return unknown, factor
 
     def takes(self, form: Form) -> bool:
-        """Add an equation to the tree; return False for a loop, which is left to elimination."""
+        """Add an equation to the trees; return False if it closes a loop, for `elimination`."""
         terms = [(unknown, part) for unknown, part in form.items() if part]
         if len(terms) == 1:
             root, _ = self.root(terms[0][0])
@@ -98,7 +97,7 @@ class _Tree:
         return True
 
     def followed(self) -> tuple[list[int], list[tuple[int, float]]]:
-        """Return the roots that can move, and the root index and factor of each unknown.
+        """Return the roots that can be nonzero, and the root index and factor of each unknown.
 
         The index is -1 for unknowns that are 0.
         """
@@ -111,7 +110,7 @@ class _Tree:
 
 
 def _by_roots(form: Form, by_root: Sequence[tuple[int, float]]) -> dict[int, tuple[float, ...]]:
-    """Return a form in the roots; terms of a root stay separate, so that rounding is visible."""
+    """Return an equation in terms of roots; terms stay separate, so that rounding is visible."""
     terms: dict[int, tuple[float, ...]] = {}
     for unknown, part in form.items():
         root, factor = by_root[unknown]

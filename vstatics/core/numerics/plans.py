@@ -1,14 +1,15 @@
-"""Plans: a calculation recorded once, and run again on all variants that are like the first.
+"""Plans: calculations recorded for one variant and repeated on arrays of similar variants.
 
-A plan is recorded while a variant is calculated (`Plan`), then run on all variants. Variants that
-fail a guard get a plan recorded for one of them, and so on. The few remaining variants, and special
-cases that cannot represent others, are calculated alone. So every variant gets the numbers that it
-would get alone: to the last bit with plans of fixed sign, to rounding with plans of any sign, which
-can choose the pivots in another order.
+A plan is the recorded arithmetic of one variant, which is repeated on arrays of all variants. It
+contains guards: conditions under which the arithmetic applies to a variant. For variants that fail
+a guard, a further plan is recorded for one of them, and so on. The few remaining variants, and
+special cases that cannot represent others, are calculated individually. So every variant gets the
+numbers of an individual calculation: to the last bit with plans of fixed sign, within rounding with
+plans of any sign, which can choose another order of pivots.
 
-There are two kinds. A plan of fixed sign calculates magnitudes: signs cost no step, and all of its
-variants have the signs of its first variant. A plan of any sign takes up to twice as many steps and
-serves all variants of a structure.
+A plan of fixed sign calculates only magnitudes, so it serves variants whose numbers have the signs
+of the recorded variant. A plan of any sign takes up to twice as many operations, but serves all
+variants of a structure.
 """
 
 from __future__ import annotations
@@ -28,45 +29,45 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""Number of variants up to which, at first, no plan is made: they are calculated alone.
+"""Initial number of variants up to which no plan is recorded: they are calculated individually.
 
 `Plans.few` starts with this number and grows by it after each plan that serves no more variants.
 """
 WORTH = 12
-"""Cost of making a plan, as the number of variants that could be calculated alone meanwhile."""
+"""Cost of recording a plan, as a number of individually calculated variants."""
 STEPS_LIKE_ONE_VARIANT = 250
-"""Steps of a plan that cost as much as a variant calculated alone."""
+"""Number of steps of a plan that cost as much as one individually calculated variant."""
 LEAST_SERVED = 1 / 64
-"""Least share of variants that a plan is expected to serve in the next run."""
+"""Smallest share of variants that a plan is expected to serve in its next run."""
 MOST_PLANS = 256
-"""Most plans of a calculation; variants without a plan are calculated alone."""
+"""Largest number of plans of a calculation; further variants are calculated individually."""
 TRIALS = 6
-"""Successive plans for fewer than `WORTH` variants each, after which no further plan is made."""
+"""Number of successive plans that serve fewer than `WORTH` variants, before recording stops."""
 WIDENING = (1.05, 1.25, 2.0)
-"""Factors by which the bounds of a plan of fixed sign exceed the given numbers.
+"""Factors by which the input bounds of plans of fixed sign exceed the given numbers.
 
-Later plans have wider bounds, so that drifting numbers do not need a new plan every time.
+Later plans have wider bounds, so that slowly changing inputs do not need a new plan in each run.
 """
 SERVED_PART = 0.5
-"""Share of variants that a plan of fixed sign must serve if a plan of any sign exists."""
+"""Share of variants that a plan of fixed sign must serve if a plan of any sign is available."""
 SAMPLE_VARIANTS = 64
 """Number of variants from which the served share is estimated."""
 SAMPLED = 8
-"""Number of calls between two estimates of the share of variants that a plan serves."""
+"""Number of runs between two estimates of the share of variants that a plan serves."""
 
 
 class Plans:
-    """Plans of a calculation, made on demand."""
+    """Plans of a calculation, recorded when needed."""
 
     def __init__(self, function: Function) -> None:
         self.function = function
         self.plans: Sequence[Plan] = ()
-        """Plans of fixed sign first, as they take fewer steps; then the most used plans."""
+        """Recorded plans: plans of fixed sign first (they take fewer steps), then by use."""
         self.calls = 0
         self.alone = 0
-        """Number of variants that were calculated alone."""
+        """Number of variants that were calculated individually."""
         self.special = 0
-        """Number of variants for which no plan could be made."""
+        """Number of variants for which no plan could be recorded."""
         self.few = FEW_VARIANTS
 
     def run(self, inputs: Inputs, rows: Rows) -> None:
@@ -85,11 +86,11 @@ class Plans:
                 left = self._run(plan, inputs, rows, left)
         left = self._with_new_plans(inputs, rows, left)
         self._alone(inputs, rows, left)
-        # a new list, because another thread can be using the old list
+        # This is a new list, because another thread can be using the old list.
         self.plans = sorted(self.plans, key=lambda plan: (plan.signed, -plan.served))
 
     def _with_new_plans(self, inputs: Inputs, rows: Rows, left: Integers) -> Integers:
-        """Make plans for remaining variants while worthwhile; return variants without a plan."""
+        """Record plans while worthwhile; return the variants that remain without a plan."""
         trials, total = TRIALS, inputs.values.shape[1]
         while trials and len(self.plans) < MOST_PLANS and self._worth(left.size, inputs):
             place = (TRIALS - trials) * left.size // TRIALS  # special cases are often neighbours
@@ -99,7 +100,7 @@ class Plans:
                 plan = self._new(prepared(inputs.values[:, left]), place, alike=alike)
                 left = self._run(plan, inputs, rows, left)
             served = before.size - left.size
-            if variant in left:  # the plan does not even serve its own variant
+            if variant in left:  # the plan does not serve even its own variant
                 self._alone(inputs, rows, np.array([variant]))
                 self.special += 1
                 left = left[left != variant]
@@ -111,10 +112,10 @@ class Plans:
         return left
 
     def _new(self, inputs: Inputs, place: int, *, alike: bool) -> Plan:
-        """Return a plan recorded for the variant at a place.
+        """Return a plan recorded for the variant with the index `place`.
 
-        The plan is of fixed sign for a single variant, or if `alike` and no input changes sign.
-        Otherwise it is of any sign, if such a plan can be recorded.
+        The plan is of fixed sign for a single variant, or if `alike` is True and no input changes
+        sign. Otherwise it is of any sign, if possible.
         """
         alike &= all(low >= 0 or high <= 0 for low, high in inputs.ranges)
         if inputs.values.shape[1] > 1 and not alike:
@@ -145,12 +146,12 @@ class Plans:
         return bool(passed.mean() > SERVED_PART)
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
-        """Run a plan on the chosen variants that suit it; return the variants without a result."""
+        """Run a plan on those chosen variants whose inputs suit it; return the others."""
         everybody = chosen.size == inputs.values.shape[1]
         part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)
         count = int(np.count_nonzero(passed))
-        # most variants are suitable: write the results to their final place
+        # If most variants are suitable, results are written directly to their final place.
         if everybody and 2 * count > chosen.size:
             passed &= plan.run(inputs, rows)
         elif count:
@@ -172,27 +173,28 @@ class Plans:
 
 
 SPREAD = 64.0
-"""Largest factor between a bound of a plan of fixed sign and the number of its first variant."""
+"""Largest factor between an input bound of a plan of fixed sign and the recorded number."""
 SIGNED_WIDENING = (1.005, 2.0)
-"""Factors by which the bounds of a plan of any sign exceed the given numbers.
+"""Factors by which the input bounds of plans of any sign exceed the given numbers.
 
-The first plan, for numbers of a single sign, has closer bounds, so that efficiencies stay below 1.
+The first factor is for the first plan and inputs of a single sign. It is small, so that
+efficiencies stay near or below 1.
 """
 
 
 Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
-"""Calculation of a variant, from numbers to results."""
+"""Calculation of one variant: returns the results for given input numbers."""
 
 
 class Range(NamedTuple):
-    """Bounds of an input."""
+    """Smallest and largest value of an input."""
 
     low: float
     high: float
 
 
 class Inputs(NamedTuple):
-    """Numbers that vary, shape (inputs, variants), with their magnitudes and ranges."""
+    """Input numbers of shape (inputs, variants), with their magnitudes and ranges."""
 
     values: Floats
     magnitudes: Floats
@@ -200,7 +202,7 @@ class Inputs(NamedTuple):
 
 
 def prepared(values: Floats) -> Inputs:
-    """Return the inputs for plans from an array of shape (inputs, variants)."""
+    """Return the inputs of plans for an array of shape (inputs, variants)."""
     if values.shape[1] == 1:
         lows = highs = values[:, 0]
     else:
@@ -209,13 +211,13 @@ def prepared(values: Floats) -> Inputs:
 
 
 class Plan:
-    """Recorded calculation with the valid ranges of the inputs."""
+    """Recorded calculation with the ranges of inputs for which it is valid."""
 
     def __init__(self, ranges: Sequence[Range], replay: Replay, *, signed: bool) -> None:
         self.ranges = ranges
         self.replay = replay
         self.signed = signed
-        """True if the plan is of any sign."""
+        """True for a plan of any sign, False for a plan of fixed sign."""
         self.served = 0
         """Number of variants served in the last run."""
         self.share = 1.0
@@ -223,11 +225,11 @@ class Plan:
 
     @property
     def steps(self) -> int:
-        """Number of steps."""
+        """Number of recorded operations."""
         return len(self.replay.steps)
 
     def numbers(self, inputs: Inputs) -> Floats:
-        """Return the inputs as recorded: with signs for a plan of any sign, else as magnitudes."""
+        """Return the inputs with their signs for a plan of any sign, else their magnitudes."""
         return inputs.values if self.signed else inputs.magnitudes
 
     def suits(self, inputs: Inputs) -> Booleans:
@@ -245,7 +247,7 @@ class Plan:
         return inside
 
     def run(self, inputs: Inputs, rows: Rows) -> Booleans:
-        """Write the results of all variants, and return marks of variants that pass the guards."""
+        """Write the results of all variants, and return marks of variants that pass all guards."""
         passed = np.ones(inputs.values.shape[1], dtype=np.bool_)
         self.replay.run(self.numbers(inputs), rows, passed)
         return passed
@@ -309,7 +311,7 @@ def _wide(given: Range, *, again: bool) -> Range:
 
 
 def _bounds(value: float, values: Floats, given: Range, widening: float) -> Range:
-    """Return the bounds of a plan of fixed sign around a value, within `SPREAD`."""
+    """Return the input bounds of a plan of fixed sign around a value, limited by `SPREAD`."""
     if given.low < 0 < given.high:
         values = values[(values > 0) == (value > 0)]
         given = Range(float(values.min()), float(values.max()))

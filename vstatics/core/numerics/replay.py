@@ -1,4 +1,4 @@
-"""Replay: the steps that repeat the operations of a tape on arrays, and their memory."""
+"""Repetition of a recorded calculation (a tape) on arrays over many variants."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.core.numerics.tape import GUARDS, Operand, Plain, Residual, Tape
 from vstatics.core.numerics.traced import Number, Traced
 
 CHUNK = 20480
-"""Number of variants that pass the steps together: calls are few, and arrays stay in the cache."""
+"""Number of variants calculated together: large for few calls, small enough for the cache."""
 
 
 def _absolute(operand: Floats, _: Floats, result: Floats) -> None:
@@ -29,7 +29,7 @@ def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
 
 
 def _store(value: Floats, factor: float, result: Any) -> None:
-    """Write a result times +1 or -1 to a row of any type."""
+    """Write a value, times +1 or -1, to an array of any type."""
     np.multiply(value, factor, result, casting="unsafe")
 
 
@@ -38,7 +38,7 @@ def _minimum(first: Floats, second: Floats, result: Floats) -> None:
 
 
 def _of_arrays(first: float, second: float) -> float:
-    """Refuse functions that only occur in plans of any sign, which single variants do not use."""
+    """Raise an error: single variants never use the functions of plans of any sign."""
     raise NotImplementedError
 
 
@@ -47,7 +47,7 @@ ARRAYS: Mapping[str, Callable[..., Any]] = {
     "choose": _choose,
     "minimum": _minimum,
 }
-"""Array functions for operations of a tape that NumPy lacks under the name."""
+"""Array functions for operations of a tape without a NumPy function of the same name."""
 
 PLAIN: Mapping[str, Callable[..., float]] = {
     "add": operator.add,
@@ -59,11 +59,11 @@ PLAIN: Mapping[str, Callable[..., float]] = {
     "equal": operator.eq,
     "not_equal": operator.ne,
 }
-"""Functions of tapes for plain numbers."""
+"""Functions for the operations of a tape on floats."""
 
 
 class _WorkingMemory(threading.local):
-    """Memory of a thread for working arrays; fresh memory costs more time than the steps."""
+    """Working arrays of a thread, reused because new memory costs more time than the steps."""
 
     numbers: Floats = np.empty(0)
     holds: Booleans = np.empty(0, dtype=np.bool_)
@@ -73,7 +73,7 @@ _memory = _WorkingMemory()
 
 
 def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Booleans]:
-    """Return uninitialised arrays over the variants, for numbers and for guards."""
+    """Return uninitialised arrays (numbers, variants) and (guards, variants)."""
     if _memory.numbers.size < count * variants:
         _memory.numbers = np.empty(count * variants)
     if _memory.holds.size < guards * variants:
@@ -83,30 +83,30 @@ def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Boo
 
 
 class Step(NamedTuple):
-    """Function for arrays and for plain numbers, with the cells of operands and result."""
+    """Operation of a replay: functions for arrays and for floats, and the cells of its operands."""
 
     function: Callable[..., Any]
     plain: Callable[..., float]
     first: int
     second: int
     result: int | None
-    """Cell of the result; absent for a guard."""
+    """Cell of the result; None for a guard, which only marks variants."""
     third: int | None = None
-    """Cell of the third operand of a choice."""
+    """Cell of the third operand; only choices have one."""
 
 
 PlainStep = tuple[Callable[..., float], int, int, int | None]
-"""Function for plain numbers, with the cells of operands and result.
+"""Operation on floats: function, cells of two operands, and cell of the result (None for a guard).
 
 Python unpacks a tuple in a fraction of the time of a named tuple.
 """
 
 
 class Replay(NamedTuple):
-    """Steps from the inputs of a tape to the results.
+    """Steps that calculate results from inputs; their operands are numbered cells.
 
-    Cells are numbered in the order inputs, varying results, working arrays; plain numbers are
-    counted from the end.
+    The cells are the inputs, the varying results and the working arrays, in this order. Constants
+    follow in reverse order, so that negative numbers count them from the end.
     """
 
     inputs: int
@@ -115,12 +115,12 @@ class Replay(NamedTuple):
     """Number of working arrays."""
     plain: Sequence[float]
     layout: Layout
-    """Layout of the results."""
+    """Division of the results into varying rows and constants."""
     plain_steps: Sequence[PlainStep]
-    """The steps for plain numbers."""
+    """Steps with the functions for floats."""
 
     def run(self, magnitudes: Floats, rows: Rows, passed: Booleans) -> None:
-        """Write the results of all variants, and unmark variants that do not pass the guards.
+        """Write the results of all variants, and set `passed` to False where a guard fails.
 
         Parameters
         ----------
@@ -154,7 +154,7 @@ class Replay(NamedTuple):
     def run_one(self, magnitudes: Sequence[float], rows: Rows) -> bool:
         """Write the results of a single variant of fixed sign, and return whether the guards pass.
 
-        Plain numbers take a quarter of the time of arrays with a single number.
+        Floats take a quarter of the time of arrays with a single number.
         """
         none = [0.0] * (len(self.layout.varied) + self.working)
         cells = [*magnitudes, *none, *self.plain[::-1]]
@@ -170,7 +170,7 @@ class Replay(NamedTuple):
 
 
 def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
-    """Arrange the operations of a tape that guards and results need."""
+    """Return the steps for all operations of a tape that guards or results need."""
     varied: list[int] = []
     copies: dict[int, list[tuple[int, float]]] = {}
     for row, result in enumerate(results):
@@ -192,7 +192,7 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
             if third is None:
                 cells.release(released)
             cell = None if name in GUARDS else cells.taken(slot, copies)
-            if third is not None:  # a choice writes its result while its operands are still read
+            if third is not None:  # a choice writes its result before it has read all operands
                 cells.release(released)
             function = ARRAYS.get(name) or getattr(np, name)
             steps.append(Step(function, PLAIN.get(name, _of_arrays), *operands, cell, more))
@@ -225,7 +225,8 @@ def _slot(result: Traced | Signed | Residual | Truth) -> tuple[int, float]:
 def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
     """Return the slot of the last operation that uses each slot.
 
-    A slot that only a result uses has itself, and so has a guard. Unused slots are missing.
+    For guards, and for slots that only a result uses, the value is the slot itself. Unused slots
+    are omitted.
     """
     last = {slot: slot for slot in copies}
     for index in reversed(range(len(tape.operations))):
@@ -240,7 +241,7 @@ def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
 
 
 class _Cells:
-    """Cells of slots and numbers while the steps are arranged."""
+    """Assignment of tape slots and constants to cells, with reuse of working arrays."""
 
     def __init__(self, inputs: int, varied: int) -> None:
         self.plain: list[Plain] = []
@@ -250,7 +251,7 @@ class _Cells:
         self._free: list[int] = []
 
     def of(self, operand: Operand) -> int:
-        """Return the cell of a slot or a plain number."""
+        """Return the cell of a slot or of a constant."""
         if isinstance(operand, int):
             return self._cells[operand]
         if operand not in self.plain:
@@ -258,7 +259,7 @@ class _Cells:
         return -1 - self.plain.index(operand)
 
     def taken(self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]) -> int:
-        """Return a cell for a new slot: of a result, a free cell, or a new cell."""
+        """Return a cell for a new slot: the cell of its result, or a working array."""
         result = next((cell for cell, sign in copies.get(slot, ()) if sign > 0), None)
         if result is None and not self._free:
             self._free.append(self._first_working + self.working)
@@ -273,7 +274,7 @@ class _Cells:
     def copied(
         self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]
     ) -> Iterator[Step]:
-        """Yield steps that copy a slot to further results."""
+        """Yield steps that copy a slot to the other results that equal it."""
         for cell, sign in copies.get(slot, ()):
             if cell != self._cells[slot]:
                 yield Step(_store, operator.mul, self._cells[slot], self.of(Plain(sign)), cell)

@@ -10,24 +10,24 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats
 
 Sided: TypeAlias = Callable[[Floats], tuple[Floats, Floats]]
-"""Function that returns, for several places, the values and the largest sizes that count as 0."""
+"""Function of an array of places; returns the values, and the magnitudes up to which they are 0."""
 
 _PLACES = 2**15 + 1
 """Number of places at which a function is evaluated first."""
 _CLOSER = np.linspace(0.0, 1.0, 9)
-"""Parts of an interval at which a function is evaluated to find an extremum."""
+"""Relative positions in an interval (0 to 1) at which a function is evaluated for an extremum."""
 _TIMES_CLOSER = 24
-"""Number of refinements near an extremum; each makes the interval four times shorter."""
+"""Number of refinements near an extremum, each of which makes the interval four times shorter."""
 _BISECTIONS = 100
-"""Number of bisections."""
+"""Number of bisections at a change of sign."""
 
 
 def changes_of_side(of: Sided, low: float, high: float) -> Floats:
     """Return the places where a function crosses or touches 0, even by a jump or a pole.
 
-    The function is evaluated at 32,769 places, and more closely where it is nearest to 0: a zero
-    between two places is found if the function is smooth there. Each place is the first float after
-    the change.
+    The function is evaluated at 32,769 places, and at closer places near extrema next to 0. A pair
+    of zeros between two places is found if the function is smooth there. The result for a crossing
+    is the first float after it.
 
     Examples
     --------
@@ -48,7 +48,7 @@ def changes_of_side(of: Sided, low: float, high: float) -> Floats:
         at, places, sides = places[touches], np.delete(places, touches), np.delete(sides, touches)
         changes = np.flatnonzero(sides[1:] != sides[:-1])
         before, behind, side = places[changes], places[changes + 1], sides[changes]
-        passes = side * sides[changes + 1] == -1  # at these changes 0 does not count as a side
+        passes = side * sides[changes + 1] == -1  # small values of either sign count as nonzero
         for _ in range(_BISECTIONS):
             middle = before / 2 + behind / 2
             same = _sides(of, middle, may_be_0=~passes) == side
@@ -64,7 +64,7 @@ def _sides(of: Sided, places: Floats, *, may_be_0: Booleans | bool = True) -> Fl
 
 
 def _nearest_to_0(of: Sided, places: Floats) -> Floats:
-    """Return the places where a function without a change of sign is nearest to 0, or beyond."""
+    """Return places near extrema next to 0, where a function can touch or cross 0 unnoticed."""
     values, sides = of(places)[0], _sides(of, places)
     stays = (sides[:-2] == sides[1:-1]) & (sides[1:-1] == sides[2:]) & (abs(sides[1:-1]) == 1)
     ahead, behind = (

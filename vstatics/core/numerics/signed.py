@@ -1,10 +1,10 @@
-"""Arithmetic of plans for numbers of any sign: bounds, conditions, guards of sums.
+"""Recorded arithmetic for numbers whose sign can differ between variants.
 
-`Signed` numbers replace `Traced` numbers in plans for variants that differ in sign. The tape has
-each number with its sign, so a sum needs no decision. A decision by sign is a `Truth`: a guard
-where the calculation continues in one way only, or a choice in each variant where both ways are
-recorded. Important sums are guarded: enough of their terms must be left for rounding to stay small,
-whatever the order of the pivots.
+`Signed` numbers replace `Traced` numbers if variants differ in sign. The tape (the list of recorded
+operations) contains signed numbers, so a sum needs no decision. A comparison is a `Truth`: it
+becomes a guard, which restricts the variants, if the calculation continues in one way only, or a
+choice in each variant if both ways are recorded. Guards of important sums require that terms do not
+cancel, so that rounding stays small for any order of the pivots.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from vstatics.core.numerics.tolerances import SURE_BOUNDS
 
 
 class Signed:
-    """Number of any sign in each variant: the content of a slot, times +1 or -1."""
+    """Number with any sign in each variant: a recorded result (tape slot), times +1 or -1."""
 
     __slots__ = ("high", "low", "negated", "slot", "tape", "value")
     __hash__ = None  # type: ignore[assignment]
@@ -34,12 +34,12 @@ class Signed:
 
     @property
     def settled(self) -> int:
-        """+1 or -1 if all variants have the sign, else 0."""
+        """Common sign of all variants, +1 or -1; 0 if the sign can differ."""
         return 1 if self.low > 0 else -1 if self.high < 0 else 0
 
     @property
     def direction(self) -> Either:
-        """+1 or -1 in each variant."""
+        """Sign of the number, +1 or -1, in each variant."""
         if self.settled:
             return float(self.settled)
         slot = self.tape.note("copysign", Plain(1.0), self.slot)
@@ -87,7 +87,8 @@ class Signed:
             return 0.0
         low, high = (x + y for x, y in zip(bounds_of(self), bounds_of(addend), strict=True))
         value = self.value + value_of(addend)
-        # a choice can be 0, but terms that cancel by chance are a special case
+        # Nonzero terms cancel only by chance, which makes the first variant a special case. Terms
+        # that result from choices can be 0.
         if value == 0 and self.value != 0:
             raise Untraceable
         if negated == b_negated:
@@ -128,10 +129,10 @@ Either = float | Signed
 
 
 class Truth:
-    """Comparison that is true in some variants: left less than right, or not above.
+    """Comparison whose result can differ between variants: left < right, or left <= right.
 
-    As a condition in Python a comparison is a guard, for variants that agree with the first
-    variant.
+    Converting it to a Python boolean gives its value in the first variant and records a guard,
+    which excludes the variants that differ.
     """
 
     __slots__ = ("left", "name", "right", "tape")
@@ -179,7 +180,7 @@ class Truth:
 
 
 Condition = bool | Truth
-"""Boolean, or a comparison that is true in some variants only."""
+"""Boolean, or a comparison whose value can differ between variants."""
 
 
 def _ends(tape: Tape, left: Either, right: Either) -> tuple[Operand, Operand]:
@@ -200,14 +201,14 @@ def bounds_of(number: Either) -> Interval:
 
 
 def upright(tape: Tape, number: Either) -> Operand:
-    """Return the operand of a number including the sign."""
+    """Return the operand of a number with its sign, recording a negation if needed."""
     if not isinstance(number, Signed):
         return Plain(float(number))
     return tape.note("multiply", number.slot, Plain(-1.0)) if number.negated else number.slot
 
 
 def least(numbers: list[Signed]) -> Signed:
-    """Return the minimum of some numbers in each variant."""
+    """Return the minimum of several numbers in each variant."""
     first, *others = numbers
     for other in others:
         tape = first.tape
@@ -219,7 +220,7 @@ def least(numbers: list[Signed]) -> Signed:
 
 
 def is_nothing(number: Either) -> bool:
-    """Return whether a number is a plain 0 or NaN, with which no calculation is needed."""
+    """Return whether a number is a plain 0 or NaN, so that the result needs no calculation."""
     return not isinstance(number, Signed) and not abs(number) > 0
 
 
@@ -262,7 +263,7 @@ def _quotient(tape: Tape, dividend: Either, divisor: Either) -> Either:
 
 
 def _compared(tape: Tape, name: str, left: Either, right: Either) -> Condition:
-    """Return a comparison, as a boolean if settled by bounds."""
+    """Return a comparison, or a boolean if the bounds decide it for all variants."""
     if is_nan(left) or is_nan(right):
         return False
     below = is_below(bounds_of(left), bounds_of(right))
@@ -281,7 +282,7 @@ def is_nan(number: Either) -> bool:
 def _equal(number: Signed, other: object) -> bool:
     """Return whether two numbers are equal.
 
-    A signed number is 0 only by chance, or as a choice.
+    Equality is rare: a signed number equals another number only by chance or by a choice.
     """
     if not isinstance(other, Signed):
         plain = float(other)  # type: ignore[arg-type]
@@ -300,12 +301,12 @@ def _equal(number: Signed, other: object) -> bool:
 
 
 def size_of(number: Either) -> Either:
-    """Return the magnitude of a number; `abs` would lose the type of a union."""
+    """Return the magnitude of a number, with a type that `abs` has not."""
     return abs(number)  # type: ignore[return-value]
 
 
 Interval = tuple[float, float]
-"""Smallest and largest number."""
+"""Smallest and largest value of a number."""
 
 OPEN = -math.inf, math.inf
 """Interval without bounds."""
@@ -338,7 +339,7 @@ def _around(ends: list[float]) -> Interval:
 def is_below(left: Interval, right: Interval) -> bool | None:
     """Return whether a number is certainly less than a second number.
 
-    The result is None if bounds do not settle the comparison.
+    The result is None if the intervals overlap.
 
     >>> is_below((-2.0, -1.0), (0.0, 0.0)), is_below((1.0, 3.0), (2.0, 4.0))
     (True, None)
@@ -349,7 +350,7 @@ def is_below(left: Interval, right: Interval) -> bool | None:
 
 
 def _lies_below(left: Interval, right: Interval) -> bool:
-    """Return whether intervals are apart, with a margin unless an end is 0 or infinite."""
+    """Return whether an interval is below another, with a margin unless an end is 0 or infinite."""
     end, start = left[1], right[0]
     if start == math.inf or end == -math.inf or (0 in (end, start) and end < start):
         return True
@@ -357,7 +358,7 @@ def _lies_below(left: Interval, right: Interval) -> bool:
 
 
 def guarded_sum(first: Either, second: Either, part: float) -> Either:
-    """Return a sum that is larger than `part` of its largest term in all variants."""
+    """Return a sum, guarded so that its magnitude exceeds `part` of the magnitude of its terms."""
     total = first + second
     if not isinstance(total, Signed):
         return total
@@ -369,7 +370,7 @@ def guarded_sum(first: Either, second: Either, part: float) -> Either:
 
 
 def guard_equal(number: Either, reference: Either, rounding: Either, part: float) -> None:
-    """Guard that two numbers differ by no more than their rounding, nor by more than a part."""
+    """Require that two numbers differ at most by `rounding` and by `part` of their magnitude."""
     if (
         isinstance(number, Signed)
         and isinstance(reference, Signed)
@@ -384,7 +385,7 @@ def guard_equal(number: Either, reference: Either, rounding: Either, part: float
 
 
 def _cheapest(first: Either, second: Either) -> Either:
-    """Return the number whose magnitude needs fewer steps."""
+    """Return the number whose magnitude needs fewer recorded operations."""
     return first if _cost(first) <= _cost(second) else second
 
 

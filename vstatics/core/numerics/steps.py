@@ -15,25 +15,25 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
 _WHOLE = 2**53
-"""Limit of whole numbers; up to this limit every whole number is exactly a double."""
+"""Limit up to which every whole number is exactly a double."""
 _HIT = 1e-6
-"""Largest distance from the end, as a part of a step, at which the end counts as reached."""
+"""Largest distance from `stop`, relative to the step, at which `stop` counts as reached."""
 
 
 @dataclass(frozen=True)
 class Steps:
     """Numbers from `start` to `stop`, both included, evenly spaced.
 
-    Where start and step are short decimals or fractions each number is the double next to
-    the exact one, as if it were written by hand: -0.3 to 0.3 in seven numbers has a 0 in
-    the middle, not 5e-17. Otherwise the numbers are interpolated.
+    If start and step are short decimals or fractions, each number is the double closest to the
+    exact number: the middle of seven numbers from -0.3 to 0.3 is 0, not 5e-17. Otherwise the
+    numbers are interpolated with rounding.
 
     Parameters
     ----------
     start, stop : float
-        Finite.
+        First and last number, both finite.
     number : int
-        How many, at least 1; 1 only if start and stop are equal.
+        Count of the numbers, at least 1; 1 only if start and stop are equal.
 
     Examples
     --------
@@ -62,7 +62,7 @@ class Steps:
 
     @cached_property
     def _whole(self) -> tuple[float, float, float] | None:
-        """Start and step as whole numbers over a common divisor, if none gets too large."""
+        """Start, step and common divisor as whole numbers; None if a number would be too large."""
         start = _exact(self.start)
         step = (_exact(self.stop) - start) / max(self.number - 1, 1)
         divisor = lcm(start.denominator, step.denominator)
@@ -74,7 +74,7 @@ class Steps:
 
 
 def stepped(start: float, stop: float, step: float) -> Steps | None:
-    """Return numbers from `start` in steps of `step`, at most up to `stop`.
+    """Return numbers from `start` in steps of `step`, up to `stop` at most.
 
     The result is None if the step is 0 or leads away from `stop`.
 

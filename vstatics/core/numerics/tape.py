@@ -1,32 +1,32 @@
-"""Tape of a calculation: its operations in order, and the guards of its decisions."""
+"""Tape: the list of operations of a recorded calculation, including guards for its decisions."""
 
 from __future__ import annotations
 
 from typing import NamedTuple, Never
 
 MOST_OPERATIONS = 20_000
-"""Most operations on a tape; a longer calculation is not worth recording."""
+"""Largest number of operations on a tape; recording a longer calculation is not worthwhile."""
 GUARDS = frozenset({"less", "less_equal", "equal", "not_equal"})
-"""Operations that compare; a tape is valid for variants that pass all comparisons."""
+"""Names of comparisons; a tape is valid only for variants in which all its comparisons are true."""
 
 
 class Untraceable(Exception):  # noqa: N818
-    """Exception for a first variant that is a special case."""
+    """Error: the recorded variant is a special case, so it cannot represent other variants."""
 
 
 class Plain(NamedTuple):
-    """Plain number as an operand; an int is the number of a slot."""
+    """Constant as an operand, to distinguish it from the number of a slot."""
 
     number: float
 
 
 Operand = int | Plain
-"""Slot of the tape, or a plain number."""
+"""Operand of an operation: number of a slot of the tape, or a constant."""
 
 HUGE = 1e100
-"""Largest permitted magnitude in the first variant; the smallest permitted is the inverse."""
+"""Largest permitted magnitude in the first variant; the inverse is the smallest permitted."""
 NEGATIONS = {"less": "less_equal", "less_equal": "less"}
-"""Negation of each comparison, for exchanged operands."""
+"""Negation of each comparison, valid with exchanged operands."""
 
 
 def ordered(first: Operand, second: Operand) -> tuple[Operand, Operand]:
@@ -37,7 +37,7 @@ def ordered(first: Operand, second: Operand) -> tuple[Operand, Operand]:
 
 
 class Operation(NamedTuple):
-    """Step of a tape: a named function of two or three operands."""
+    """Operation on a tape: a named function of two or three operands."""
 
     name: str
     first: Operand
@@ -52,7 +52,7 @@ class Operation(NamedTuple):
 
 
 class Tape:
-    """Operations and guards in order; the first slots are the inputs."""
+    """List of operations and guards; slots (numbered results) begin with the inputs."""
 
     def __init__(self, inputs: int) -> None:
         self.inputs = inputs
@@ -60,7 +60,7 @@ class Tape:
         self._slots: dict[Operation, int] = {}
 
     def note(self, name: str, first: Operand, second: Operand, third: Operand | None = None) -> int:
-        """Record an operation, unless recorded before, and return the slot of the result.
+        """Record an operation, unless it is on the tape already, and return the slot of its result.
 
         Raises
         ------
@@ -84,7 +84,7 @@ class Tape:
 
 
 class Residual:
-    """Difference of nearly equal sums, near 0, of any sign: a result that is not used further."""
+    """Recorded sum of terms that nearly cancel, of any sign: a final result."""
 
     __slots__ = ("slot", "tape", "value")
 

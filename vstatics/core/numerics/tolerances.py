@@ -1,7 +1,7 @@
 """Tolerances of the calculation: when a difference is zero, when rounding is too large.
 
-Tolerances of the arithmetic are in units of the last place. Tolerances of a gear are relative to
-the compared numbers, so that a train of any ratios is judged by its own numbers.
+Tolerances of the arithmetic are multiples of the unit in the last place. Tolerances of a gear are
+relative to the compared numbers, so that they suit gear trains of any ratio.
 """
 
 from __future__ import annotations
@@ -9,7 +9,8 @@ from __future__ import annotations
 EPSILON = 2.0**-52
 """Unit in the last place of 1."""
 
-# Arithmetic of linear systems: "fixed sign" and "any sign" are the kinds of recorded plans.
+# Arithmetic of linear systems. "Fixed sign" and "any sign" are the two kinds of recorded
+# calculations (plans): for variants of equal signs, and for variants whose signs differ.
 ZERO = EPSILON
 """Largest difference that counts as 0, relative to the size that bounds its rounding error.
 
@@ -22,87 +23,89 @@ TRACED_SAME = 32 * EPSILON
 TRACED_DIFFERENCE = 1 / 64
 """Fixed sign: smallest difference for which a plan is valid, relative to the larger term.
 
-If smaller, a sixteenth of the relative difference in the first variant is enough, but at least 1.5
-times `TRACED_REAL`.
+If the relative difference in the first variant is small, a sixteenth of it is enough, but at least
+1.5 times `TRACED_REAL`.
 """
 SIGNED_LEAST = 2.0**-16
 """Any sign: smallest difference for which a plan is valid, relative to the terms.
 
-So rounding grows at most by the inverse of this factor where terms cancel.
+Where terms cancel, the relative rounding error therefore grows at most by the inverse of this
+factor.
 """
 SIGNED_SAME = 2.0**-36
-"""Any sign: relative difference above which two terms count as different at any rounding error."""
+"""Any sign: relative difference above which two terms differ, for any estimated rounding error."""
 PIVOT = 0.1
-"""Smallest pivot relative to the largest entry of the row, so that rows cannot grow."""
+"""Smallest pivot relative to the largest entry of its row, to limit the growth of rows."""
 SIGNED_PIVOT = 1 / 256
-"""Any sign: smallest relative pivot of the first variant; other sums are guarded as well."""
+"""Any sign: smallest relative pivot, in the first variant; low because sums are guarded."""
 
 # Speeds, torques and powers of a gear.
 TIE = 1e-9
-"""Relative difference below which speeds, or torques on a link, are equal."""
+"""Relative difference up to which speeds, or torques on a link, count as equal."""
 UNCERTAIN = 1e-6
-"""Relative disagreement of speeds or torques from which a message is given."""
+"""Relative error of speeds or torques above which a message is given."""
 NEAR_ONE = 1e-4
-"""Difference of a ratio from 1 below which a train is nearly singular."""
+"""Difference of a basic ratio from 1 below which a gear train is nearly singular."""
 CLOSED = 1e-9
-"""Error of a power balance, relative to the input power, above which a plan is not used."""
+"""Error of the power balance, relative to the input power, above which a plan is rejected."""
 NO_POWER = 1e-12
 """Largest power, relative to the largest power of the gear, that counts as rounding.
 
-Where digits are counted, the same limit applies to speeds and torques relative to the input.
+It is also the smallest reference value for relative errors of speeds and torques.
 """
 CYCLE = 1e-9
 """Largest power of a cycle, relative to the largest power of the gear, that counts as rounding."""
 STANDS_STILL = 1e-13
-"""Change of an efficiency per pass below which the iteration has converged."""
+"""Change of an efficiency per iteration below which the iteration has converged."""
 SAME_SOLUTION = 1e-10
-"""Difference below which two efficiencies are equal; converged passes are closer."""
+"""Difference below which two efficiencies are equal; larger than the error after convergence."""
 BALANCED = 1e-9
 """Largest error of a battery's power, relative to all powers, that counts as balanced."""
 
-# Numbers that are compared with each other: ratios of gears, rays of a plan, tips of teeth.
+# Geometry and ratios: ratios of gears, rays of a speed plan, tips of teeth.
 SAME_RATIO = 1e-9
-"""Relative difference below which numbers of gears, or rays of a plan, are equal."""
+"""Relative difference below which ratios of gears, or rays of a speed plan, are equal."""
 TIP_CLEARANCE = 1e-9
 """Largest clearance between toothed gears, in modules, that counts as rounding."""
 
 # Arrays of variants, and the plans that calculate them.
 LAST_BITS = 1e-12
-"""Largest relative difference of results that can come from the processor alone."""
+"""Largest relative difference between results of different processors."""
 LEAST_INPUT = 1e-20
-"""Smallest magnitude of inputs for a plan of any sign; the largest magnitude is the inverse."""
+"""Smallest magnitude of inputs for a plan of any sign; the inverse is the largest magnitude."""
 SURE_BOUNDS = 1e-9
-"""Relative margin by which bounds must differ to settle a comparison, due to rounding."""
+"""Relative margin for rounding by which bounds must differ to decide a comparison."""
 SURE_MAGNITUDES = 1 + 1e-9
-"""Factor by which bounds of magnitudes must differ to settle a comparison."""
+"""Factor by which bounds of magnitudes must differ to decide a comparison."""
 
 # Numbers that are printed, or compared with expected results.
 ROUNDED_COEFFICIENT = 1e-13
-"""Relative rounding error of the coefficients of a spring, which are typed or calculated."""
+"""Relative rounding error of spring coefficients, which are given as decimals or calculated."""
 SAME_POWER = 1e-9
 """Relative difference up to which power and the product of speed and torque agree."""
 VISIBLE_EXCESS = 1e-4
 """Least relative excess of a torque over a capacity that shows in the printed digits."""
 NO_SENSITIVITY = 1e-10
-"""Magnitude of a relative sensitivity below which it is only rounding of finite differences."""
+"""Magnitude below which a relative sensitivity is only the rounding of finite differences."""
 ROUNDED_NUMBER = 1e-12
 """Magnitude below which a printed value counts as rounding."""
 ROUNDED_PART = 1e-9
-"""Part of the largest number of a kind below which a printed value is rounding."""
+"""Part of the largest value of a quantity below which a printed value counts as rounding."""
 ROUNDED_DEVIATION = 1e-14
-"""Relative standard deviation up to which only last digits of the numbers differ."""
+"""Relative standard deviation up to which numbers differ only by rounding."""
 ATOL = 1e-12
 """Default absolute tolerance of a comparison of results."""
 RTOL = 1e-9
 """Default relative tolerance of a comparison of results."""
 SAME_FORMULA = 1e-6
-"""Relative difference up to which a formula reproduces the ratio of its gear."""
+"""Largest relative difference between the value of a ratio formula and the ratio of its gear."""
 SAME_TRIAL = 1e-12
-"""Relative distance of neighbouring trials of a search between which no edge is searched for."""
+"""Relative distance of trial numbers in a search below which they are not separated further."""
 SAME_PUMP_TORQUE = 1e-12
 """Largest difference of the torques on the pump of a converter that counts as equal.
 
-It is relative to the torque of the gear, and to the largest torque that the pump takes.
+The difference is relative to the larger of the torque on the pump and the largest torque that the
+pump can take.
 """
 SETTLED_PUMP_TORQUE = 1e-14
-"""Difference of the torques on a pump at which a search ends, relative as `SAME_PUMP_TORQUE`."""
+"""Difference of torques on a pump at which a search ends, relative like `SAME_PUMP_TORQUE`."""

@@ -1,14 +1,14 @@
-"""Arithmetic that is recorded once, to be run again on arrays; choices and residuals.
+"""Arithmetic that is recorded for one variant and repeated on arrays for all variants.
 
-A calculation with `Traced` numbers instead of floats proceeds as with the floats of one variant,
-the first; a `Tape` records every operation. Where a comparison decides, the tape records a guard.
-For the variants that pass all guards, the recorded operations are the operations that the
-calculation itself would perform, so the results agree to the last bit.
+A calculation with `Traced` numbers instead of floats proceeds as for one variant, the first, while
+a `Tape` lists every operation. Where a comparison decides how to continue, the tape contains a
+guard: the condition that other variants must satisfy. A variant that passes all guards would
+perform exactly the recorded operations, so repeating them gives the same results to the last bit.
 
-A traced number is never 0. It is a positive magnitude on the tape with a known sign, so signs cost
-no operation. Bounds of the magnitude settle most comparisons without a guard.
+A traced number is never 0. Its sign is equal in all variants; only its magnitude is on the tape, so
+signs cost no operation. Bounds of the magnitude decide most comparisons without a guard.
 
-For plain numbers each function here is the equivalent in Python.
+For plain numbers each function of this module does the same as ordinary Python arithmetic.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from vstatics.core.numerics.tolerances import SURE_MAGNITUDES
 
 
 class Magnitude(NamedTuple):
-    """Operand of a magnitude, the value in the first variant, and the bounds in all variants."""
+    """Magnitude of a traced number: tape operand, value in the first variant, and bounds."""
 
     operand: Operand
     value: float
@@ -41,7 +41,7 @@ class Magnitude(NamedTuple):
 
 
 class Traced:
-    """Number in each variant: a sign, +1 or -1 for all variants, and a magnitude."""
+    """Number that represents all variants: a common sign, +1 or -1, and a magnitude."""
 
     __slots__ = ("magnitude", "sign", "tape")
     __hash__ = None  # type: ignore[assignment]
@@ -108,7 +108,7 @@ class Traced:
 
 
 Number = float | Traced | Signed
-"""A float, or a number that represents all variants; all have the same operators."""
+"""A float, or a number that represents all variants; all types have the same operators."""
 
 
 def is_traced(number: Number | Residual | Truth) -> TypeGuard[Traced | Signed]:
@@ -117,7 +117,7 @@ def is_traced(number: Number | Residual | Truth) -> TypeGuard[Traced | Signed]:
 
 
 def is_exact(number: object) -> bool:
-    """Return whether a number is a fraction, so that a zero is exact."""
+    """Return whether a number is a fraction, without rounding errors."""
     return number.__class__ is not float and not isinstance(number, _ROUNDED)
 
 
@@ -126,7 +126,7 @@ _ROUNDED = float, int, Traced, Signed
 
 
 def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
-    """Return whether a magnitude is at most `part` times a second; an exact fraction must be 0.
+    """Return whether a magnitude is at most `part` times another; a fraction must be exactly 0.
 
     >>> is_nothing_beside(1e-12, 1.0, 1e-9), is_nothing_beside(1e-6, 1.0, 1e-9)
     (True, False)
@@ -135,7 +135,7 @@ def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
 
 
 def may_lie(number: Number, low: float, high: float) -> bool:
-    """Return whether a number can lie between two limits in a variant, according to bounds.
+    """Return whether the bounds of a number allow a value between two limits in some variant.
 
     >>> may_lie(0.5, 0.0, 1.0), may_lie(0.5, 0.0, 0.25)
     (True, False)
@@ -206,7 +206,7 @@ def _quotient(tape: Tape, dividend: Number, divisor: Number) -> Number:
 
 
 def _total(tape: Tape, left: Number, right: Number) -> Number:
-    """Return a sum; a guard ensures which of two subtracted magnitudes is larger."""
+    """Return a sum; for a difference of magnitudes, a guard fixes which of them is larger."""
     for number, remaining in ((left, right), (right, left)):
         if _is_nothing(number):
             return number if number != number else remaining  # noqa: PLR0124 - NaN
@@ -220,14 +220,14 @@ def _total(tape: Tape, left: Number, right: Number) -> Number:
 
 
 def difference(larger: Number, smaller: Number, least: float = 0.0) -> Traced:
-    """Return the sum of numbers of unlike sign that leaves more than `least` of the larger.
+    """Return the sum of numbers of unlike sign, larger than `least` times the larger magnitude.
 
-    At least one number is traced. Guards ensure the condition for all variants.
+    At least one number is traced. A guard requires the condition in every variant.
     """
     tape = _tape(larger, smaller)
     a, b = _magnitude(larger), _magnitude(smaller)
     low = a.low - b.high * SURE_MAGNITUDES
-    if not low > least * a.high:  # this includes an infinite upper bound
+    if not low > least * a.high:  # also for an infinite upper bound
         _compare(tape, "less", absolute(smaller), absolute(larger) * (1 - least))
         low = max(least * a.low / SURE_MAGNITUDES, 0.0)
     slot = tape.note("subtract", a.operand, b.operand)
@@ -242,7 +242,7 @@ def _tape(first_number: Number, second_number: Number) -> Tape:
 
 
 def guard_same(number: Number, reference: Number, part: float) -> None:
-    """Guard that two numbers above 0, at least one of them traced, are equal within a part."""
+    """Require that two positive numbers, at least one of them traced, are equal within `part`."""
     tape = _tape(number, reference)
     if _magnitude(number).operand != _magnitude(reference).operand:
         _compare(tape, "less_equal", number, reference * (1 + part))
@@ -250,7 +250,7 @@ def guard_same(number: Number, reference: Number, part: float) -> None:
 
 
 def _compare(tape: Tape, name: str, left: Number, right: Number) -> bool:
-    """Decide a comparison by sign, by bounds, or by the first variant with a guard."""
+    """Return a comparison, decided by signs, by bounds, or by the first variant with a guard."""
     if _is_nothing(left) or _is_nothing(right) or math.inf in (first(left), first(right)):
         return _stand_in(left) < _stand_in(right)
     if _sign(left) != _sign(right):
@@ -270,7 +270,7 @@ def _compare(tape: Tape, name: str, left: Number, right: Number) -> bool:
 
 
 def _stand_in(number: Number) -> float:
-    """Return a number for comparison with 0, infinity or NaN, valid for all variants."""
+    """Return a float that compares with 0, infinity or NaN like the number in all variants."""
     return float(number.sign if isinstance(number, Traced) else plain(number))
 
 
@@ -287,7 +287,7 @@ def _equal(tape: Tape, left: Number, right: Any) -> bool:
 
 
 def operand_of(number: Number) -> tuple[Operand, int, float]:
-    """Return operand, sign on the tape, and value in the first variant of a number."""
+    """Return the tape operand of a number, its sign, and its value in the first variant."""
     if isinstance(number, Signed):
         return number.slot, -1 if number.negated else 1, number.value
     return _magnitude(number).operand, _sign(number), _sign(number) * first(number)
@@ -314,12 +314,12 @@ def is_nan(number: Number) -> bool:
 
 
 def of_any_sign(number: Number) -> float | Signed:
-    """Return a number that is plain or of any sign.
+    """Return a number that is plain or signed.
 
     Raises
     ------
     Untraceable
-        If the number has a fixed sign, which a plan of any sign cannot use.
+        If the number is traced with a fixed sign, which a plan of any sign cannot use.
     """
     if isinstance(number, Traced):
         raise Untraceable
@@ -346,7 +346,7 @@ def chosen(condition: Condition, yes: Number, no: Number) -> Number:
 
 
 def where(condition: Condition, number: Number) -> Number | Residual:
-    """Return a number where a condition is true, else NaN: a result that is not used further.
+    """Return a number where a condition is true, else NaN, as a final result.
 
     >>> where(False, 2.5)
     nan
@@ -364,7 +364,7 @@ def opposite(condition: Condition) -> Condition:
 
 
 def counted(conditions: Collection[Condition]) -> int:
-    """Return the number of true conditions; a guard excludes variants with other numbers.
+    """Return the number of true conditions; a guard excludes variants with a different number.
 
     >>> counted([True, False, True])
     2
@@ -385,7 +385,7 @@ def residual(terms: Sequence[Number]) -> Number | Residual:
     0.0
     """
     exact: Any = [term for term in terms if is_exact(term)]
-    if exact:  # fractions are the large terms; they cancel without rounding
+    if exact:  # the large terms are fractions, which cancel without rounding
         return sum(exact) + sum(term for term in terms if not is_exact(term))  # type: ignore[no-any-return]
     plain, value = 0.0, 0.0
     total: Operand | None = None
@@ -408,12 +408,12 @@ def residual(terms: Sequence[Number]) -> Number | Residual:
 
 
 def guard_within(number: Traced | Signed | Residual, low: float, high: float) -> None:
-    """Guard that a number is between bounds.
+    """Require that a number is between bounds in every variant.
 
     Raises
     ------
     Untraceable
-        If the number of the first variant is not.
+        If the number is outside the bounds in the first variant.
     """
     if isinstance(number, Traced | Signed):
         held = bool(low <= number <= high)

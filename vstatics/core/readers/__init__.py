@@ -7,10 +7,10 @@
 >>> [gear.name for gear in reading.case.gears], reading.warnings
 (['low', 'high'], [])
 
-`load` reads a file, `loads` a text and `from_dict` plain data. `expressions` reads formulas.
-`named` and `deck` turn a text into values with their places and these into a case, which `reading`
-checks. `workbook` turns sheets into the nodes that `named` reads. `results` and `sweep_tables` read
-written results.
+`load` reads a file, `loads` a text and `from_dict` a mapping. `expressions` reads formulas. `named`
+reads YAML and JSON, `deck` reads decks; both record the places of values, and `reading` builds and
+checks the case. `workbook` converts sheets to nodes, which `named` reads. `results` and
+`sweep_tables` read written results.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ READERS: dict[Format, tuple[str, str]] = {
     "json": ("vstatics.core.readers.named.reader", "read_json"),
     "xlsx": ("vstatics.core.readers.workbook", "read"),
 }
-"""Module and function of each format, imported when needed, as YAML costs start-up time."""
+"""Module and function that reads each format, imported when needed to save start-up time."""
 
 SUFFIXES: dict[str, Format] = {
     ".dat": "deck",
@@ -62,13 +62,13 @@ _PACKED = b"PK\x03\x04"
 
 
 def format_of_name(file: str) -> Format | None:
-    """Return the format of a file from the suffix of the name, or `None` if unknown."""
+    """Return the format of a file, given by the suffix of its name; None if unknown."""
     suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
     return SUFFIXES.get(suffix.lower())
 
 
 def format_of(file: str, data: bytes) -> Format:
-    """Return the format of a case from the suffix of the name, or else from the content."""
+    """Return the format of a case, from the suffix of its file or else from its content."""
     by_name = format_of_name(file)
     if by_name is not None:
         return by_name
@@ -91,7 +91,7 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     file : str
         Name of the file, for messages and to find the format.
     format : {"deck", "yaml", "json", "xlsx"}, optional
-        The format, if it is known.
+        Format of the case; default: from the file name or the content.
 
     Returns
     -------
@@ -126,7 +126,7 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     source : path-like or stream
         A file, or an open stream of text or bytes.
     format : {"deck", "yaml", "json", "xlsx"}, optional
-        The format; by default it follows from the suffix, or else from the content.
+        Format of the case; default: from the suffix of the file, or else from the content.
 
     Returns
     -------
@@ -156,15 +156,15 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
 def content(
     source: str | PathLike[str] | Stream, most: int = DOCUMENT_BYTES
 ) -> Iterator[tuple[bytes, str]]:
-    """Yield the content, at most `most` bytes, and the name of a file or a stream.
+    """Yield the content (at most `most` bytes) and the name of a file or a stream.
 
-    If a stream has no name, the text in it cannot refer to other files within the block, as its
-    origin is unknown.
+    The origin of a stream without a name is unknown. Within the block, its text therefore must not
+    name other files.
 
     Raises
     ------
     OSError
-        If the file cannot be opened, or is larger.
+        If the file cannot be opened, or is larger than `most`.
     """
     if isinstance(source, str | PathLike):
         yield read_file(source, most), fspath(source)
@@ -187,10 +187,11 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     text : str or bytes
         The case itself, not the name of a file.
     format : {"deck", "yaml", "json", "xlsx"}, optional
-        The format; by default it follows from the content.
+        Format of the text; default: from the content.
     name : str, optional
-        Name of the text in messages. Files named in the text are read relative to its folder, as
-        in ``cases/box.yaml``. Without a folder they are refused, as the text may be untrusted.
+        Name of the text in messages. If it contains a folder, as in ``cases/box.yaml``, files named
+        in the text are read relative to this folder. Otherwise such files are not read, because the
+        text may be untrusted.
 
     Returns
     -------
@@ -220,7 +221,7 @@ def _encoded(text: str | bytes) -> bytes:
 
 
 def from_dict(data: Mapping[str, Any]) -> Transmission:
-    """Return the transmission described by plain data, with the keys of YAML and JSON.
+    """Return the transmission described by a mapping with the keys of YAML and JSON.
 
     No file is read.
 
@@ -229,7 +230,8 @@ def from_dict(data: Mapping[str, Any]) -> Transmission:
     ReadError
         With every problem and its path.
     TypeError
-        If `data` is not a mapping, or contains anything other than plain data.
+        If `data` is not a mapping, or contains values other than numbers, texts, lists and
+        mappings.
 
     Examples
     --------
@@ -246,19 +248,19 @@ def from_dict(data: Mapping[str, Any]) -> Transmission:
             f"from_dict of {type_and_value(data)}: expected a mapping, or `load` for a file"
         )
     text = json.dumps(data, default=_plain)
-    if "NaN" in text or "Infinity" in text:  # JSON lacks them; messages then quote them as texts
+    if "NaN" in text or "Infinity" in text:  # JSON has no such numbers
         text = json.dumps(json.loads(text, parse_constant=str))
     try:
         with no_files():
             return read(text.encode(), "<dict>", "json").case
-    except ReadError as error:  # the messages name the keys; a line of `text` means nothing here
+    except ReadError as error:  # the caller knows keys, but not lines of `text`
         raise ReadError(
             problem._replace(path=(), place=None) for problem in error.problems
         ) from None
 
 
 def _plain(value: Any) -> Any:
-    """Convert NumPy numbers, arrays and mappings to plain data for `json.dumps`."""
+    """Return NumPy numbers, arrays and mappings as plain data for `json.dumps`."""
     if isinstance(value, Mapping):
         return dict(value)
     if hasattr(value, "tolist"):

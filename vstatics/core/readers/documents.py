@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 
 class CaseDocument(NamedTuple):
-    """Case as a tree of nodes, with the text that contains the nodes."""
+    """Case as a tree of nodes, with the text from which the nodes were read."""
 
     root: Node
     source: Source
 
     def reading(self, root: Node) -> Reading:
-        """Read the case of a modified tree of this document.
+        """Read the case given by a modified tree of this document.
 
         Raises
         ------

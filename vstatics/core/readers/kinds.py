@@ -1,4 +1,4 @@
-"""Kinds of documents, recognised by their keys: case, scenario, sweep file."""
+"""Recognition of the kind of a document by its keys: case, scenario or sweep file."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ KEYS: Mapping[str, str] = {
     "sweep file": "vary variants",
     "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
 }
-"""Keys that identify each kind of document, in one text; the first kind with a match counts."""
+"""Keys, separated by blanks, that identify a kind of document; the first match counts."""
 
 
 def kind_of(root: Node) -> str | None:
-    """Return the kind of a document in YAML or JSON, or `None` if all keys are unknown."""
+    """Return the kind of a document in YAML or JSON; None if no key is known."""
     from vstatics.core.readers.named import nodes
 
     keys = {key.text for key, _ in root.entries} if isinstance(root, nodes.Mapping) else set()
@@ -29,7 +29,7 @@ def kind_of(root: Node) -> str | None:
 
 
 def is_foreign(data: bytes, file: str) -> bool:
-    """Return whether a file contains no key of a case, so that messages do not quote it.
+    """Return whether a file contains no key of a case, so that messages must not quote it.
 
     >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
     (True, False)
@@ -65,7 +65,7 @@ def is_of_kind(kind: str, data: bytes, file: str) -> bool:
 
 
 def document_function(name: str, data: bytes, file: str) -> Any:
-    """Return the function of an annex that handles a document, or `None` for a case.
+    """Return the function of an annex that handles a kind of document; None for a case.
 
     Raises
     ------

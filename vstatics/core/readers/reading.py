@@ -1,4 +1,4 @@
-"""Common parts of all readers of cases: the text with line numbers, and the final checks."""
+"""Parts that all readers of cases share: the text with line numbers, and the final checks."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Source:
-    """Text of a file, which gives the places in it."""
+    """Text of a file, with methods for places in it."""
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -33,7 +33,7 @@ class Source:
 
     @cached_property
     def lines(self) -> list[str]:
-        """Lines of the text, for any line ending; readers of long tables delete the list."""
+        """Lines of the text, for any line ending; cached, so readers of long tables delete them."""
         return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:
@@ -51,16 +51,16 @@ class Reading(NamedTuple):
     """Function that adds the place and the field name to a problem of the model."""
 
     def allowing(self, ids: Sequence[str]) -> Reading:
-        """Return a reading with more suppressed message ids than the case itself lists."""
+        """Return a reading in which further ids of messages are suppressed."""
         if not ids:
             return self
         case = self.case.replace(hushed=(*self.case.hushed, *ids))
         return self._replace(case=case, warnings=not_allowed(self.warnings, ids))
 
     def located_messages(self, results: Results, *, each_gear: bool) -> Iterator[Problem]:
-        """Yield the messages of results with places; equal messages of gears are merged.
+        """Yield the messages of results with their places; equal messages of gears are merged.
 
-        Unless `each_gear`, messages that differ only in the gear are merged, too.
+        Messages that differ only in the gear are merged, too, unless `each_gear` is True.
         """
         if not results.messages:
             return
@@ -83,7 +83,7 @@ def finish(
     unreadable: Iterable[Path],
     locate: Callable[[Problem], Problem],
 ) -> Reading:
-    """Build the case from parts, and report all problems of text and model together.
+    """Return the case built from parts; report all problems of text and model together.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def finish(
     Raises
     ------
     ReadError
-        If there is any error: errors in the order of the text, then warnings.
+        If there is any error; contains the errors in the order of the text, then the warnings.
     """
     problems = list(problems)
     is_certain = certain(unreadable)
@@ -116,9 +116,9 @@ def finish(
 
 
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:
-    """Return a predicate that accepts paths neither above nor below a stand-in.
+    """Return a function that accepts paths which neither contain a stand-in nor are inside one.
 
-    The predicate costs one set lookup per level of the path, for any number of stand-ins.
+    The function needs one set lookup per level of the path, for any number of stand-ins.
 
     >>> is_certain = certain([("gears", 2)])
     >>> is_certain(("gears", 1)), is_certain(("gears",)), is_certain(("gears", 2, "speeds"))

@@ -20,7 +20,7 @@ from vstatics.core.tables.csv import unguarded
 
 
 class RecordedColumns(NamedTuple):
-    """Wanted columns of a record, in SI units, by name."""
+    """Requested columns of a recorded file, in SI units, by name."""
 
     columns: Mapping[str, Floats]
     headings: tuple[str, ...]
@@ -30,11 +30,11 @@ class RecordedColumns(NamedTuple):
     source: Source
 
     def place(self, row: int) -> Place:
-        """Return the place of a row, counted from 0."""
+        """Return the place in the file of a row; rows are counted from 0."""
         return self.source.place(self.lines[row])
 
     def lacks(self, identity: str, heading: str) -> Problem:
-        """Return the problem of a missing column; the message lists similar columns."""
+        """Return the problem that a column is missing; the message lists similar columns."""
         kind, bracket, _ = heading.partition("[")
         alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
         known = alike or self.headings
@@ -45,17 +45,17 @@ class RecordedColumns(NamedTuple):
         )
 
     def problem(self, identity: str, message: str) -> Problem:
-        """Return a problem with the headings of the file."""
+        """Return a problem located at the line of headings."""
         return Problem(identity, message, (), self.source.place(1))
 
 
 def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
-    """Read the wanted columns that the file has.
+    """Read those requested columns that the file contains.
 
     Parameters
     ----------
     data : bytes
-        A line of headings, then a line for each instant.
+        Content of the file: a line of headings, then a line for each instant.
     file : str
         Name of the file, for messages.
     wanted : mapping of str to str or None
@@ -69,7 +69,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     Raises
     ------
     ReadError
-        With every cell of a wanted column that is not a finite number, or with a repeated column.
+        Contains every cell of a requested column that is not a finite number, or a repeated column.
 
     Examples
     --------
@@ -110,7 +110,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
 def _places(
     headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
 ) -> dict[str, tuple[int, float]]:
-    """Return the index of each wanted column, and the size of the unit in SI."""
+    """Return the index of each requested column, and the factor from its unit to SI."""
     places = {}
     for place, heading in enumerate(headings):
         name = _wanted(heading, wanted)
@@ -131,6 +131,6 @@ def _places(
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:
-    """Return the name in a heading, without the unit unless the full heading is wanted."""
+    """Return the name in a heading: the full heading if it is requested, else without the unit."""
     name, _ = with_unit(heading)
     return name if name in wanted and heading not in wanted else heading

@@ -1,4 +1,4 @@
-"""Readers of results written as rows with a single number: CSV, and Parquet of many cases."""
+"""Readers of results with one number per row: CSV, and Parquet files of many cases."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from vstatics.core.tables.written_results import Figure, WrittenResult
 
 
 def no_result(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
-    """Return the error that a file contains no result, at a place in the file."""
+    """Return the error that a file contains no result, located in the file."""
     return ReadError("E110", message, place=Source(file, "").place(line, column))
 
 
 COLUMNS = ["table", "row", "gear", "value"]
 ABOUT = ("conventions", "program")
-"""Texts in the column `table` of rows without a number."""
+"""Values of the column `table` in rows that contain a text instead of a number."""
 PARQUET = b"PAR1"
 _Cells = dict[str, dict[str, dict[str, Figure]]]
-"""Figures of a result by table, row, and gear or device."""
+"""Figures of a result: by table, by row, and by gear or device."""
 
 
 def finite_figure(value: str | float | None) -> Figure:
@@ -43,7 +43,7 @@ def finite_figure(value: str | float | None) -> Figure:
 
 
 def is_csv(text: str) -> bool:
-    """Check whether a text begins with the headings of a result in CSV."""
+    """Return whether a text begins with the headings of a result in CSV."""
     return text.partition("\n")[0].strip().split(",") in (COLUMNS, ["case", *COLUMNS])
 
 
@@ -53,7 +53,7 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
     Raises
     ------
     ReadError
-        If a line contains no number, or belongs to no table.
+        If a line has no number or does not belong to a table.
     """
     lines = _csv_lines(text, file)
     has_case = next(lines)[1][0] == "case"
@@ -77,7 +77,7 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
 
 
 def is_parquet(data: bytes) -> bool:
-    """Check whether a file is Parquet with the columns of results, not of a sweep."""
+    """Return whether a file is Parquet with the columns of results, not of a sweep."""
     footer = data[-8 - int.from_bytes(data[-8:-4], "little") :]
     return data.startswith(PARQUET) and all(name.encode() in footer for name in ("case", *COLUMNS))
 
@@ -126,12 +126,12 @@ def _made(results: dict[str, _Cells], file: str) -> list[WrittenResult]:
 
 
 def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
-    """Return a result after checking that each list over gears has a single row.
+    """Return a result after checking that tables with one value per gear have a single row.
 
     Raises
     ------
     ReadError
-        If a list over gears has several rows.
+        If a table with one value per gear has several rows.
     """
     for key, rows in result.tables.items():
         if BY_NAME[key].rows == "one" and len(rows) != 1:

@@ -42,9 +42,9 @@ OTHERS = {
     "changed": "the output of `vstatics compare`",
     "gears": CASE,
 }
-"""Descriptions of other documents without a format, by a key that results lack."""
+"""Descriptions of other JSON documents, by a key that results do not have."""
 NAMED_FILE = re.compile(r"==> (.+) <==$")
-"""Line with the file name above each of several listings in a text."""
+"""Pattern of the line with the file name above each of several listings."""
 
 
 def read_results(data: bytes, file: str) -> list[WrittenResult]:
@@ -75,9 +75,9 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
 
 
 def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
-    """Check whether invalid JSON is JSON lines, possibly with a broken line.
+    """Return whether a text that is not valid JSON is JSON lines, possibly with a faulty line.
 
-    A text is JSON lines if the first object ends in its line, or objects begin in several lines.
+    It is JSON lines if the first object ends on its line, or objects begin on several lines.
     """
     if text.lstrip()[:1] != "{":
         return False
@@ -115,7 +115,7 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
     for quantity in QUANTITIES:
-        # Results of version 1 have deck names.
+        # Results of version 1 have names of the deck.
         key = next((name for name in (quantity.name, quantity.deck_name) if name in document), "")
         if key:
             rows = document[key]
@@ -136,7 +136,7 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
 
 
 def _no_tables(document: Mapping[str, Any], number: int) -> str:
-    """Return the message for a document without tables, such as the output of `check`."""
+    """Return the message about a document without tables, such as the output of `check`."""
     form = document.get("format")
     if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
         kind = f"a document of vstatics {form.removeprefix('vstatics-')}"
@@ -151,13 +151,13 @@ def _no_tables(document: Mapping[str, Any], number: int) -> str:
 
 
 def _file(document: Mapping[str, Any]) -> str:
-    """Return the file name in a result, or an empty text."""
+    """Return the file name in a result; empty if it is missing."""
     file = document.get("case" if "errors" in document else "file")
     return file if isinstance(file, str) else ""
 
 
 def _row_names(given: Mapping[str, Any], tables: Mapping[str, Figures]) -> dict[str, list[str]]:
-    """Return the row names of each table with a matching number of rows."""
+    """Return the row names of each table, if their number agrees with its rows."""
     named = ((plain_name(key), names) for key, names in given.items())
     return {
         table: [str(name) for name in names]
@@ -173,7 +173,7 @@ def _from_json(value: Any) -> Figure:
 
 
 def _case(text: str, kind: Format) -> Transmission | None:
-    """Return the case contained in a result, or `None`."""
+    """Return the case contained in a result; None if it is missing."""
     try:
         return read(text.encode(), "", format=kind).case
     except ReadError:
@@ -181,7 +181,7 @@ def _case(text: str, kind: Format) -> Transmission | None:
 
 
 def _read_listing(text: str, file: str) -> list[WrittenResult]:
-    """Read a listing, in which a new report begins at each `KJG=` after a table."""
+    """Read the reports of a listing; a new report begins at each `KJG=` after a table."""
     reports = []
     tables: dict[str, Figures] = {}
     names: dict[str, list[str]] = {}
@@ -217,9 +217,9 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
 
 
 def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
-    """Add the case in the head to a listing, or only the names if the case has springs.
+    """Return a listing with the case in its head, or only the names if the case has springs.
 
-    A deck cannot contain springs, so that such a case cannot be read back.
+    The head is a deck, which cannot contain springs, so such a case cannot be read back.
     """
     springs = [line.partition(": ")[2] for line in lines if line.startswith(SPRING)]
     if not springs:
@@ -239,7 +239,7 @@ def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
 
 
 def _figures(words: Sequence[str]) -> list[Figure] | None:
-    """Return the numbers of a printed row, or `None` if the row contains words."""
+    """Return the numbers of a printed row; None if the row contains words."""
     figures = []
     for word in words:
         if set(word) == {"*"}:

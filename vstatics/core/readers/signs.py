@@ -1,4 +1,4 @@
-"""Typographic blanks and dashes, which word processors and print use for the plain signs."""
+"""Typographic blanks and dashes that replace plain signs in printed and copied text."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
 
 
 def with_plain_blanks(text: str) -> str:
-    r"""Return a text with plain blanks instead of typographic blanks, at unchanged positions.
+    r"""Return a text with plain blanks for typographic blanks; positions do not change.
 
     >>> with_plain_blanks("300\u00a0N*m, 1\u2009kW")
     '300 N*m, 1 kW'
@@ -20,7 +20,7 @@ def with_plain_blanks(text: str) -> str:
 
 
 def dash_hint(text: str) -> str:
-    """Return a hint to write a plain minus, or an empty text if there is no dash.
+    """Return a hint to write a plain minus; empty if the text contains no dash.
 
     >>> dash_hint("\u22122.6"), dash_hint("-2.6")
     (' (with `-` instead of `\u2212`)', '')

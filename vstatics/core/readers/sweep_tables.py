@@ -30,19 +30,19 @@ MOST_TABLE_CELLS = 20_000_000
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
 DURATION = "duration [s]"
-"""First column of the points of a duty cycle that `vstatics cycle` writes behind its steps."""
+"""First column of the duty-cycle points that `vstatics cycle` writes after the time steps."""
 SHEET = "Variants"
 WORKBOOK = b"xl/workbook.xml"
-"""Name of a member that every XLSX archive has and an NPZ archive lacks."""
+"""Name of a file that every XLSX archive contains and an NPZ archive does not."""
 
 
 def is_sweep(data: bytes) -> bool:
-    """Check whether a file begins like a table of variants."""
+    """Return whether a file begins like a table of variants."""
     return data.startswith((b"PK\x03\x04", b"PAR1", b"variant,", b'{"variant": '))
 
 
 def is_workbook(data: bytes) -> bool:
-    """Check whether a file is a workbook in XLSX."""
+    """Return whether a file is a workbook in XLSX format."""
     return data.startswith(b"PK") and WORKBOOK in data
 
 
@@ -151,7 +151,7 @@ def _csv(text: str, file: str) -> dict[str, Column]:
 
 
 def _json_lines(text: str, file: str) -> dict[str, Column]:
-    """Read the columns of JSON objects that all have the keys of the first object."""
+    """Read columns from JSON objects, which must all have the keys of the first object."""
     table: dict[str, list[Any]] = {}
     for number, line in enumerate(text.split("\n"), 1):
         if not line.strip():
@@ -181,7 +181,7 @@ def _different_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _expect_different(names: Sequence[str]) -> None:
-    """Check that the names of columns, or the keys of a line, are different.
+    """Check that the names of columns, or the keys of a JSON object, are different.
 
     Raises
     ------
@@ -193,7 +193,7 @@ def _expect_different(names: Sequence[str]) -> None:
 
 
 def _workbook(data: bytes, file: str) -> dict[str, Column]:
-    """Read the sheet of variants of a workbook, or the only sheet."""
+    """Read the sheet of variants of a workbook, or its only sheet."""
     from vstatics.core.readers.workbook.cells import read_sheets
 
     names = [sheet.name for sheet in read_sheets(data, file, ())]
@@ -212,7 +212,7 @@ def _workbook(data: bytes, file: str) -> dict[str, Column]:
 
 
 def read_npz(data: bytes) -> dict[str, Column]:
-    """Read the arrays of an NPZ file, with texts instead of the codes of statuses and gears.
+    """Read the arrays of an NPZ file; codes of statuses and gears are replaced by texts.
 
     Raises
     ------
@@ -247,7 +247,7 @@ def read_npz(data: bytes) -> dict[str, Column]:
 
 
 def _expect_declared(packed: ZipFile) -> None:
-    """Check that arrays are small enough and complete, before unpacking.
+    """Check before unpacking that the arrays are complete and not too large.
 
     Raises
     ------
@@ -324,16 +324,16 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
 
 
 def _without_points(columns: Mapping[str, Column]) -> Mapping[str, Column]:
-    """Return the steps of a driving cycle without the points of a duty cycle behind them."""
+    """Return the columns of the time steps of a driving cycle, without its duty-cycle points."""
     names = list(columns)
     points = names.index(DURATION) if DURATION in names else len(names)
     return {name: columns[name] for name in names[:points]} if GEAR in names[points:] else columns
 
 
 def _plain_headings(columns: Mapping[str, Column]) -> dict[str, Column]:
-    """Return columns with names of tables instead of deck names, which older sweeps can have.
+    """Return columns with the present names; older sweeps can have names of the deck.
 
-    A heading that another column has already keeps its deck name.
+    A column keeps its deck name if another column already has the present name.
     """
     plain = {name: plain_names(name) for name in columns}
     return {

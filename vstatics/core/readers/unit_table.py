@@ -31,11 +31,11 @@ from vstatics.core.readers.reading import Source
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
-"""Maximum number of rows of a table; a day in steps of a tenth of a second has 864,000."""
+"""Maximum number of rows of a table; a day in time steps of 0.1 s has 864,000."""
 
 
 class UnitTable(NamedTuple):
-    """Columns of a table: numbers in SI units, texts, and the line of each row."""
+    """Columns of a table: numbers in SI units, texts, and the line number of each row."""
 
     numbers: Mapping[str, Sequence[float]]
     texts: Mapping[str, Sequence[str]]
@@ -44,7 +44,7 @@ class UnitTable(NamedTuple):
     head: HeadingLine
 
     def place(self, row: int) -> Place:
-        """Return the place of a row, counted from 0."""
+        """Return the place of a row; rows are counted from 0."""
         return self.source.place(self.lines[row])
 
     @property
@@ -67,8 +67,8 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     Parameters
     ----------
     data : bytes
-        A line of headings, then a line for each row, with commas, or with semicolons or tabs and
-        decimal commas. Lines above the headings are titles.
+        Content of the file: a line of headings, then a line for each row. Cells are separated by
+        commas, or by semicolons or tabs with decimal commas. Lines above the headings are titles.
     file : str
         Name of the file, for messages.
     what : str
@@ -78,7 +78,7 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     id : str
         Id of the messages about the table.
     skips : bool
-        Whether columns with other headings are skipped.
+        True if columns with other headings are skipped, not reported.
 
     Returns
     -------
@@ -163,7 +163,7 @@ class _ColumnsRead:
                 return
 
     def add_plain(self, first: int, lines: Sequence[str]) -> bool:
-        """Add a block of lines at once; return False if not all cells are plain numbers."""
+        """Add a block of lines at once; return False if some cell is not a plain number."""
         commas, text = self.head.width - 1, ",".join(lines)
         if (
             self._words

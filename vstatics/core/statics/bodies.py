@@ -18,10 +18,10 @@ from vstatics.core.statics.speeds import is_tie
 
 
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
-    """Return the bodies of a gear from the speeds of links.
+    """Return the bodies of a gear, detected from the speeds of its links.
 
     Engaged shift elements join their links, and so do devices and springs without internal motion.
-    A link that is held to the housing is not joined.
+    A link that is held to the housing stays a body by itself.
     """
     bodies = list(range(case.links + 1))
     joined: list[tuple[int, ...]] = [element.links for element in case.elements_at(gear.joining)]
@@ -65,11 +65,11 @@ def _links(device: OwnDevice) -> tuple[int, ...]:
 
 
 def held_as_one(case: Transmission, gear: Gear) -> set[int]:
-    """Return the indices of mechanisms that are locked up whatever the losses.
+    """Return the indices of mechanisms that are locked up for any losses.
 
-    An engaged shift element makes two links one body. A mechanism of which two links are one body
-    is locked up; so are two mechanisms of different ratios between the same three bodies. Other
-    causes are not searched for.
+    A mechanism is locked up if two of its links belong to one body, for example through an engaged
+    shift element. Two mechanisms of different ratios between the same three bodies are locked up,
+    too. Other causes are not searched for.
     """
     bodies = case.bodies(gear)
     held: set[int] = set()
@@ -90,7 +90,7 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
     """Indices of mechanisms, by the set of the three bodies that each mechanism joins."""
     for index in mechanisms:
         mechanism = case.mechanisms[index]
-        if mechanism.kind:  # the ratio depends on the gear
+        if mechanism.kind:  # the ratio of a variator or converter depends on the gear
             continue
         ends = bodies[mechanism.first], bodies[mechanism.second], bodies[mechanism.third]
         bodies_joined = frozenset(ends)

@@ -1,4 +1,4 @@
-"""Torques carried by shift elements and converters, compared with what they can carry."""
+"""Torques of shift elements and converters, compared with their capacities."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ The tolerance is wide because the points of a converter are read from diagrams.
 def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
     """Return the larger magnitude of the torques without and with losses.
 
-    Capacities are compared with the larger torque, because losses are not known exactly: the torque
-    is near one of the two values.
+    The larger torque is compared with the capacity, because losses are only approximate and the
+    real torque is near one of the two values.
 
     >>> larger_torques(np.array([2.0, -3.0]), np.array([-2.5, np.nan])).tolist()
     [2.5, 3.0]
@@ -38,7 +38,7 @@ def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
 
 
 def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
-    """Return the torques on the shift elements of a case, and marks of loaded shift elements.
+    """Return the torques on the shift elements of a case, and marks of those that carry torque.
 
     Both arrays have the shape (gears, shift elements). Torques are relative to `common`, an input
     torque [N*m]; if it is 0, torques of each gear are relative to its own input torque.
@@ -64,7 +64,7 @@ def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
 def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, speed: float) -> float:
     """Return the torque that the pump of a converter takes, ``lambda w |w|``.
 
-    lambda is interpolated linearly between the points and constant outside them.
+    The pump factor lambda is interpolated linearly between the points and constant outside them.
 
     Parameters
     ----------
@@ -104,10 +104,10 @@ def pump_factor(points: Sequence[tuple[float, ...]], speed_ratio: Size) -> Size:
 
 
 def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
-    """Yield the gears whose load a converter cannot take at the speed ratio.
+    """Yield the gears in which the pump of a converter cannot take the torque that it receives.
 
-    Each item is the index of a gear and the text of a message. A converter is checked if its points
-    contain lambda and the load has a speed and a torque.
+    Each item is the index of a gear and the text of a message. A converter is checked at its given
+    speed ratio if its points contain lambda and the load has a speed and a torque.
     """
     case = results.case
     for index, given in enumerate(case.gears):
@@ -134,12 +134,12 @@ def disagree(brought: float, able: float) -> bool:
 
 
 def disagreement(name: str, brought: float, able: float, at: tuple[float, float]) -> str:
-    """Return the text about a converter that cannot take the torque of the load.
+    """Return the text of a message about a converter that cannot take its torque.
 
     Parameters
     ----------
     brought, able : float
-        Torque that the train gives to the pump, and torque that the pump takes. [N*m]
+        Torque that the train gives to the pump, and torque that the pump can take. [N*m]
     at : tuple of float
         Speed ratio [-] and speed of the pump [rad/s].
     """
@@ -176,18 +176,20 @@ def overloads_at_points(
 ) -> Iterator[Message]:
     """Yield messages about shift elements that are overloaded at operating points.
 
-    Nothing is yielded without an input torque: capacities are then relative to any input torque.
+    Without an input torque capacities are relative, so nothing can be checked and nothing is
+    yielded.
 
     Parameters
     ----------
     case : Transmission
-        With the load to which relative capacities refer.
+        Case whose load is the reference of relative capacities.
     torques : array
-        (points, shift elements), NaN or 0 where a shift element carries nothing [N*m].
+        Torques, shape (points, shift elements), NaN or 0 where a shift element carries nothing
+        [N*m].
     of : str
         Plural noun for the points in the text, such as `rows`.
     where : callable
-        Returns the place of a point in words, from its index.
+        Function that describes the place of a point, given its index.
     """
     common = case.load.torque_size if case.load else 0.0
     sizes = np.abs(np.nan_to_num(torques))

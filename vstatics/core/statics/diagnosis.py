@@ -1,7 +1,8 @@
 """Messages about irregular gears: why a value does not exist, and what to do.
 
-`freedom` and `given_constraints` count the constraints on the speeds; `messages` reads
-the `Results`. All functions apply to one case, not to arrays of variants.
+`messages` derives them from the `Results`; `freedom` and `given_constraints` count the degrees of
+freedom of the train and the constraints on its speeds. All functions apply to a single case, not to
+arrays of variants.
 """
 
 from __future__ import annotations
@@ -50,12 +51,12 @@ def freedom(case: Transmission) -> int:
 
 
 def given_constraints(gear: Gear) -> int:
-    """Return the number of engaged or slipping elements and given speeds, with the input speed."""
+    """Return the number of engaged or slipping shift elements and given speeds, input included."""
     return len(gear.carrying) + 1 + len(gear.speeds)
 
 
 def messages(results: Results) -> list[Message]:
-    """Return the messages about the results of a case, except suppressed messages."""
+    """Return the messages about the results of a case, without suppressed ids."""
     return not_allowed(_messages(results), results.case.untold)
 
 
@@ -92,7 +93,7 @@ def _messages(results: Results) -> Iterator[Message]:
             *(_open_converters(case, given) if given.speed_ratios else ()),
             *(_driving_neutral(results, number) if given.kind == "neutral" else ()),
         )
-        # a gear can contain several contradictions with one and the same text
+        # Several contradictions in a gear can produce the same text, which is reported once.
         for identity, text in dict.fromkeys(remarks):
             yield Message(identity, text, gear.name)
 
@@ -106,7 +107,7 @@ def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, flo
 
 
 def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
-    """Note speed ratios that a gear gives to entries of `converters`, which are open in statics."""
+    """Report speed ratios of entries under `converters`, which are disengaged in statics."""
     last = len(case.mechanisms[case.own_mechanisms])
     bodies = case.bodies(gear)
     for number, ratio in gear.speed_ratios.items():
@@ -121,7 +122,7 @@ def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
 
 
 def outside_message(names: Sequence[str]) -> Message:
-    """Return the note about laws evaluated outside the given points."""
+    """Return the note that laws of the named parts are evaluated outside their points."""
     return Message(
         "N414", f"outside the points of {spoken(names)}, the value of the nearest end point applies"
     )
@@ -167,7 +168,7 @@ def _sharing_freewheels(case: Transmission, gear: Gear, held: Sequence[int]) -> 
 def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Warn of drag at links or shift elements whose speed is unknown.
 
-    A single drag on otherwise unloaded links brings them to rest, so no power is lost.
+    There is no warning for a single drag on otherwise unloaded links, which it brings to rest.
     """
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
     unknown = unknown_drag(results.case, gear, speeds, slips)
@@ -213,7 +214,7 @@ def _conflict_messages(case: Transmission, gear: Gear) -> Iterator[Said]:
 
 
 def _missed_freewheels(results: Results, number: int, gear: Gear) -> list[int]:
-    """Return the numbers of freewheels that could drive the output by holding."""
+    """Return the numbers of freewheels that would drive the output if they held."""
     case = results.case
     output = case.gear_output(gear) - 1
     free = [n for n in case.freewheels if n not in gear.engaged]
@@ -252,7 +253,7 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     names = [case.link_name(link) for link in idle]
     first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
     expected = f"a speed or a torque, such as `speeds: {{{first}: {same}}}`"
-    # a further given speed would be a constraint in excess
+    # The speed of the output is known already, so a given speed would be a redundant constraint.
     if not np.isnan(results.speeds[number, idle[0] - 1]):
         side, torque = _taking(case, gear, float(results.speeds[number, idle[0] - 1]))
         example = f"`torques: {{{first}: {torque}}}`"
@@ -264,10 +265,10 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
 
 
 def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
-    """Return whether a torque that takes power from a link is above or below 0, and an example.
+    """Return the sign (above or below 0) and an example of a torque that takes power from a link.
 
-    The torque is a part of the input torque, which acts against its speed when coasting. Without an
-    input torque it is in N*m.
+    The example is a share of the input torque, or in N*m without an input torque. When coasting,
+    the input torque acts against the input speed, so the sign is reversed.
     """
     if case.input_torque(gear):
         way, size = -1.0 if case.coasts(gear) else 1.0, ".2"
@@ -301,13 +302,13 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
 
 
 def _is_for_motion(case: Transmission, gear: Gear) -> bool:
-    """Return whether a case has inertias or masses, but no `gears` and no load."""
+    """Return whether a case only describes motion: inertias or masses, but no `gears` or load."""
     alone = len(case.gears) == 1 and gear == Gear(name="1")
     return alone and case.load is None and bool(case.inertias or case.masses)
 
 
 def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
-    """Warn of a missing shift element: the gear is neutral, or a loaded link is free."""
+    """Return a warning about missing constraints: the gear is neutral, or a loaded link is free."""
     case = results.case
     free = _without_value(case.link_names, results.gear_at(number).speeds)
     named = f" (link{_s(len(free))} {spoken(free)} can still turn freely)" if free else ""
@@ -326,7 +327,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
 
 
 def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
-    """Return a clause about freewheels that overrun, and advice to exchange links if it helps."""
+    """Return a clause about overrunning freewheels, and the advice to swap links if it helps."""
     if not numbers:
         return "", ""
     names = [element.name for element in case.elements_at(numbers)]
@@ -346,7 +347,7 @@ def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -
 
 
 def _is_adrift(results: Results, number: int) -> bool:
-    """Return whether a gear is neutral, with torques out of balance."""
+    """Return whether a gear is neutral, with torques that cannot balance."""
     return _is_neutral(results, number) and not results.balanced[number]
 
 
@@ -379,7 +380,7 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
 
 
 def _speed_ratios(results: Results, number: int, gear: Gear) -> dict[str, float]:
-    """Return the speed ratios of variators and converters [-]; NaN where the load determines it."""
+    """Return the speed ratios of variators and converters [-]; NaN if the load determines them."""
     case = results.case
     calculated = results.points.gears[number] if results.points else gear
     ratios = zip(case.mechanisms, case.gear_ratios(calculated), strict=True)
@@ -389,9 +390,10 @@ def _speed_ratios(results: Results, number: int, gear: Gear) -> dict[str, float]
 def _cure(
     engaged: Sequence[str], others: Sequence[str], fixed: Sequence[str], sought: Sequence[str]
 ) -> str:
-    """Return the remedies for contradictory constraints on the speeds; empty without any.
+    """Return the remedies for contradictory constraints on the speeds; empty without constraints.
 
-    `fixed` and `sought` are converters and variators with a given and with a sought speed ratio.
+    `fixed` are the converters and variators with a given speed ratio, `sought` those whose speed
+    ratio the load determines.
     """
     cures = [
         "release one of the engaged shift elements" * bool(engaged),
@@ -403,7 +405,7 @@ def _cure(
 
 
 def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Report constraints on the speeds that repeat or contradict each other."""
+    """Report constraints on the speeds that are redundant or contradictory."""
     case, repeated, same = results.case, list[str](), list[str]()
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
@@ -449,7 +451,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     shared = f"; the torque of {spoken(unknown)} is indeterminate{advice}" if unknown else ""
     for text in same:
         yield Said("W416", text + shared)
-        shared = ""  # the torques are named only in the first message
+        shared = ""  # only the first message names the torques
 
 
 def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
@@ -470,7 +472,7 @@ def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
 def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool) -> Iterator[Said]:
     """Report torques that do not exist, are indeterminate or are uncertain.
 
-    Uncertain torques are left out if a message on lost digits covers them (`is_told`).
+    Uncertain torques are omitted if a message about lost digits mentions them (`is_told`).
     """
     case = results.case
     if results.tied_up[number] or results.conflict[number]:
@@ -478,7 +480,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
     output = case.gear_output(gear)
     if not results.balanced[number]:
         if _is_adrift(results, number) and output not in gear.speeds:
-            return  # reported with the speeds
+            return  # already reported with the speeds
         if driving := list(_driving_messages(results, number)):
             yield from driving
             return
@@ -498,7 +500,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
             "torque times output speed is not 1, so only a few digits are certain; give exact "
             "ratios, for example by teeth",
         )
-    elif not results.excess[number] and (  # an excess of constraints is reported with the speeds
+    elif not results.excess[number] and (  # redundant constraints are reported with the speeds
         np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()
     ):
         unknown = _unknown_torques(results, number)
@@ -510,7 +512,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
 
 
 def _driving_messages(results: Results, number: int) -> Iterator[Said]:
-    """Report slipping elements that would give power, in a gear without torques for this reason."""
+    """Report slipping shift elements that would produce power, so that no torques exist."""
     case, state = results.case, results.gear_at(number)
     if not state.gear.slipping:
         return
@@ -520,7 +522,8 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     solved = torques.solve_torques(case, state.gear, columns, drag)
     for element in ideal.driving(state.ideal, columns, solved):
         slip = state.gear.slip[element]
-        # A driving cycle solves from the wheels, so the slip is relative to their speed there.
+        # In a driving cycle the input of the calculation is the wheels, so the slip refers to their
+        # speed.
         relative = f"{slip:g} times the speed of {case.link_name(case.gear_input(state.gear))}"
         size, side = relative, "below" if slip > 0 else "above"
         if isinstance(slip, OfLoad):
@@ -543,7 +546,7 @@ def _gaining_converters(results: Results, number: int) -> str:
 
 
 def _unheld_torques(results: Results, number: int) -> str:
-    """Name the external torques without a reaction, and freewheels that could react."""
+    """Return a phrase for external torques without reaction, and freewheels that could react."""
     case, state = results.case, results.gear_at(number)
     gear, variant = state.gear, state.ideal.variant
     input_link = case.gear_input(gear)
@@ -553,7 +556,7 @@ def _unheld_torques(results: Results, number: int) -> str:
         return torques.solve_torques(case, alone, columns).consistent
 
     unheld = [link for link in (input_link, *gear.torques) if not is_held(link, variant.columns)]
-    # In a geared neutral, ratios with any losses hold the torques.
+    # In a geared neutral the torques balance only with losses, of whatever size.
     factors = [0.98 - 0.01 / place for place, _ in enumerate(variant.ratios, 1)]
     lossy = [ratio * factor for ratio, factor in zip(variant.ratios, factors, strict=True)]
     if (
@@ -574,7 +577,7 @@ def _unheld_torques(results: Results, number: int) -> str:
 
 
 def _unknown_torques(results: Results, number: int) -> list[str]:
-    """Return the devices without a determinate torque in a gear with torques in balance."""
+    """Return the devices without a determinate torque, in a gear whose torques balance."""
     if not results.calculable[number]:
         return []
     torques = results.gear_at(number).torques
@@ -634,7 +637,7 @@ def _idle_messages(results: Results, number: int, gear: Gear, idle: set[int]) ->
 
 
 def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
-    """Return whether idle mechanisms rotate with differentials, as when driving straight ahead."""
+    """Return whether idle mechanisms rotate with a locked-up differential: straight driving."""
     speeds = [0.0, *results.speeds[number].tolist()]
     parts = [part for part in results.case.mechanisms if part.name in idle]
     of_differentials = [speeds[part.third] for part in parts if part.ratio == -1]
@@ -657,11 +660,11 @@ REGULAR = {
     "undecided": False,
     "choices": 1,
 }
-"""Values of the arrays of `Results` in a regular gear."""
+"""Values of arrays of `Results` in a gear whose speeds and torques exist and are unique."""
 
 
 def regular_gears(results: Results) -> Iterator[bool]:
-    """Yield for each gear whether speeds and torques exist, agree and are unique.
+    """Yield, for each gear, whether its speeds and torques exist, agree and are unique.
 
     >>> from vstatics import Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
@@ -685,10 +688,10 @@ def regular_gears(results: Results) -> Iterator[bool]:
 
 
 def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
-    """Return whether the product of output torque and output speed differs from 1.
+    """Return whether rounding makes output torque times output speed differ from 1.
 
-    By equation (1) of docs/method.md, ``Mx * w_output = 1`` holds for gears without further speeds
-    and torques; a larger difference is due to rounding.
+    By equation (1) of docs/method.md, ``Mx * w_output = 1`` in a gear without losses and without
+    further given speeds or torques.
     """
     if gear.speeds or gear.torques or gear.slipping:
         return False

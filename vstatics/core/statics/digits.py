@@ -1,10 +1,10 @@
-"""Digits that rounding leaves in the results of a gear whose equations are nearly singular.
+"""Number of correct digits in the results of a gear whose equations are nearly singular.
 
-The equations of a mechanism of ratio u near 1 contain the difference u - 1. The product of several
-such differences soon is as small as rounding. Therefore the gear is calculated in exact fractions,
-in which a ratio is exactly its float; so is a gear whose elimination leaves too few digits. Here
-the systems of the gear are solved once more with ratios that are exactly the decimals shown: any
-difference is due to the rounding of the numbers themselves.
+The equations of a mechanism of ratio u near 1 contain the difference u - 1, and the product of
+several such differences is soon as small as rounding errors. The solver calculates such gears in
+fractions that equal the floats of the ratios. This module solves the systems again with fractions
+that equal the decimals as written (0.1 instead of its float). The difference between both results
+is due to rounding the given numbers to floats.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from vstatics.core.statics.torques import Torques
 MOST_EXACT_UNKNOWNS = 64
 """Largest number of unknowns of a system that is solved in fractions.
 
-The numerators and denominators grow with each unknown.
+Each unknown makes the numerators and denominators longer, and the calculation slower.
 """
 
 
 class LostDigits(NamedTuple):
-    """Links and devices of a gear whose speeds and torques keep few digits."""
+    """Links and devices of a gear whose speeds and torques have few correct digits."""
 
     digits: int
     """Number of digits that are certain in all listed speeds and torques."""

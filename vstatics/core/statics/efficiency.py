@@ -48,8 +48,9 @@ def efficiencies_by_direction(
     Parameters
     ----------
     efficiencies : sequence of Number or Efficiency, optional
-        Forward efficiency, to which the case can add another for the way back, or efficiencies of
-        both directions. Default: the numbers of the case. [-]
+        For each mechanism, its efficiencies in both directions, or only its forward efficiency. The
+        backward efficiency is then the `back_efficiency` of the case or, by default, equal.
+        Default: the efficiencies of the case. [-]
     """
     if efficiencies is None:
         efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]

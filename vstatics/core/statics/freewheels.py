@@ -1,9 +1,9 @@
-"""Freewheels: find by trial which of them hold in a gear.
+"""Search for the freewheels that hold in a gear, by trial.
 
-A freewheel keeps its first link from turning backward relative to the second. If it holds, the
-torque that its first link gives to it is not above 0; if it overruns, its slip is not below 0. Both
-signs are reversed where the unit is negative: the unit of speed for an input that turns backward,
-the unit of torque for such an input and when coasting.
+A freewheel prevents its first link from turning backward relative to the second. If it holds, the
+torque that its first link gives to it is not above 0; if it overruns, its slip is not below 0.
+Speeds and torques are relative to the input, so both signs change where the input value is
+negative: the sign of slip if the input turns backward, the sign of torque also when coasting.
 """
 
 from __future__ import annotations
@@ -35,17 +35,17 @@ def find_state(
 ) -> GearState:
     """Return the state of a gear in which every freewheel holds or overruns.
 
-    All sets of freewheels that could hold are tried, smallest sets first. The first set is taken
-    that is possible, determines the output speed and has torques in balance. If no set does, all
-    freewheels overrun: the gear is neutral, or an external torque has no reaction. A freewheel that
-    is driven backward while none holds would tie the gear up if it held. This is a conflict, a
-    state without values.
+    All sets of freewheels that could hold are tried, smallest sets first. The result is the first
+    set that is possible, determines the output speed and has torques in balance. Without such a set
+    all freewheels overrun: the gear is neutral, or an external torque has no reaction. If a
+    freewheel is then driven backward, the gear has a conflict, because it would be tied up if the
+    freewheel held. A conflict is a state without values.
 
     Parameters
     ----------
     ratios, efficiencies : sequence of Number
-        Numbers of each mechanism: floats, or traced numbers. Speed ratios of the gear override
-        `ratios`. [-]
+        Basic ratio and efficiency of each mechanism, as floats or traced numbers. Speed ratios
+        given by the gear override `ratios`. [-]
     """
     ratios = case.gear_ratios(gear, ratios)
     if not _is_nearly_one(case, ratios):
@@ -60,7 +60,8 @@ def find_state(
 def _is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
     """Return whether any mechanism with three links has a ratio close to 1, but not 1.
 
-    Rounding can then leave no digit at all. For traced numbers the answer holds for all variants.
+    Rounding can then leave no correct digit. For traced numbers the answer is the same for all
+    variants.
     """
     return any(
         mechanism.third
@@ -83,7 +84,7 @@ def _exact_state(
 ) -> GearState:
     """Calculate a gear in fractions, because rounding leaves too few digits.
 
-    Each ratio and efficiency is exactly the value of its float.
+    The fraction of a ratio or efficiency equals its float.
     """
     from fractions import Fraction  # fractions cost start-up time
 
@@ -97,7 +98,7 @@ def _exact_state(
     exact = [list(map(exactly, numbers)) for numbers in (ratios, efficiencies)]
     try:
         state: GearState = rounded(_find_state(case, gear, *exact))
-    except OverflowError:  # an exact number is too large for the float that the search needs
+    except OverflowError:  # the search compares floats, and a fraction can exceed their range
         return _find_state(case, gear, ratios, efficiencies)
     return state._replace(exact=True)
 
@@ -107,7 +108,7 @@ def _find_state(
 ) -> GearState:
     variant = variant_of(case, ratios, efficiencies)
     overrunning = solve_speeds(case, gear, variant.rows)
-    if not case.freewheels or not overrunning.consistent:  # tied up, whatever the freewheels do
+    if not case.freewheels or not overrunning.consistent:  # tied up even if all freewheels overrun
         return _state(variant, gear, overrunning)
     if driven_backward(case, gear, overrunning):
         return _state_without_values(variant, gear, overrunning)
@@ -139,7 +140,7 @@ def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
 def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[int]:
     """Return the numbers of freewheels that could replace a holding freewheel.
 
-    Statics does not determine the torques that such freewheels share.
+    Statics does not determine how such freewheels share their torque.
 
     Parameters
     ----------
@@ -158,15 +159,15 @@ def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[in
 
 
 def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
-    """Return the numbers of freewheels whose links must be exchanged for the gear to drive.
+    """Return the numbers of freewheels whose links must be swapped for the gear to drive.
 
-    Each freewheel is exchanged alone, then all together. The list is empty if that does not help,
-    and when coasting, where freewheels overrun by design.
+    The links of each freewheel alone are swapped, then those of all freewheels together. The list
+    is empty if no swap helps, and when coasting, because freewheels then overrun by design.
 
     Parameters
     ----------
     state : GearState
-        Neutral, or without torques in balance.
+        State that is neutral or has no torques in balance.
     overrunning : sequence of int
         Numbers of freewheels that do not hold.
     """
@@ -219,7 +220,7 @@ def _state(variant: Variant, gear: Gear, speeds: Speeds) -> GearState:
 def _can_hold(state: GearState, number: int) -> bool:
     """Return whether the torque of a holding freewheel has the right sign.
 
-    The torque with losses decides if it exists.
+    The sign of the torque with losses decides; if it does not exist, the torque without losses.
     """
     ideal, lossy = state.ideal, state.search.lossy
     torques, columns = ideal.torques_with_drag, ideal.variant.columns

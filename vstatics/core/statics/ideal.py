@@ -1,4 +1,4 @@
-"""A gear without losses: its speeds and torques decide where power enters each mechanism."""
+"""Speeds and torques of a gear without losses, which determine the directions of power."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vstatics.core.statics.speeds import Speeds
 from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques, times
 
 OUTSIDE = -1
-"""Index that stands for external torques among the indices of devices."""
+"""Index of external torques in lists of torques that are sorted by index of the device."""
 
 
 class IdealGear(NamedTuple):
@@ -33,9 +33,9 @@ class IdealGear(NamedTuple):
     """Torques without drag."""
     drag: Drag
     torques_with_drag: Torques
-    """Torques with drag, the only load of some mechanisms; equal to `torques` without drag."""
+    """Torques with drag, because some mechanisms carry only drag; else equal to `torques`."""
     overcome: bool = False
-    """True if the output may supply power to overcome drag above the input power."""
+    """True if power may enter at the output to overcome drag that exceeds the input power."""
 
     @property
     def case(self) -> Transmission:
@@ -69,7 +69,7 @@ def direction_of(case: Transmission, gear: Gear) -> int:
 
 
 def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) -> list[str]:
-    """Return the names of converters that would give more power than they take.
+    """Return the names of converters that would deliver more power than they receive.
 
     Such a state is impossible. A converter whose speed ratio is unknown (NaN) counts as well.
     """
@@ -109,15 +109,15 @@ def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -
 
 
 def driving(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[int]:
-    """Return the numbers of slipping elements that would give power, which is impossible."""
+    """Return the numbers of slipping shift elements that would produce power, which cannot be."""
     losses = slip_losses(ideal, columns, torques)
     return [n for n, loss in enumerate(losses, 1) if bool(loss * ideal.direction < 0)]
 
 
 def converter_slip(variant: Variant, place: int) -> Number:
-    """Return the share of power that a converter loses [-].
+    """Return the fraction of the pump's power that a converter loses [-].
 
-    The share is ``1 - K i``, with the torque ratio K and the speed ratio i.
+    The fraction is ``1 - K i``, with the torque ratio K and the speed ratio i.
     """
     ratio = variant.ratios[place]
     torque_ratio: Number = matrix.torque_ratio_of(variant.case.mechanisms[place], ratio)
@@ -137,8 +137,8 @@ def mechanism_torques(
 ) -> list[Number]:
     """Return the torque on the first link of each mechanism, 0 if negligible.
 
-    A torque is negligible if it is tiny relative to another torque on every link of the mechanism.
-    So a stage of a large ratio is compared only with the torques on its own links.
+    A torque is negligible if on every link of the mechanism it is tiny relative to another torque
+    on the link. Torques elsewhere do not count: they can be larger by the ratio of a whole stage.
     """
     case = ideal.case
     elements = len(case.shift_elements)
@@ -157,7 +157,7 @@ def is_nothing(ideal: IdealGear, columns: Sequence[Column], torques: Torques, nu
 
 
 _OnLink = tuple[int, Number]
-"""Index of a device, or `OUTSIDE`, and the magnitude of the torque on a link."""
+"""Index of a device, or `OUTSIDE`, and the magnitude of its torque on a link."""
 
 
 def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequence[int]) -> bool:

@@ -1,4 +1,4 @@
-"""Mechanisms that are idle by coincidence, so that a direction of power is assumed for them."""
+"""Mechanisms that happen to transmit no power, so that their direction of power is assumed."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from vstatics.core.statics.torques import solve_torques
 
 
 def idle_with_torque(results: Results) -> list[set[int]]:
-    """Return the indices of mechanisms that could be idle under torque, in each gear of a case.
+    """Return, for each gear, the indices of mechanisms that carry torque but may transmit no power.
 
-    Gears are judged by the arrays; in gears without consistent torques no mechanism is idle.
+    The answer follows from the arrays alone. It is empty for gears without consistent torques.
     """
     case, consistent = results.case, results.consistent
     if case.drawing is not None:
@@ -38,9 +38,9 @@ def idle_with_torque(results: Results) -> list[set[int]]:
 def coincidences(results: Results, number: int, gear: Gear, idle: set[int]) -> dict[str, bool]:
     """Return the idle mechanisms whose assumed direction of power affects the results.
 
-    Names of mechanisms are mapped to whether the efficiency depends on the assumption, too. If
-    engaged shift elements lock a mechanism up, only the split of torque depends on it, so such a
-    mechanism is left out. Otherwise a torque at the ports depends on it.
+    Keys are the names of mechanisms whose assumed direction changes a torque at the ports; a value
+    is True if it also changes the efficiency. A mechanism locked up by engaged shift elements is
+    left out, because the assumption affects only how the torque is split within the gear train.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def coincidences(results: Results, number: int, gear: Gear, idle: set[int]) -> d
     gear : Gear
         The gear with the freewheels that hold among the engaged shift elements.
     idle : set of int
-        Mechanisms of the gear from `idle_with_torque`.
+        Indices of mechanisms, from `idle_with_torque`.
     """
     if not idle or idle <= held_as_one(results.case, gear):
         return {}
@@ -57,7 +57,7 @@ def coincidences(results: Results, number: int, gear: Gear, idle: set[int]) -> d
 
 
 def _idle_in_sets(results: Results, number: int) -> Iterator[int]:
-    """Yield the indices of mechanisms of drawn gear sets that could be idle under torque."""
+    """Yield the indices of such mechanisms that belong to drawn gear sets."""
     case, is_idle = results.case, results.idle[number].tolist()
     behind = len(case.springs) + 1
     torques = iter(results.lossy_torques[number, len(case.shift_elements) : -behind].tolist())
@@ -78,7 +78,7 @@ def _idle_in_sets(results: Results, number: int) -> Iterator[int]:
 
 
 def _coincidences_of_state(state: GearState) -> dict[str, bool]:
-    """Return the idle mechanisms that matter, as `coincidences` does, from the state of a gear."""
+    """Return the result of `coincidences` for the state of a gear."""
     case, gear, ideal = state.case, state.gear, state.ideal
     elements = len(case.shift_elements)
     idle = [
@@ -94,7 +94,7 @@ def _coincidences_of_state(state: GearState) -> dict[str, bool]:
         return {}
 
     def at_ports(place: int, sign: float) -> tuple[list[Number], Number]:
-        """Return the torques of the ports, and the power that enters."""
+        """Return torques at the ports and the input power, for an assumed direction of power."""
         turned = [*state.signs[:place], sign, *state.signs[place + 1 :]]
         ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, turned)
         torques = solve_torques(case, gear, columns(case, ratios), state.drag)
@@ -105,8 +105,8 @@ def _coincidences_of_state(state: GearState) -> dict[str, bool]:
         return [output, *torques.holding.values()], entering
 
     if not gear.speeds and not gear.torques:
-        # By virtual work, the output torque depends on a ratio only if the mechanism moves in the
-        # train that has the ratios with losses.
+        # By virtual work, the output torque depends on the ratio of a mechanism only if the
+        # mechanism has internal motion in a train with the lossy ratios.
         relative_speeds = solve_speeds(case, gear, rows(case, state.lossy_ratios)).relative_speeds
         idle = [place for place in idle if relative_speeds[place] != 0]
     matters = {}
@@ -121,7 +121,7 @@ def _coincidences_of_state(state: GearState) -> dict[str, bool]:
 
 
 def _differ(torques: list[Number], others: list[Number]) -> bool:
-    """Return whether two lists of torques differ; torques that do not exist are left out."""
+    """Return whether two lists of torques differ; pairs with NaN are left out."""
     pairs = [(a, b) for a, b in zip(torques, others, strict=True) if a == a and b == b]  # noqa: PLR0124
     largest = max((absolute(a) for a, _ in pairs), default=0.0)
     return any(absolute(a - b) > TIE * largest for a, b in pairs)

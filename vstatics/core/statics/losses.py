@@ -1,8 +1,9 @@
 """Losses of a gear under given signs of the power flow: torques, efficiency, balance.
 
-The torque system is solved with ``u * efficiency**x`` instead of the basic ratio u, where x is the
-sign of the power flow. The power lost in a mechanism is ``M' (w_f - w_h) (1 - efficiency**x)``,
-equation (2) of docs/method.md.
+The torque system is solved with ``u * efficiency**x`` instead of the basic ratio u. The sign x is
++1 where power enters a mechanism by its first link, seen from the third, and -1 where it leaves.
+The power lost in a mechanism is ``M' (w_f - w_h) (1 - efficiency**x)``, equation (2) of
+docs/method.md; M' is the torque on the first link with losses.
 """
 
 from __future__ import annotations
@@ -33,13 +34,14 @@ class LossyTorques(NamedTuple):
     signs: Signs
     torques: Torques
     directions: Signs
-    """Sign of the power that enters each mechanism by its first link: +1, 0, -1 or NaN."""
+    """Resulting direction of power in each mechanism: sign of the power that enters by its first
+    link, +1, 0, -1 or NaN."""
     losses: Sequence[Number]
     """Power lost in each mechanism. [-]"""
     slip_losses: Sequence[Number]
     """Power lost in each slipping shift element. [-]"""
     efficiency: Number
-    """Efficiency by which sets of signs are compared. [-]"""
+    """Efficiency for comparing signs; see `power_ratio` for the reported efficiency. [-]"""
     drag_losses: Number
     """Total power lost to drag. [-]"""
     gear_losses: Number
@@ -47,13 +49,13 @@ class LossyTorques(NamedTuple):
     balance: Number | Residual
     """External power minus all losses. [-]"""
     admissible: Condition
-    """True if the signs are consistent with the directions of power."""
+    """True if the assumed signs agree with the resulting directions of power."""
 
 
 def torques_for_signs(ideal: IdealGear, signs: Signs) -> LossyTorques:
     """Return the torques with losses under given signs, and whether the signs are admissible.
 
-    Power that flows back through a self-locking mechanism is never admissible.
+    Signs by which power flows back through a self-locking mechanism are never admissible.
     """
     if not is_possible(ideal.variant.efficiencies, signs):
         return no_solution(ideal, signs)
@@ -66,11 +68,12 @@ def torques_for_signs(ideal: IdealGear, signs: Signs) -> LossyTorques:
 def check_signs(
     ideal: IdealGear, signs: Signs, lossy_columns: Sequence[Column], torques: Torques
 ) -> LossyTorques:
-    """Return the losses and the efficiency of lossy torques, and whether the signs are admissible.
+    """Return torques with their losses and efficiency, and whether the signs are admissible.
 
-    Signs are admissible if the sign of every mechanism with losses is the sign of its flow, or one
-    of the two is 0, and if the efficiency is above 0. The efficiency is not checked if drag may be
-    overcome from the output, or if it does not exist without losses.
+    Signs are admissible if the sign of every mechanism with losses equals the direction of its
+    power (or either is 0), no converter or slipping shift element produces power, and the
+    efficiency is above 0. The efficiency is not checked if power may enter at the output to
+    overcome drag, or if no power passes without losses.
     """
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
@@ -93,7 +96,8 @@ def check_signs(
         if not is_nan(of_slips[number - 1]):
             agrees = agrees & (of_slips[number - 1] * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
-    # This is one variant, or variants that agree on whether power passes; with slips they need not.
+    # `passes` is False only for a single variant or if it is False for all variants. Variants with
+    # slip can differ, so each is tested for power.
     if (passes is False or ideal.gear.slip) and not _passes_power(ideal):
         passes = True
     return LossyTorques(
@@ -141,9 +145,9 @@ def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> 
 
 
 def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
-    """Return the power that enters by each link of `acting_torques` [-].
+    """Return the power that enters by each link with an external torque [-].
 
-    A torque given at the output link counts with the load; `port_powers` counts it separately.
+    A torque given at the output link is added to the load torque, unlike in `port_powers`.
     """
     output, speeds = ideal.case.gear_output(ideal.gear), ideal.speeds.links
     acting = acting_torques(ideal.external, output, torques.holding, torques.on_first_link[-1])
@@ -151,11 +155,11 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Return the efficiency by which sets of signs are compared.
+    """Return the efficiency for comparing combinations of signs.
 
     With one input and one output the efficiency is ``Mx_lossy/Mx``, or its inverse when coasting.
-    Otherwise it is the output power divided by the input power. Each port counts on the side of its
-    flow without losses; a port without such flow counts on neither side.
+    Otherwise it is the output power divided by the input power. The power flow without losses
+    decides if a port counts as an input or an output; a port without power counts as neither.
     """
     if ideal.case.conserves_power(ideal.gear):
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
@@ -165,10 +169,10 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
 
 
 def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
-    """Return the reported efficiency: output power divided by input power of all ports.
+    """Return the reported efficiency: total output power divided by total input power.
 
-    Each port counts on the side of its flow with losses, unlike in `_efficiency`, which chooses the
-    signs.
+    The power flow with losses decides if a port is an input or an output. In `_efficiency`, which
+    compares signs, the flow without losses decides.
     """
     if not ideal.gear.speeds and not ideal.gear.torques:
         return lossy.efficiency
@@ -179,12 +183,13 @@ def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
 def _output_by_input(
     ideal: IdealGear, flows: Sequence[Number], entering: Sequence[Number]
 ) -> Number:
-    """Return the output power divided by the input power; the side of a port is that of its flow.
+    """Return the output power divided by the input power; `flows` decide which ports are inputs.
 
     Parameters
     ----------
     flows, entering : sequence of Number
-        Power that enters by each port: for the sides, and for the sums. [-]
+        Power that enters by each port: `flows` decide if a port is an input or an output,
+        `entering` is summed. [-]
     """
     received: Number = 0.0
     given: Number = 0.0
@@ -198,10 +203,10 @@ def _output_by_input(
 
 
 def _passes_power(ideal: IdealGear) -> bool:
-    """Return whether power passes a gear without losses.
+    """Return whether power passes through the gear when losses are left out.
 
-    The lossless efficiency is 1, or less with converters and slipping shift elements; it is 0 if
-    the output is at rest.
+    The efficiency is then 1, or less with converters and slipping shift elements; it is 0 if the
+    output is at rest.
     """
     entering = _entering(ideal, ideal.torques)
     return bool(0 < absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)

@@ -5,13 +5,13 @@ Source: Algin, Schematization and calculation of mobile machine presented as mul
 
 Sign convention, here and everywhere: the column of a device contains the torques that its links
 give to it when the torque on its first link is 1. External torques act on a link, with the sign of
-the input torque, which is 1; the output torque is given by the train to its load. So with a ratio
-``w_input/w_output`` above 0 and no losses the output torque equals the ratio.
+the input torque, which is 1; the output torque is the torque that the train gives to its load. So
+with a ratio ``w_input/w_output`` above 0 and no losses the output torque equals the ratio.
 
-The column of a gear set or gear pair is also its equation for the speeds. A variator of the speed
-ratio i has the column (i, -1), which is valid for i = 0 as well: its second link is then at rest
-under any torque, and its first link carries none. A converter of the torque ratio K has the row (i,
--1) and the column (1, -K).
+The coefficients of a gear set or gear pair in its column are also its coefficients in the speed
+equation (its row). A variator of the speed ratio i has the column and row (i, -1), valid also for i
+= 0: its second link is then at rest under any torque, and its first link carries no torque. A
+converter of the torque ratio K has the row (i, -1) and the column (1, -K).
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ Column = Mapping[int, Coefficient]
 
 
 class Variant(NamedTuple):
-    """Transmission with numbers of mechanisms: floats, or traced for many variants."""
+    """Transmission with the numbers of its mechanisms, as floats or traced for many variants."""
 
     case: Transmission
     ratios: Sequence[Number]
@@ -50,7 +50,7 @@ class Variant(NamedTuple):
     columns: Sequence[Column]
     """Columns of the structural-distribution matrix without losses."""
     rows: Sequence[Column]
-    """Speed equations of the devices."""
+    """Speed equation of each device: coefficients of the link speeds; right-hand side 0."""
 
 
 def variant_of(
@@ -58,7 +58,7 @@ def variant_of(
     ratios: Sequence[Number] | None = None,
     efficiencies: Sequence[Number | Efficiency] | None = None,
 ) -> Variant:
-    """Return a variant; the case provides default ratios and efficiencies."""
+    """Return the variant with given ratios and efficiencies; default: the numbers of the case."""
     if ratios is None:
         ratios = [mechanism.ratio for mechanism in case.mechanisms]
     both = efficiencies_by_direction(case, efficiencies)
@@ -69,9 +69,9 @@ def variant_of(
 
 
 def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
-    """Return the columns of the matrix for shift elements, mechanisms and springs.
+    """Return the matrix columns of all devices: shift elements, mechanisms and springs.
 
-    The housing has no row.
+    The housing has no row in the matrix.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
 
 
 def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
-    """Return the torques on a mechanism's links, the last as two terms.
+    """Return the torques on the links of a mechanism if the torque on the first is 1.
 
     >>> column_of(Mechanism(1, 2, 0, 0.4, kind="converter", points=((0, 2.4), (0.8, 1))), 0.4)
     (1, -1.7, (1.7, -1))
@@ -119,7 +119,7 @@ def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
 
 
 def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
-    """Return the coefficients of a mechanism's link speeds, the last as two terms.
+    """Return the coefficients of the link speeds in the speed equation of a mechanism.
 
     >>> row_of(Mechanism(1, 2, 0, 0.4, kind="variator"), 0.4)
     (0.4, -1, (1, -0.4))
@@ -128,9 +128,10 @@ def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
 
 
 def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
-    """Return the torques on the three links of a mechanism: 1, -u, and u - 1 as two terms.
+    """Return the torques on the links of a mechanism: 1, -u, and u - 1 as the terms (u, -1).
 
-    u is the basic ratio.
+    The terms of the difference stay separate, because their sum loses digits if the basic ratio u
+    is near 1.
     """
     return 1, -ratio, (ratio, -1)
 
@@ -155,9 +156,9 @@ def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
 
 
 def column(ratio: Any) -> tuple[Any, Any, Any]:
-    """Return the torques on the first, second and third link of a mechanism as plain values.
+    """Return the torques on the three links of a mechanism: 1, -u and u - 1.
 
-    The ratio is a number, an array or a symbol.
+    The basic ratio u is a number, an array or a symbol.
 
     >>> column(-2.5)
     (1, 2.5, -3.5)
@@ -167,12 +168,12 @@ def column(ratio: Any) -> tuple[Any, Any, Any]:
 
 
 def value(coefficient: Any) -> Any:
-    """Return the value of a coefficient, or the sum of two terms."""
+    """Return the value of a coefficient, which can be given as two terms."""
     return coefficient[0] + coefficient[1] if isinstance(coefficient, tuple) else coefficient
 
 
 def values_of(column: Column) -> dict[int, Any]:
-    """Return the coefficients of a column as one number each.
+    """Return the values of the coefficients of a column, by link number.
 
     >>> values_of({1: 1, 3: (-2.5, -1)})
     {1: 1, 3: -3.5}
@@ -183,7 +184,7 @@ def values_of(column: Column) -> dict[int, Any]:
 def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
     """Return the structural-distribution matrix, shape (..., links, devices) [-].
 
-    See `distribution_matrix`.
+    Parameters and errors are those of the public function `distribution_matrix`.
 
     Examples
     --------
@@ -210,13 +211,13 @@ def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Fl
 
 
 def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[Equation]:
-    """Return the equations for the link speeds of a gear; unknown ``link - 1`` is a link's speed.
+    """Return the equations for the link speeds of a gear; unknown ``n - 1`` is the speed of link n.
 
-    Mechanisms, springs and engaged shift elements have one equation each, ``w_f - u w_s + (u - 1)
-    w_h = 0`` or ``w_a - w_b = 0``, with a given slip on the right; a spring keeps its twist at mean
-    speeds. Then follow ``w_input = 1`` and one equation for each further given speed, which is a
-    number or a multiple of another link's speed (figure 3). A converter that is bypassed or open
-    has no equation.
+    Mechanisms have the equation ``w_f - u w_s + (u - 1) w_h = 0``, engaged shift elements ``w_a -
+    w_b = 0`` (or the given slip on the right). The equation of a spring states that its twist is
+    constant at mean speeds. Further equations are ``w_input = 1`` and one for each given speed,
+    which is a number or a multiple of another link's speed (figure 3). A converter that is bypassed
+    or open has no equation.
 
     Parameters
     ----------
@@ -241,9 +242,9 @@ def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[E
 
 
 INPUT_SPEED = "the input speed"
-"""Name of the given input speed in messages."""
+"""Name of the equation ``w_input = 1`` in messages."""
 GIVEN_SPEED = "the given speed of link "
-"""Start of the name of a given speed in messages; the name of the link follows."""
+"""Prefix of the name of a given speed in messages, followed by the name of the link."""
 
 
 def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
@@ -263,10 +264,11 @@ def torque_rows(
     drag: Mapping[int, Number] = MappingProxyType({}),
     external: Mapping[int, Number] | None = None,
 ) -> list[Equation]:
-    """Return the equilibrium of each link of a gear (figure 4).
+    """Return the equilibrium equation of each link of a gear (figure 4).
 
-    ``A M + e_out Mx - E_held Mh = T``, with the columns A, the torques M on first links, the output
-    torque Mx, the holding torques Mh, and the known external torques T including drag.
+    The system is ``A M + e_out Mx - E_held Mh = T`` with the matrix A of `columns`, the torques M
+    on first links, the output torque Mx, the holding torques Mh, and the known external torques T
+    including drag. e_out and E_held select the output link and the held links.
 
     Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
     the holding torque of each of `held_links`. An open shift element carries no torque, so it adds
@@ -275,9 +277,9 @@ def torque_rows(
     Parameters
     ----------
     drag : mapping of int to float
-        External torque of drag by link number. [-]
+        Drag as an external torque on each link, by link number. [-]
     external : mapping of int to float, optional
-        `external_torques` of the gear, if they are calculated already. [-]
+        Result of `external_torques` for the gear, if it is already known. [-]
     """
     rows: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
     loaded = loaded_devices(case, gear)
@@ -298,16 +300,16 @@ def torque_rows(
 def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
     """Return the indices of the devices that can carry torque.
 
-    These are the shift elements that are engaged or have a given slip, then the mechanisms and
-    springs of `always_loaded`.
+    These devices are the shift elements that are engaged or have a given slip, and the mechanisms
+    and springs listed by `always_loaded`.
     """
     return sorted(number - 1 for number in gear.carrying) + always_loaded(case, gear)
 
 
 def always_loaded(case: Transmission, gear: Gear) -> list[int]:
-    """Return the indices of mechanisms and springs that can carry torque.
+    """Return the device indices of mechanisms and springs that can carry torque.
 
-    Converters that are bypassed or open, and mere dampers, are left out.
+    Converters that are bypassed or open, and springs that only damp, are left out.
     """
     elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
     left_out = case.unloaded_converters(gear)
@@ -326,9 +328,9 @@ def held_links(case: Transmission, gear: Gear) -> list[int]:
 
 
 def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
-    """Return the known external torques by link: the input torque of 1, and the gear's own [-].
+    """Return the known external torques by link: the input torque and the given torques [-].
 
-    Without an input torque the input has 0, and the other torques are in N*m.
+    The input torque is 1. If the load has no torque it is 0, and the other torques are in N*m.
     """
     torques = {case.gear_input(gear): case.input_torque(gear)}
     for link, torque in gear.torques.items():
@@ -339,8 +341,8 @@ def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
 def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
     """Return a given torque relative to the input torque [-].
 
-    A part of the input torque is 0 if the load has no torque. A torque that varies, traced or an
-    array, and an `OfLoad` are in the unit of the load already.
+    A given share of the input torque is 0 if the load has no torque. A torque that varies (traced
+    or an array) and an `OfLoad` are already relative, so they are returned unchanged.
     """
     if isinstance(torque, OfLoad) or not isinstance(torque, float | int):
         return torque
@@ -348,7 +350,7 @@ def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
 
 
 def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
-    """Return given numbers as an array of floats whose last axis has the length `mechanisms`.
+    """Return numbers as an array of floats with the length `mechanisms` of the last axis.
 
     Raises
     ------
@@ -364,7 +366,7 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
 
 
 Quantity = Literal["ratio", "efficiency"]
-"""Name of a number of a mechanism that can differ between variants."""
+"""Name of a property of mechanisms that can differ between variants."""
 EXPECTED = {
     "ratio": "a finite ratio other than 0",
     "efficiency": "an efficiency above 0 and up to 1",
@@ -386,7 +388,7 @@ def expected_ratio(between: tuple[float, float]) -> str:
 def impossible(
     quantity: Quantity, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
 ) -> Booleans:
-    """Return marks of numbers that cannot be a ratio, or an efficiency, of a mechanism.
+    """Return marks of numbers that are not valid as a ratio or an efficiency of a mechanism.
 
     Parameters
     ----------
@@ -405,6 +407,6 @@ def impossible(
     low, high = numbers.min(initial=math.inf), numbers.max(initial=-math.inf)
     least, most = between
     if least < low <= high < min(most, 0.0) or max(least, 0.0) < low <= high < most:
-        return np.zeros_like(numbers, np.bool_)  # nearly always all numbers are possible
+        return np.zeros_like(numbers, np.bool_)  # shortcut: nearly always all numbers are valid
     possible: Booleans = (least < numbers) & (numbers < most) & (numbers != 0)
     return ~possible

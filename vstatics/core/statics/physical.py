@@ -20,18 +20,18 @@ _NEEDED = {
     "Nm": ("torque", "torque: 300 N*m"),
     "kW": ("speed and torque", "speed: 2000 rpm, torque: 300 N*m"),
 }
-"""For each unit: the quantities that the load must contain, and an example in YAML."""
+"""Quantities that the key `load` must contain for results in a unit, and an example in YAML."""
 
 
 def scales(case: Transmission) -> dict[str, Floats]:
-    """Return the factors of each gear from relative numbers to rpm, Nm and kW.
+    """Return the factors that convert relative numbers of each gear to rpm, Nm and kW.
 
     The arrays have the shape (gears,), with NaN where the load lacks the quantity. The unit of
     torque is 1 N*m if the load has no torque.
 
-    The factors apply to arrays of `Results`, in which the input drives, also when coasting. In
-    reality a coasting input is driven: its torque acts against its speed, so the factors of torque
-    and power are negative. For powers in their real direction use `gear_scales`.
+    The factors apply to arrays of `Results`, in which power enters at the input even when coasting.
+    In reality a coasting input is driven: its torque acts against its speed, so the factors of
+    torque and power are negative. For powers in their real direction use `gear_scales`.
 
     >>> from vstatics.core.model.parts import Gear, Load, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], load=Load(2000, 300))
@@ -46,10 +46,10 @@ def scales(case: Transmission) -> dict[str, Floats]:
 
 
 def gear_scales(case: Transmission) -> list[dict[str, float]]:
-    """Return the factors of `scales` for powers in real direction, by gear.
+    """Return the factors of `scales` for each gear, for powers in their real direction.
 
-    `GearState.powers`, ports and flows have reversed the powers of coasting already, so the factor
-    to kW is positive.
+    The factor to kW is positive even when coasting, because `GearState.powers`, ports and flows
+    already contain reversed powers.
 
     >>> from vstatics.core.model.parts import Gear, Load, Mechanism
     >>> pair, load = Mechanism(1, 2, 0, -2.5), Load(2000, 300)
@@ -70,7 +70,7 @@ def known_units(case: Transmission) -> set[str]:
 
 
 def lacking_load(name: str, unit: str) -> str:
-    """Return the message about a number whose unit needs a load that no gear has."""
+    """Return the message that no gear has the operating point that a unit of a number needs."""
     what, given = _NEEDED[unit]
     return (
         f"the case gives no {what} at the input, so there is no `{name}`; give `load: {{{given}}}`"
@@ -78,7 +78,7 @@ def lacking_load(name: str, unit: str) -> str:
 
 
 class _PhysicalArray:
-    """Descriptor of an array; the unit is the end of its name, such as ``_rpm``."""
+    """Descriptor that converts an array to the unit at the end of its name, such as ``_rpm``."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.array, _, self.unit = name.rpartition("_")
@@ -88,10 +88,11 @@ class _PhysicalArray:
 
 
 class PhysicalResults(ResultFields):
-    """Arrays of `Results` in the units of the load, calculated on access.
+    """Arrays of `Results` in rpm, N*m and kW, calculated on access.
 
-    Each array has the axes of its relative array. Gears without a load have NaN. If no gear has the
-    load that a unit needs, access raises a `CaseError`.
+    Each array has the axes of the array of the same name without unit, such as `speeds` for
+    `speeds_rpm`. Gears without a load have NaN. If no gear has the load that a unit needs, access
+    raises a `CaseError`.
 
     Examples
     --------
@@ -163,7 +164,7 @@ class PhysicalResults(ResultFields):
         return self._port_powers("port_powers")
 
     def in_unit(self, unit: str, relative: Floats, name: str) -> Floats:
-        """Return an array in a unit."""
+        """Convert a relative array to a unit; `name` is the name of the array in an error."""
         if not self.points and unit not in known_units(self.case):
             raise CaseError("E414", lacking_load(f"{name}_{unit}", unit))
         scale = (self.points.scales if self.points else scales(self.case))[unit]
@@ -195,7 +196,7 @@ class PhysicalResults(ResultFields):
                 torques[case.gear_input(gear)] = torques[case.gear_input(gear)] + change
             for link, torque in torques.items():
                 speed = self.speeds[..., number, link - 1]
-                # at rest no power flows, even if the torque or speed is unknown
+                # No power flows at zero speed or torque, even if the other factor is unknown.
                 at_rest = (torque == 0) | (speed == 0)
                 with np.errstate(over="ignore", invalid="ignore"):
                     power[..., number, link - 1] = np.where(at_rest, 0.0, torque * speed)
@@ -211,7 +212,7 @@ RELATIVE_TO_INPUT = (
 
 
 def _relative(name: str) -> property:
-    """Return the property of an array that is NaN in gears without an input torque."""
+    """Return a property that contains NaN for gears without an input torque."""
 
     def by_input(results: PhysicalResults) -> Floats:
         array, case = results.in_own_unit(name), results.case

@@ -17,14 +17,14 @@ Way = Literal["in", "out", ""]
 
 
 class Port(NamedTuple):
-    """Link with an external torque: of an engine, motor, test-bench brake or driven load."""
+    """Link with an external torque, from an engine, motor, brake or driven load."""
 
     link: int
     is_output: bool
     speed: float
     """Speed of the link. [-]"""
     torque: float
-    """Torque that an output gives to the load, or external torque on another link. [-]
+    """Torque that an output gives to the load; on another link, the external torque. [-]
 
     NaN if indeterminate.
     """
@@ -34,10 +34,10 @@ class Port(NamedTuple):
 
 
 class GearPorts(NamedTuple):
-    """Ports and losses of a gear; input power minus output power is lost."""
+    """Ports and losses of a gear; the losses add up to input power minus output power."""
 
     ports: Sequence[Port]
-    """The input, the outputs, then the links with a given speed or torque."""
+    """Ports in the order: input, outputs, other links with a given speed or torque."""
     meshes: float
     """Power lost in mechanisms other than variators and converters. [-]"""
     drag: float
@@ -53,8 +53,8 @@ class GearPorts(NamedTuple):
 def ports(state: GearState) -> GearPorts:
     """Return the ports of a gear with losses.
 
-    Speeds and torques are relative to the input speed and torque, powers to the power at the input
-    link. Torques that are out of balance (neutral) or self-locking pass no power: they are NaN.
+    Speeds are relative to the input speed, torques to the input torque, powers to the input power.
+    Torques and powers are NaN if the torques do not balance or the gear is self-locking.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Power, torque times speed, that links exchange with ports and devices."""
+"""Power (torque times speed) that links exchange with ports and devices."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ class LinkPower(NamedTuple):
 
 
 power = times
-"""Product of torque and speed, or of a power and a share."""
+"""Function that returns the power of a torque and a speed; 0 if either is 0."""
 
 
 def port_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], torques: Torques
 ) -> Iterator[LinkPower]:
-    """Yield the power of each external torque and of the load; negative if power enters."""
+    """Yield the power that leaves by external torques and by the load; negative if it enters."""
     external: dict[int, Number] = {**external_torques(case, gear)}
     for link in held_links(case, gear):
         external[link] = external.get(link, 0.0) + torques.holding[link]
@@ -99,7 +99,7 @@ def device_powers(  # noqa: PLR0913
 def drag_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], drag: Drag
 ) -> Iterator[LinkPower]:
-    """Yield the power that each link loses to drag, and to the loss of the gear as a whole."""
+    """Yield the power that each link loses to drag and to the loss of the gear as a whole."""
     for link, torque in drag.links.items():
         name = case.link_name(link)
         yield LinkPower("drag", link, name, "", link, -power(torque, speeds[link - 1]))
@@ -109,10 +109,10 @@ def drag_powers(
 
 
 def slip_name(element: ShiftElement) -> str:
-    """Return the name of the loss of a slipping shift element, among other losses."""
+    """Return the name of the slip loss of a shift element in lists of losses."""
     return f"slip.{element.name}"
 
 
 def loss_name(gear: Gear) -> str:
-    """Return the name of the loss of a gear as a whole, among other losses."""
+    """Return the name of the loss of a gear as a whole in lists of losses."""
     return f"gear.{gear.name}"

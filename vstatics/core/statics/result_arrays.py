@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     class _NamedFields:
         """Named tuple whose subscripts are names.
 
-        A type checker takes every subscript of a tuple for the number of an item.
+        Type checkers would take every subscript of a `NamedTuple` for the index of an item.
         """
 
         _fields: ClassVar[tuple[str, ...]]
@@ -57,33 +57,33 @@ class Message(NamedTuple):
 
 
 Outside: TypeAlias = Mapping[str, Booleans]
-"""For each law by name: true where it is evaluated outside its points, (variants, gears)."""
+"""Marks of laws evaluated outside their points, (variants, gears), by name of the part."""
 NOWHERE: Outside = MappingProxyType({})
 
 
 class OperatingPoints(NamedTuple):
-    """Operating points, and varying numbers of gears, as arrays with a value for each variant."""
+    """Operating points and gears whose numbers differ between variants."""
 
     scales: Mapping[str, Floats]
     """Factors of `vstatics.core.statics.physical.scales` by unit, (variants, gears)."""
     loaded: Booleans
     """False where the input torque of the operating point is 0, (variants, gears)."""
     gears: Sequence[Gear]
-    """Gears, in which a torque that varies is an array of shape (variants,).
+    """Gears of the case; a torque that varies is an array of shape (variants,).
 
-    Gears of one case contain the drag that follows from their speeds.
+    For a single variant, the drag of the gears is evaluated at their speeds.
     """
     efficiencies: Sequence[Sequence[Any]] = ()
     """Efficiencies that depend on speed or torque, by gear and mechanism. [-]"""
     open: Integers | None = None
     """State of each gear, (variants, gears): 0 for a unique solution.
 
-    1 and 2 mark no solution or several solutions for efficiencies that depend on torque; 3 and 4 do
-    so for the torque that balances a battery. 6 marks a load that no speed ratio of a converter
-    agrees with, 7 a gear without torques at any speed ratio.
+    Efficiencies that depend on torque: 1 no solution, 2 several solutions, 5 a formula that gives
+    no efficiency. Torque that balances a battery: 3 no solution, 4 several solutions. Speed ratio
+    of a converter: 6 none agrees with the load, 7 no torques exist at any speed ratio.
     """
     outside: Outside = NOWHERE
-    """Laws evaluated outside the given points."""
+    """Marks of laws that are evaluated outside their points."""
     other_ratios: Mapping[int, Sequence[float]] = MappingProxyType({})
     """Smaller speed ratios at which a converter agrees with the load of a single point, by gear."""
 
@@ -91,9 +91,9 @@ class OperatingPoints(NamedTuple):
 class ResultFields(_NamedFields):
     """Fields of `Results`.
 
-    Axes are always in the same order: variants (absent for one case), gears, and the rows that
-    `row_names` names. Devices are mechanisms and drawn gear sets with the names of the case; a
-    drawn case also has the mechanisms that the solver derives from its gear sets. NaN marks values
+    Axes are always in the same order: variants (absent for a single case), gears, and rows such as
+    links (see `row_names`). Devices are the mechanisms and drawn gear sets of the case; mechanisms
+    are those of the solver, including the ones it derives from drawn gear sets. NaN marks values
     that do not exist. Speeds are relative to the input speed, torques to the input torque, powers
     to the input power; signs follow `vstatics.core.statics.matrix`.
     """
@@ -115,9 +115,9 @@ class ResultFields(_NamedFields):
     torques: Floats
     """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]
 
-    The torque of a device is the torque that its first link gives to it; a spring has its own
-    torque. The last is the output torque, given to the load. A drawn gear set has a row for each
-    member: the torque that its links give to the member.
+    The torque of a shift element, mechanism or spring is the torque that its first link gives to
+    it. The last row is the output torque, given to the load. A drawn gear set has a row for each
+    member: the torque that the links of the member give to it.
     """
     holding_torques: Floats
     """External torques that hold given speeds, ``(..., gears, links)``. [-]"""
@@ -144,17 +144,17 @@ class ResultFields(_NamedFields):
     """Power that shift elements lose by their given slip, ``(..., gears, shift elements)``. [-]"""
 
     consistent: Booleans
-    """Gears with lossy torques whose signs agree with their flow, ``(..., gears)``."""
+    """Gears with torques with losses that agree with the directions of power, ``(..., gears)``."""
     locked: Booleans
     """Self-locking gears, ``(..., gears)``."""
     dragged: Booleans
     """Gears whose drag exceeds the input power, so power enters at the output, ``(..., gears)``."""
     undecided: Booleans
-    """Gears whose search for signs was cut short: `locked` is unknown, ``(..., gears)``."""
+    """Gears whose search for signs was cut short, so `locked` is unknown, ``(..., gears)``."""
     turned: Booleans
-    """Mechanisms whose flow is reversed by losses, ``(..., gears, mechanisms)``."""
+    """Mechanisms in which losses reverse the power flow, ``(..., gears, mechanisms)``."""
     choices: Integers
-    """Number of sets of signs that agree with the power flow they cause, ``(..., gears)``."""
+    """Number of possible combinations of power directions in mechanisms, ``(..., gears)``."""
 
     tied_up: Booleans
     """Gears whose constraints on the speeds contradict each other, ``(..., gears)``."""
@@ -173,7 +173,7 @@ class ResultFields(_NamedFields):
     conflict: Booleans
     """Gears with a freewheel that can neither hold nor overrun, ``(..., gears)``."""
     exact: Booleans
-    """Gears calculated in fractions, as floats leave too few digits, ``(..., gears)``."""
+    """Gears calculated in fractions because floats leave too few digits, ``(..., gears)``."""
 
     mesh_torques: Floats
     """Torque on the first gear of each mesh of drawn gear sets, ``(..., gears, meshes)``. [-]"""
@@ -186,7 +186,7 @@ class ResultFields(_NamedFields):
     """Messages about the gears of a case; empty for arrays of variants."""
 
     points: OperatingPoints | None = None
-    """Operating points that vary, and gears in which more than ratios and efficiencies varies."""
+    """Operating points and gears of the variants; None if only ratios and efficiencies vary."""
 
     @property
     def output_torque(self) -> Floats:
@@ -212,10 +212,10 @@ Rows = Literal[
 ]
 """Meaning of the rows of an array or a table.
 
-`elements` are shift elements; `devices` are mechanisms and drawn gear sets with the names of the
-case; `mechanisms` are the mechanisms of the solver; `torques` are shift elements, mechanisms or
-members of drawn gear sets, springs, and the output; `meshes` are the meshes of drawn gear sets;
-`converters` are mechanisms of this kind; `one` is a single value for the gear.
+`elements` are shift elements; `devices` are the mechanisms and drawn gear sets of the case;
+`mechanisms` are the mechanisms of the solver; `torques` are shift elements, mechanisms or members
+of drawn gear sets, springs, and the output; `meshes` are the meshes of drawn gear sets;
+`converters` are mechanisms of the kind `converter`; `one` is a single value for the gear.
 """
 
 
@@ -247,13 +247,13 @@ GearTable: TypeAlias = Literal[
 ]
 """Tables with a single value for each gear.
 
-From this list, type checkers know that the names of such a table and a gear select a number. For
-any other table, two names select an array.
+The list lets type checkers infer a number for ``results["ratio", "low"]``, but an array for any
+other table and gear.
 """
 
 
 class GearArray(NamedTuple):
-    """Rows and type of an array of `Results`."""
+    """Kind of rows and data type of an array of `Results`."""
 
     rows: Rows
     dtype: type = np.float64
@@ -312,9 +312,9 @@ def row_names(case: Transmission, rows: Rows) -> list[str]:
 
 
 def first_rows(case: Transmission) -> dict[int, int]:
-    """Return the rows of torques with the torque on a first link, by index of mechanism.
+    """Return the row of `torques` with the torque on the first link, by index of mechanism.
 
-    Mechanisms without a row for this torque alone are left out.
+    A mechanism is left out if no row contains only this torque.
 
     >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
     >>> case = Transmission(3, [ShiftElement(2, 0)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])

@@ -26,14 +26,14 @@ if TYPE_CHECKING:
     import xarray as xr
 
 REMEMBERED_STATES = 64
-"""Number of gears whose states are stored, because tables and pictures of a case share them."""
+"""Number of stored gear states; tables and pictures of a case use the states several times."""
 
 
 class Results(PhysicalResults):
     """Speeds, torques, losses and status of every gear.
 
-    The arrays, their axes and units are documented in `ResultFields`; `PhysicalResults` gives them
-    in rpm, N*m and kW.
+    `ResultFields` documents the arrays, their axes and units; `PhysicalResults` adds the arrays in
+    rpm, N*m and kW.
 
     Examples
     --------
@@ -56,12 +56,13 @@ class Results(PhysicalResults):
     def __getitem__(self, key: Any) -> Any:
         """Return an array, or a number, by names: ``results["speeds", "ring", "low"]``.
 
-        For variants a number is an array, too; type checkers see a float.
+        For variants, names that would select a number select an array over the variants, although
+        type checkers infer a float.
         """
         return higher("by_name")(self, key)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether two results of a case have equal numbers, to the last bit."""
+        """Return whether two results have equal numbers, to the last bit."""
         if not isinstance(other, Results):
             return NotImplemented
         points, others = self.points, other.points
@@ -73,7 +74,7 @@ class Results(PhysicalResults):
         )
 
     def __ne__(self, other: object) -> bool:
-        """Return the opposite of ``==``; a tuple would compare items."""
+        """Return the opposite of ``==``, because `tuple.__ne__` would compare items."""
         return not self == other
 
     __hash__ = None  # type: ignore[assignment] # results hold arrays; == compares numbers
@@ -132,12 +133,12 @@ class Results(PhysicalResults):
         return dataset
 
     def to_json(self, file: str = "") -> str:
-        """Return the JSON text of `vstatics run -f json` for a case, a golden result.
+        """Return the results as JSON text, as `vstatics run -f json` prints them.
 
         Parameters
         ----------
         file : str
-            File of the case. Its name without folders appears in the text, unless it is empty.
+            Path of the case file. The text contains only its file name; nothing if empty.
 
         Examples
         --------
@@ -177,7 +178,7 @@ class Results(PhysicalResults):
         return picture
 
     def __repr__(self) -> str:
-        """Return a short description: case, gears and shape of variants."""
+        """Return a short description with the case, the gears and the shape of the variants."""
         case, axes = self.case, self.ratio.shape[:-1]
         variants = f", variants of shape {axes}" if axes else ""
         name = f" of {case.name!r}" if case.name else ""
@@ -195,14 +196,14 @@ class Results(PhysicalResults):
 
     @property
     def calculable(self) -> Booleans:
-        """Gears with speeds and torques, so that losses can be found, shape ``(..., gears)``."""
+        """Gears with speeds and torques, so that losses can be calculated, ``(..., gears)``."""
         return self.balanced & ~self.tied_up & ~self.conflict
 
     def existing(self, name: str) -> Floats:
         """Return an array by name, with NaN where the value has no meaning.
 
-        Marks such as idle or self-locking only make sense in gears with speeds and torques; in
-        other gears the array itself has 0.
+        Flags such as `idle` or `locked` are meaningful only in gears whose speeds and torques
+        exist. In other gears the array itself contains 0, and this method returns NaN.
 
         >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
         >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
@@ -240,10 +241,10 @@ class Results(PhysicalResults):
         return self.gear_at(self.case.gear_number(gear) - 1)
 
     def gear_at(self, index: int) -> GearState:
-        """Return the state of a gear of a single case by the index of the gear, calculated once."""
+        """Return the state of a gear of a single case, by index; it is calculated only once."""
         state = _state_of(_CaseAtPoints(self.case, self.points), index)
         if self.points and self.undecided[index] and not state.search.undecided:
-            # no torque of the gear agrees with the load-dependent efficiencies
+            # No torques of the gear agree with efficiencies that depend on torque.
             lossy = no_solution(state.ideal, (math.nan,) * len(self.case.mechanisms))
             search = state.search._replace(lossy=lossy, undecided=True, locked=False, dragged=False)
             return state._replace(search=search)
@@ -267,7 +268,7 @@ class Results(PhysicalResults):
 
     @property
     def with_freewheels_engaged(self) -> Transmission:
-        """Case with plain shift elements for freewheels, engaged in gears where they hold.
+        """Case with freewheels replaced by shift elements, engaged where the freewheels hold.
 
         The results must belong to one case, not to arrays of variants.
         """
@@ -285,10 +286,10 @@ class Results(PhysicalResults):
 
     @property
     def with_numbers_only(self) -> Transmission:
-        """Case for a deck, with freewheels engaged and speeds of other links as numbers.
+        """Case for a deck: holding freewheels are engaged elements, given speeds are plain numbers.
 
-        An indeterminate speed is left out. The results must belong to one case, not to arrays of
-        variants.
+        A given speed that is a multiple of another link's speed becomes a number; it is left out if
+        indeterminate. The results must belong to one case, not to arrays of variants.
         """
         case = self.with_freewheels_engaged
         if not any(isinstance(v, SpeedOf) for gear in case.gears for v in gear.speeds.values()):
@@ -310,7 +311,7 @@ class Results(PhysicalResults):
 
 
 class _CaseAtPoints:
-    """A case at its operating points, compared by identity: comparing all parts is slow."""
+    """Key for a cache: a case and its operating points, compared by identity for speed."""
 
     __slots__ = ("case", "points")
 

@@ -1,4 +1,4 @@
-"""Roles of a mechanism that transmits no power in a gear, and the words for them."""
+"""Roles of mechanisms that transmit no power in a gear: unloaded or locked up."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Role = Literal["", "unloaded", "locked up"]
 IDLE: Role = "unloaded"
 """Role of a mechanism without torque."""
 ONE_PIECE: Role = "locked up"
-"""Role of a mechanism under torque without internal motion: at rest, or rotating as a block."""
+"""Role of a loaded mechanism without internal motion: at rest or rotating as a block."""
 MEANINGS = {
     ONE_PIECE: "loaded, but turns 1:1 or is at rest",
     IDLE: "carries no torque",
@@ -45,9 +45,9 @@ def role(torques: Iterable[float], *, still: bool) -> Role:
 
 
 def roles(results: Results, number: int) -> list[Role]:
-    """Return the role of each device in a gear, by index of the gear.
+    """Return the role of each device in a gear, given the index of the gear.
 
-    Roles are empty if no power flow exists.
+    Roles are empty if the gear has no torques.
 
     Examples
     --------
@@ -68,7 +68,8 @@ def roles(results: Results, number: int) -> list[Role]:
     device_roles = []
     for device, idle, *torques in zip(case.own_devices, results.idle[number], *sides, strict=True):
         links = [member.link for member in device.members]
-        # A shaft of ratio 1 rotates as a block, too, but transmits power against the housing.
+        # All members of a shaft of ratio 1 rotate at one speed, but it transmits power to its ends,
+        # so it counts only if it is idle.
         still = _may_turn(links) and bool(idle) and is_one_piece(device, speeds)
         device_roles.append(role((torque for side in torques for torque in side), still=still))
     return device_roles
@@ -90,12 +91,12 @@ def mechanism_roles(state: GearState) -> list[Role]:
 
 
 def _may_turn(links: Sequence[int]) -> bool:
-    """Return whether a device joins two links at least, unlike a support, which never turns."""
+    """Return whether a device connects at least two rotating links, unlike a support."""
     return len({*links} - {HOUSING}) > 1
 
 
 def device_torques(case: Transmission, torques: Sequence[float]) -> Iterator[list[float]]:
-    """Yield the torques of each device in an array: on the first link, or on members."""
+    """Yield the torques of each device from an array row: on its first link, or on its members."""
     behind_elements = iter(torques[len(case.shift_elements) :])
     for device in case.own_devices:
         yield list(islice(behind_elements, 1 if case.drawing is None else len(device.members)))

@@ -1,7 +1,8 @@
-"""Signs of the power flow through mechanisms that agree with the resulting torques.
+"""Search for the directions of power through mechanisms that agree with the resulting torques.
 
-Without losses, ``x = sign(M (w_f - w_h))``: equation (5) of docs/method.md. If these signs do not
-agree with the flow with losses, other signs are searched for.
+The sign x of a mechanism is +1 where power enters by its first link, -1 where it leaves. Without
+losses, ``x = sign(M (w_f - w_h))``, equation (5) of docs/method.md. If torques with losses
+contradict these signs, other signs are searched for.
 """
 
 from __future__ import annotations
@@ -35,17 +36,17 @@ from vstatics.core.statics.power import power
 from vstatics.core.statics.torques import Torques
 
 SEARCHED = 12
-"""Largest number of mechanisms for which all sets of signs are tried."""
+"""Largest number of mechanisms for which all combinations of signs are tried."""
 SIGN_ROUNDS = 200
-"""Most iterations in which signs follow the flow, used above `SEARCHED` mechanisms."""
+"""Largest number of iterations for gears with more than `SEARCHED` mechanisms. [-]"""
 
 
 class SignSearch(NamedTuple):
-    """Result of the search for admissible signs; names as in `Results`."""
+    """Result of the search for signs that agree with the power flow; names as in `Results`."""
 
     lossy: LossyTorques
     idle: list[bool]
-    """Marks of idle mechanisms, in the order of `turned`."""
+    """Marks of mechanisms without power, in the order of the mechanisms."""
     dragged: bool
     locked: bool
     undecided: bool
@@ -56,8 +57,8 @@ class SignSearch(NamedTuple):
 def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     """Find the signs that agree with the resulting power flow.
 
-    The signs without losses are tried first, then all sets of signs. If neither is admissible, both
-    are tried again with an output that may overcome drag.
+    The signs without losses are tried first, then all combinations of signs. If none is admissible,
+    both steps are repeated with power allowed to enter at the output to overcome drag.
 
     Parameters
     ----------
@@ -80,8 +81,8 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     elif lossy.admissible is True:
         lossy = lossy._replace(efficiency=power_ratio(ideal, lossy))
     idle = start.idle
-    # The sign of an idle mechanism is only a convention, so it cannot be reversed. A sign that no
-    # search has changed is the same object as before.
+    # The sign of an idle mechanism is only a convention, so it cannot be reversed. Comparing
+    # objects first avoids tracing a product for signs that the search left unchanged.
     turned = [
         lossy.admissible is True
         and not is_idle
@@ -99,10 +100,10 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
 
 
 class IdealSigns(NamedTuple):
-    """Sign of the flow without losses through each mechanism, and the reasons for no flow."""
+    """Direction of power without losses in each mechanism, and the reasons for no power."""
 
     signs: Signs
-    """Signs of the flows: +1, -1 or 0; NaN if torque or motion is indeterminate."""
+    """Sign of the power of each mechanism: +1, -1 or 0; NaN if indeterminate."""
     unloaded: Sequence[bool]
     """Marks of mechanisms without torque."""
     still: Sequence[bool]
@@ -110,12 +111,12 @@ class IdealSigns(NamedTuple):
 
     @property
     def idle(self) -> list[bool]:
-        """Marks of mechanisms without a flow that gives a sign."""
+        """Marks of mechanisms whose sign does not follow from a power flow."""
         return [a or b for a, b in zip(self.unloaded, self.still, strict=True)]
 
 
 def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
-    """Return the signs by the closed form, equation (5); idle mechanisms follow a convention.
+    """Return the signs of equation (5); the signs of idle mechanisms follow a convention.
 
     Parameters
     ----------
@@ -146,12 +147,12 @@ def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
 
 
 class Admissible(NamedTuple):
-    """Signs that agree with the power flow they cause; of several sets, the most efficient."""
+    """Signs that agree with the resulting power flow; the most efficient if there are several."""
 
     lossy: LossyTorques | None = None
     """Torques for these signs; None if the gear is self-locking or the search was cut short."""
     choices: int = 0
-    """Number of admissible sets of signs."""
+    """Number of admissible combinations of signs."""
     cut_short: bool = False
 
 
@@ -166,7 +167,7 @@ def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
 def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
     """Return the torques for the signs without losses.
 
-    Mechanisms without ideal torque take the sign of their flow with losses.
+    Mechanisms that carry torque only with losses take the sign of their power with losses.
     """
     signs = start.signs
     lossy = torques_for_signs(ideal, signs)
@@ -180,7 +181,7 @@ def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
 
 
 def _turned(signs: Signs, directions: Signs, allowed: Sequence[bool]) -> Signs:
-    """Return the signs, each replaced by the sign of its flow where that is allowed and not 0."""
+    """Return the signs, replaced by the resulting directions of power if `allowed` and not 0."""
     return tuple(
         direction if may and abs(direction) == 1 else x
         for x, direction, may in zip(signs, directions, allowed, strict=True)
@@ -188,7 +189,7 @@ def _turned(signs: Signs, directions: Signs, allowed: Sequence[bool]) -> Signs:
 
 
 def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """Try all sets of signs of the moving mechanisms, or follow the flow if there are many."""
+    """Try all combinations of signs, or iterate if there are too many mechanisms."""
     moving = [
         not still and efficiency.lossy
         for still, efficiency in zip(start.still, ideal.variant.efficiencies, strict=True)
@@ -203,8 +204,9 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
     if reduce(or_, (lossy.admissible for lossy in tried), nothing):
         return _best(ideal, tried, start)
     if not free and any(x for x, still in zip(start.signs, start.still, strict=True) if still):
-        # No mechanism with losses moves, so nothing can lock: only the signs assumed for locked-up
-        # mechanisms contradict the flow. These mechanisms count as lossless instead.
+        # No mechanism with losses has internal motion, so friction cannot lock the gear. The only
+        # contradiction comes from the signs assumed for locked-up mechanisms, which therefore count
+        # as lossless.
         signs = tuple(
             0.0 if still else x for x, still in zip(start.signs, start.still, strict=True)
         )
@@ -213,9 +215,9 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 
 def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
-    """Yield the torques for all possible sets of signs of the `free` mechanisms.
+    """Yield the torques for all possible combinations of signs of the `free` mechanisms.
 
-    Fractions take long, so sets of signs that floats refuse with certainty are left out.
+    Before a slow calculation in fractions, floats rule out the combinations that certainly fail.
     """
     rough = _in_floats(ideal)
     for signs_of_free in product((1.0, -1.0), repeat=len(free)):
@@ -237,7 +239,7 @@ def _in_floats(ideal: IdealGear) -> IdealGear | None:
 
 
 def _is_refused(rough: IdealGear, signs: Signs) -> bool:
-    """Return whether signs contradict the flow beyond any doubt by rounding."""
+    """Return whether signs contradict the power flow by more than rounding can explain."""
     lossy = torques_for_signs(rough, signs)
     known = not any(map(is_nan, lossy.torques.on_first_link))
     return known and lossy.torques.certain and not lossy.admissible
@@ -246,7 +248,7 @@ def _is_refused(rough: IdealGear, signs: Signs) -> bool:
 def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
     """Return the admissible signs that give the largest efficiency.
 
-    Unloaded mechanisms without flow keep their sign.
+    Unloaded mechanisms without power keep their conventional sign.
     """
     possible = [lossy for lossy in tried if lossy.admissible is not False]
     flows: dict[tuple[float, ...], Condition] = {}
@@ -255,7 +257,7 @@ def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) ->
         flows[flow] = flows.get(flow, False) | lossy.admissible
     choices = counted(flows.values())
     best = reduce(_better, possible)
-    if best.admissible is not True:  # the best set of signs differs between variants
+    if best.admissible is not True:  # the best signs differ between variants
         best = torques_for_signs(ideal, best.signs)
         if not best.admissible:
             raise Untraceable
@@ -269,14 +271,14 @@ def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) ->
 
 
 def _flow(x: Number, turns: Number) -> float:
-    """Return a number to distinguish flows; traced numbers count as 1."""
+    """Return a key of the direction of power, 0 without power; traced numbers count as 1."""
     return (1.0 if is_traced(x) else plain(x)) * (1.0 if is_traced(turns) else plain(turns) ** 2)
 
 
 def _better(first: LossyTorques, second: LossyTorques) -> LossyTorques:
     """Return the result with the larger efficiency.
 
-    If both results are admissible, the choice is made for each variant.
+    For traced numbers the choice is recorded, so that each variant makes its own.
     """
     if first.admissible is True and second.admissible is True:
         better = second.efficiency > first.efficiency or not first.efficiency < math.inf
@@ -293,9 +295,10 @@ def _better(first: LossyTorques, second: LossyTorques) -> LossyTorques:
 
 
 def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
-    """Let the signs follow the flow until both agree.
+    """Replace the signs by the resulting directions of power until both agree.
 
-    When the iteration repeats itself, only the sign with the largest gain of power is reversed.
+    If the iteration runs in a cycle, only the sign of the mechanism that gains most power is
+    reversed.
     """
     signs = _possible(ideal, start.signs)
     seen: set[Signs] = set()
@@ -316,7 +319,7 @@ def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admi
 
 
 def _possible(ideal: IdealGear, signs: Signs) -> Signs:
-    """Return the signs with +1 for self-locking mechanisms, which cannot be driven back."""
+    """Return the signs with +1 for self-locking mechanisms, which cannot be back-driven."""
     return tuple(
         1.0 if efficiency.back == 0 and x < 0 else _decided(x)
         for x, efficiency in zip(signs, ideal.variant.efficiencies, strict=True)
@@ -324,7 +327,7 @@ def _possible(ideal: IdealGear, signs: Signs) -> Signs:
 
 
 def _decided(x: Number) -> float:
-    """Return a sign as a float; the sign of the first variant if traced."""
+    """Return a sign as a float; for a traced sign, its value in the first variant."""
     if is_traced(x):
         return 1.0 if x > 0 else -1.0
     return plain(x)
@@ -341,9 +344,9 @@ def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTor
 
 
 def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """Return the signs of a gear whose output may overcome drag.
+    """Return the signs of a gear if power may enter at its output to overcome drag.
 
-    Without drag the gear must have admissible signs; otherwise friction alone locks it.
+    The gear must have admissible signs without drag; otherwise friction in meshes alone locks it.
     """
     bare = ideal.without_drag._replace(overcome=False)
     without_drag = _admissible(bare, ideal_signs(bare, moving=True))
@@ -351,7 +354,7 @@ def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 
 def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
-    """Return whether power enters at the output to overcome drag, without leaving at the input."""
+    """Return whether power enters at the output to overcome drag but none leaves at the input."""
     if not ideal.drag.external or not (ideal.overcome or is_nan(lossy.efficiency)):
         return False
     case, gear, direction = ideal.case, ideal.gear, ideal.direction
@@ -372,9 +375,9 @@ def _indeterminate(ideal: IdealGear, start: IdealSigns) -> list[int]:
 
 
 def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
-    """Return the values that all sets of signs share, where the flow is indeterminate.
+    """Return the values that are equal for all combinations of indeterminate signs, else NaN.
 
-    So a redundant part of a train does not hide the determinate values of its other parts.
+    So a redundant part of a gear train does not hide the determinate values of other parts.
     """
     none = no_solution(ideal, start.signs)
     open_ = _indeterminate(ideal, start)
@@ -409,7 +412,7 @@ def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
 def _common(
     value_of: Callable[[Sequence[Number]], Number], rows: Iterable[Sequence[Number]]
 ) -> list[Number]:
-    """Return the common value of each place in several sequences."""
+    """Return the common value at each position of several sequences."""
     return [value_of(column) for column in zip(*rows, strict=True)]
 
 
@@ -419,7 +422,7 @@ def _common_number(values: Sequence[Number | Residual]) -> Number:
         raise Untraceable
     first = numbers[0]
     size = absolute(first)
-    most = size if size > 1 else 1.0  # the input is 1
+    most = size if size > 1 else 1.0  # the input torque and power are 1
     agree = all(absolute(number - first) <= TIE * most for number in numbers)
     return first if agree else math.nan
 

@@ -1,4 +1,4 @@
-"""Results of a transmission, or of many variants of it, for arguments of the right types."""
+"""Results of a transmission or of its variants, without checks of argument types."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def solution(  # noqa: PLR0913
     idle: IdleConvention | None = None,
     vary: Mapping[str, ArrayLike] | None = None,
 ) -> Results:
-    """Return the results of `solve`, whose arguments are not checked for their types here."""
+    """Return the results of `solve` without checking the types of its arguments."""
     if case.depends:
         from vstatics.core.model.laws import (
             of_sought_ratios,
@@ -80,9 +80,10 @@ def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> T
 def _variants(
     case: Transmission, ratios: ArrayLike | None, efficiencies: ArrayLike | None
 ) -> tuple[tuple[int, ...], Floats | None, Floats | None]:
-    """Return the axes of the variants, and the given ratios and efficiencies.
+    """Return the shape of the variants, the given ratios and the given efficiencies.
 
-    Ratios and efficiencies have the shape (variants, mechanisms).
+    The ratios and efficiencies have the shape (variants, mechanisms), with all axes of variants
+    flattened.
     """
     if ratios is None and efficiencies is None:
         return (), None, None

@@ -34,17 +34,17 @@ def solve(  # noqa: PLR0913
     case : Transmission
         Links, shift elements, mechanisms and gears.
     ratios, efficiencies : array_like, shape (..., mechanisms), optional
-        Numbers of the mechanisms; the leading axes are the variants. Planet ratios that the case
-        gives are not changed. Default: the numbers of the case. [-]
+        Basic ratios and efficiencies of the mechanisms; the leading axes are the variants. Planet
+        ratios of the case do not change. Default: the numbers of the case. [-]
     coast : bool, optional
         True if power enters at the output. Default: the setting of the case.
     idle : {"exact", "published"}, optional
         Convention for idle mechanisms. Default: the convention of the case.
     vary : mapping of str to array_like, optional
-        Other numbers by their paths, such as `load.torque`, `gears.low.speeds.motor` or
-        `P1.teeth.sun`; see `vstatics.core.statics.points`. Units are rad/s (also for `load.speed`,
-        which `Load` has in rpm) and N*m; ratios and efficiencies have none. The arrays share one
-        axis of variants.
+        Values of other numbers of the case by their paths, such as `load.torque`,
+        `gears.low.speeds.motor` or `P1.teeth.sun`; see `vstatics.core.statics.points`. Units are
+        rad/s (also for `load.speed`, although `Load.speed` is in rpm) and N*m; ratios and
+        efficiencies are dimensionless. The arrays share one axis of variants.
 
     Returns
     -------
@@ -55,8 +55,8 @@ def solve(  # noqa: PLR0913
     Raises
     ------
     CaseError
-        If an array contains an impossible ratio or efficiency, or text; if a converter has no speed
-        ratio; or if a drag or efficiency depends on a missing load.
+        If an array contains text or an impossible ratio or efficiency, a converter has no speed
+        ratio, or a drag or efficiency depends on a missing load.
     TypeError
         If `case` is not a transmission, such as a file name.
     ValueError
@@ -78,7 +78,7 @@ def solve(  # noqa: PLR0913
            [1. , 3.5],
            [1. , 4. ]])
 
-    An input torque of 300 N*m loses 3 N*m to a drag at the input.
+    A drag of 3 N*m at the input takes 1 % of an input torque of 300 N*m.
 
     >>> from vstatics.core.model.parts import Load
     >>> dragged = case.replace(load=Load(2000, 300), gears=[Gear([1], drag={1: 0.01})])

@@ -1,4 +1,4 @@
-"""Speeds of a gear: of links, of mechanisms relative to their third link, and slip."""
+"""Speeds of a gear: link speeds, relative speeds in mechanisms, and slip of shift elements."""
 
 from __future__ import annotations
 
@@ -62,5 +62,5 @@ def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) ->
 
 
 def is_tie(difference: Number, first: Number, third: Number) -> bool:
-    """Return whether the difference of two speeds is negligible; all arguments are magnitudes."""
+    """Return whether `difference`, of two speeds, is negligible; all arguments are magnitudes."""
     return is_nothing_beside(difference, first, TIE) or is_nothing_beside(difference, third, TIE)

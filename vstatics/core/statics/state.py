@@ -1,4 +1,4 @@
-"""State of a gear: its speeds, torques and losses at an instant, and their rows in arrays."""
+"""State of a gear: its speeds, torques and losses, as an object and as rows of arrays."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, solve_sums
 
 
 class GearState(NamedTuple):
-    """Gear in which every freewheel either holds or overruns.
+    """Speeds, torques and losses of a gear in which every freewheel either holds or overruns.
 
     Speeds are relative to the input speed, torques to the input torque, powers to the
     input power; signs as in `matrix`. NaN marks a value that does not exist.
@@ -55,9 +55,9 @@ class GearState(NamedTuple):
     ideal: IdealGear
     search: SignSearch
     conflict: bool = False
-    """True if no state exists, as a freewheel can neither hold nor overrun."""
+    """True if no state exists because a freewheel can neither hold nor overrun."""
     exact: bool = False
-    """True if calculated in fractions, as floats leave too few digits."""
+    """True if the gear is calculated in fractions because floats leave too few digits."""
 
     def __repr__(self) -> str:
         """Return a short description: gear, ratio and efficiency."""
@@ -76,7 +76,7 @@ class GearState(NamedTuple):
 
     @property
     def engaged(self) -> Sequence[int]:
-        """Numbers of the shift elements whose links turn as one, with freewheels that hold."""
+        """Numbers of the engaged shift elements, including freewheels that hold."""
         return self.gear.joining
 
     @property
@@ -91,7 +91,7 @@ class GearState(NamedTuple):
 
     @property
     def relative_speeds(self) -> list[Number]:
-        """``w_f - w_h`` of each mechanism [-]."""
+        """Speed difference ``w_f - w_h`` of each mechanism, first link minus third [-]."""
         return self.ideal.speeds.relative_speeds
 
     @property
@@ -133,7 +133,7 @@ class GearState(NamedTuple):
 
     @property
     def lossy_ratios(self) -> list[Number]:
-        """``u * efficiency**x`` of each mechanism [-]."""
+        """Ratio with losses of each mechanism, ``u * efficiency**x`` [-]."""
         return lossy_ratios(self.ideal.variant.ratios, self.ideal.variant.efficiencies, self.signs)
 
     @property
@@ -158,7 +158,7 @@ class GearState(NamedTuple):
 
     @property
     def consistent(self) -> bool:
-        """True if torques with losses exist, with signs that agree with their flow."""
+        """True if torques with losses exist and agree with the directions of power."""
         return bool(self.search.lossy.admissible)
 
     @property
@@ -192,9 +192,9 @@ class GearState(NamedTuple):
         """Names of links whose speeds are indeterminate because nothing loads or drives them.
 
         Such links are free on purpose, such as the race between an open brake and a freewheel, or
-        an engine with its generator behind an open clutch. The list is empty if a shift element is
-        missing: the output is indeterminate, or a device connects an indeterminate link to a
-        rotating link, or loads it.
+        an engine with its generator behind an open clutch. The list is empty if the freedom points
+        to a missing shift element: the output is indeterminate, or a device connects an
+        indeterminate link to a rotating link or loads it.
         """
         case = self.case
         free = {link for link, speed in enumerate(self.speeds, 1) if is_nan(speed)}
@@ -213,7 +213,7 @@ class GearState(NamedTuple):
 
     @property
     def bodies(self) -> Bodies:
-        """Smallest link number in the body of each link, the housing first."""
+        """Body of each link, the housing first, identified by its smallest link number."""
         return turning_as_one(self.case, self.gear, self.speeds)
 
     def powers(self, *, lossy: bool = True) -> list[LinkPower]:
@@ -241,7 +241,8 @@ class GearState(NamedTuple):
     def member_torques(self, *, lossy: bool) -> list[dict[str, Number | Residual]]:
         """Return the torques from links to the members of each mechanism or drawn gear set [-].
 
-        The sum of torques on a member can be determinate even if its terms are not.
+        The torque on a member of a drawn gear set is a sum over the mechanisms of the set; it can
+        be determinate even if the terms are not.
         """
         ratios = self.ideal.variant.ratios
         if lossy:
@@ -278,7 +279,7 @@ Numbers = Sequence[Number]
 Values = Mapping[str, Number | Residual | Condition | Sequence[Number | Residual | Condition]]
 """Values of a gear, by the name of their array in `Results`.
 
-The values are floats, or traced numbers while a plan is recorded.
+The values are floats, or traced numbers while the solver's arithmetic is being recorded.
 """
 
 
@@ -399,10 +400,10 @@ def _by_link(links: int, holding: Mapping[int, Number]) -> list[Number]:
 
 
 def guard_power(state: GearState) -> None:
-    """Guard traced numbers: power must be conserved without losses and with losses.
+    """Require conservation of power, without and with losses, in each variant of traced numbers.
 
     Without losses output torque times output speed is 1, equation (1) of docs/method.md. A variant
-    that violates a guard is calculated alone.
+    that violates a requirement is calculated alone.
     """
     gear, balance = state.gear, state.search.lossy.balance
     power = state.torques.on_first_link[-1] * state.output_speed
@@ -413,7 +414,7 @@ def guard_power(state: GearState) -> None:
 
 
 def flat(values: Values, names: Sequence[str]) -> list[Number | Residual | Condition]:
-    """Return the values of some arrays in order, without -0; overflow becomes NaN."""
+    """Return the values of the named arrays as a flat list, with 0 for -0 and NaN for overflow."""
     numbers: list[Number | Residual | Condition] = []
     for name in names:
         value = values[name]

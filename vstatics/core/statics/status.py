@@ -1,4 +1,4 @@
-"""Status of a gear: whether it has speeds and torques, or why not, and the words for that."""
+"""Status of a gear: regular, or the reason why speeds, torques or efficiency do not exist."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ class Status(NamedTuple):
     """Status of a gear as a whole."""
 
     name: str
-    """Name in tables and in the output of sweeps."""
+    """Name in tables and in the output of sweeps, which is part of the output format."""
     english: str
-    """English name in sentences and pictures."""
+    """Name in sentences and pictures."""
     meaning: str
     """Clause that explains the status to a new reader."""
     is_fault: bool = False
-    """True if a gear should never have the status."""
+    """True if the status is a fault of the gear, not an intended state."""
     has_power: bool = False
     """True if power can flow in spite of the status."""
 
@@ -92,8 +92,9 @@ def statuses(  # noqa: PLR0913
     output_speed : Number
         Speed of the output link. [-]
     missing : int
-        Constraints that the speeds lack. If none is missing, an unknown speed ratio of a converter
-        leaves the speed of the output open, and the gear is not neutral.
+        Number of constraints that the speeds lack. If it is 0 and the output speed is
+        indeterminate, the cause is an unknown speed ratio of a converter, and the gear is not
+        neutral.
 
     Examples
     --------

@@ -1,12 +1,12 @@
 """Torques of a gear: the equilibrium of its links, and drag of links and open shift elements.
 
-`solve_torques` solves the equilibrium of `matrix.torque_rows`; torques that are not unique are NaN.
-Drag is known from the speeds and acts as an external torque.
+`solve_torques` solves the equilibrium equations of `matrix.torque_rows`; torques that are not
+unique are NaN. Drag follows from the speeds and acts as an external torque.
 
 Drag opposes motion, so it takes power. A link is braked against its rotation; an open shift element
-brakes its links against each other, with equal and opposite torques. Torques are in units of the
-input torque, which is negative when coasting. There drag has the other sign, and the power that it
-takes is negative, like all losses.
+brakes its links against each other, with equal and opposite torques. Torques are relative to the
+input torque, which is negative when coasting. Relative drag torques then have the opposite sign,
+and the power lost to drag is negative, like all losses.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ class Drag(NamedTuple):
     """Drag of a gear, known from the speeds."""
 
     links: Mapping[int, Number] = NOTHING
-    """External torque of each link's own drag, by link number. [-]"""
+    """External torque by which drag brakes each link, by link number. [-]"""
     elements: Mapping[int, Number] = NOTHING
-    """Torque on the first link of each open shift element that drags, by index. [-]"""
+    """Drag torque on the first link of each open shift element, by index. [-]"""
     external: Mapping[int, Number] = NOTHING
-    """External torque of all drag by link number, including open shift elements. [-]"""
+    """Sum of all drag torques on each link, including open shift elements, by link number. [-]"""
     losses: Sequence[Number] = ()
-    """Power that each link and each shift element loses to drag. [-]"""
+    """Power lost to drag at each link and in each shift element. [-]"""
     gear: Mapping[int, Number] = NOTHING
-    """External torque of the loss of the gear as a whole, by its input link. [-]"""
+    """Torque on the input link (by number) that represents the loss of the gear as a whole. [-]"""
     gear_loss: Number = 0.0
     """Power that the gear loses as a whole. [-]"""
 
@@ -59,7 +59,7 @@ class Torques(NamedTuple):
     on_first_link: list[Number]
     """Torque that the first link gives to each device, then the output torque. [-]
 
-    An open shift element has the torque of its drag.
+    The value of an open shift element is its drag torque.
     """
     holding: dict[int, Number]
     """External torque that holds a given speed, by link number. [-]"""
@@ -68,14 +68,14 @@ class Torques(NamedTuple):
     certain: bool = True
     """True if the pivots of the equations keep correct digits after rounding."""
     of_columns: list[Number] | None = None
-    """Factors of the columns, see `factors`, if they differ from `on_first_link`."""
+    """Values of `factors` if they differ from `on_first_link`."""
 
     @property
     def factors(self) -> list[Number]:
-        """Factor of each device's column [-].
+        """Factor by which the matrix column of each device is multiplied in the equilibrium [-].
 
-        The factor is the torque on the first link; for a variator it is minus the torque on the
-        second link.
+        The factor is the torque on the first link; for a variator, minus the torque on the second
+        link.
         """
         return self.on_first_link if self.of_columns is None else self.of_columns
 
@@ -120,25 +120,25 @@ def solve_torques(
 
 
 def times(first: Number, second: Number) -> Number:
-    """Return a product, 0 if a factor is 0, even if the other factor is NaN."""
+    """Return a product, which is 0 if either factor is 0, even if the other factor is NaN."""
     return 0.0 if first == 0 or second == 0 else first * second
 
 
 Shares = Mapping[int, Number]
-"""Coefficient of each device's torque in a sum, by index of the device."""
+"""Coefficients of a weighted sum of device torques, by index of the device. [-]"""
 
 
 def solve_sums(
     case: Transmission, gear: Gear, columns: Sequence[Column], sums: Sequence[Shares], drag: Drag
 ) -> list[Number]:
-    """Return sums of torques of devices, which can be unique even if the torques are not.
+    """Return weighted sums of device torques, which can be unique even if the torques are not.
 
     Parameters
     ----------
     columns, drag
         See `solve_torques`.
     sums : sequence of mapping
-        Shares of the torques on the first links of devices, for each sum. [-]
+        Weights of the torques on the first links of devices, for each sum. [-]
 
     Returns
     -------
@@ -170,7 +170,7 @@ def port_torques(
 ) -> dict[int, Number]:
     """Return the total external torque on each link, by link number [-].
 
-    Torques of the load and torques that hold a given speed are included.
+    The output torque of the load and torques that hold a given speed are included.
     """
     return acting_torques(
         matrix.external_torques(case, gear), case.gear_output(gear), holding, output_torque
@@ -183,7 +183,7 @@ def acting_torques(
     holding: Mapping[int, Number],
     output_torque: Number,
 ) -> dict[int, Number]:
-    """Return `port_torques` from the known external torques of a gear and its output link [-]."""
+    """Return the result of `port_torques`, given known external torques and the output link [-]."""
     acting: dict[int, Number] = {**external, **holding}
     acting[output] = acting[output] - output_torque if output in acting else -output_torque
     return acting
@@ -192,7 +192,7 @@ def acting_torques(
 def drag_torques(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> Drag:
-    """Return the drag of a gear; no drag at speeds that are 0 or indeterminate.
+    """Return the drag of a gear; it is 0 where the speed is 0 or indeterminate.
 
     Parameters
     ----------
@@ -250,7 +250,7 @@ def drag_torques(
 
 
 def _direction(speed: Number) -> Number:
-    """Return +1 forward, -1 backward; 0 if at rest or indeterminate."""
+    """Return +1 for a positive speed, -1 for a negative speed; 0 if it is 0 or indeterminate."""
     return 0.0 if is_nan(speed) else sign(speed)
 
 
@@ -259,7 +259,8 @@ def unknown_drag(
 ) -> list[str]:
     """Return the names of links and open shift elements with drag but an indeterminate speed.
 
-    A law of drag that is 0 at rest is replaced by an `OfLoad` of 0, which therefore counts as drag.
+    Drag that follows a law has been replaced by its value as an `OfLoad`. An `OfLoad` of 0 counts
+    as drag, because the law can have been evaluated at rest.
     """
 
     def unknown(drags: Mapping[int, float], values: Sequence[Number]) -> list[int]:

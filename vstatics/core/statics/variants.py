@@ -1,4 +1,4 @@
-"""Variants of a case: each gear is calculated by its plans, into arrays for all variants."""
+"""Variants of a case, calculated gear by gear with recorded arithmetic (plans) on arrays."""
 
 from __future__ import annotations
 
@@ -30,24 +30,24 @@ from vstatics.core.statics.result_arrays import ARRAYS, row_counts
 from vstatics.core.statics.state import flat, guard_power, values_of
 
 REMEMBERED = 256
-"""Number of gears whose plans are kept for later calls."""
+"""Number of gears whose plans are stored for later calls."""
 HOLDING = frozenset({"holding_torques", "lossy_holding_torques"})
-"""Arrays that are NaN unless a speed is given."""
+"""Arrays that contain only NaN unless the gear has a given speed."""
 SLIPPING = frozenset({"slip_losses"})
-"""Arrays that are 0 unless a shift element has a slip."""
+"""Arrays that contain only 0 unless a shift element has a given slip."""
 
 _plans: dict[Hashable, Plans] = {}
 _lock = threading.Lock()
 
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
-"""Name of a number of a mechanism that varies in a gear."""
+"""Name of a property of a mechanism that can vary in a gear."""
 OfGear = Literal["speeds", "slip", "torques", "drag", "open_drag", "loss_torques", "speed_ratios"]
-"""Name of a field of `Gear` with a mapping whose numbers vary."""
+"""Name of a field of `Gear` that is a mapping whose numbers can vary."""
 
 
 class GearNumber(NamedTuple):
-    """Number that varies in a gear."""
+    """Identification of a number that varies in a gear."""
 
     quantity: OfMechanism | OfGear
     owner: int
@@ -57,7 +57,7 @@ class GearNumber(NamedTuple):
 GearNumbers = Mapping[GearNumber, Floats]
 """Arrays of shape (variants,); speeds and torques are relative to the input [-].
 
-The gear itself must have a plain number at each of these places.
+The gear itself must contain a plain number for each of the keys.
 """
 
 
@@ -73,7 +73,7 @@ def solve_variants(
     Parameters
     ----------
     ratios, efficiencies : ndarray, shape (variants, mechanisms), optional
-        Numbers of the mechanisms. Default: the numbers of the case. [-]
+        Basic ratios and efficiencies of the mechanisms. Default: the numbers of the case. [-]
     variants : int
         Number of variants.
     by_gear : sequence of mapping
@@ -116,11 +116,11 @@ def _inputs(
 ) -> tuple[list[float | None], Inputs]:
     """Return the fixed numbers and the varying numbers.
 
-    Fixed numbers are None where they vary. A single case has no fixed numbers, so that its plans
-    suit other cases of its structure.
+    A fixed number is None if the number varies. For a single variant all numbers count as varying,
+    so that its plans can be used for other cases with the same structure.
     """
     mechanisms = case.mechanisms
-    # A ratio of NaN is given by every gear separately.
+    # NaN marks a ratio that each gear gives separately; 0 is a placeholder.
     defaults = [0.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
     defaults += [mechanism.efficiency for mechanism in mechanisms]
     given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
@@ -141,7 +141,7 @@ def _inputs(
 
 
 class _GearInputs(NamedTuple):
-    """Numbers of a gear: inputs of plans, and numbers that are equal in all variants."""
+    """Numbers that replace the numbers of a gear: plan inputs that vary, and constants."""
 
     places: tuple[GearNumber, ...] = ()
     rows: Sequence[Floats] = ()
@@ -149,11 +149,11 @@ class _GearInputs(NamedTuple):
 
     @property
     def key(self) -> tuple[Hashable, ...]:
-        """Part of the key under which plans are stored."""
+        """Part of the key under which the plans of a gear are stored."""
         return (self.places, self.constants) if self.places or self.constants else ()
 
     def left_out_of(self, gear: Gear) -> Gear:
-        """Return the gear without the numbers that the inputs replace."""
+        """Return the gear without the numbers that the inputs and constants replace."""
         given = {*self.places, *(place for place, _ in self.constants)}
         for quantity in {place.quantity for place in given} - {*OF_MECHANISMS}:
             others = getattr(gear, quantity).items()
@@ -162,7 +162,7 @@ class _GearInputs(NamedTuple):
         return gear
 
     def put(self, gear: Gear, ratios: list[Any], efficiencies: list[Any], numbers: Any) -> Gear:
-        """Return the gear with the given numbers; replace ratios and efficiencies in place."""
+        """Return the gear with `numbers`; also write into the lists of ratios and efficiencies."""
         maps: dict[str, Any] = {}
         given = dict([*self.constants, *zip(self.places, numbers, strict=True)])
         for (quantity, owner), number in given.items():
@@ -187,7 +187,7 @@ NO_GEAR_INPUTS = _GearInputs()
 
 
 def _gear_inputs(columns: GearNumbers) -> _GearInputs:
-    """Split the numbers of a gear into inputs that vary and constants."""
+    """Split the columns of a gear into inputs that vary and numbers equal in all variants."""
     places, rows, constants = [], [], []
     for place, column in columns.items():
         if column.size > 1 and bool((column == column[0]).all()):
@@ -206,9 +206,9 @@ def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
 def _forms(
     counts: tuple[tuple[str, int | None], ...], gears: int, variants: int, empty: frozenset[str]
 ) -> dict[str, Form]:
-    """Return the tables for the arrays of `Results`, largest type first.
+    """Return the shapes and types of the arrays of `Results`, largest type first.
 
-    Arrays without rows need no memory, nor do the arrays in `empty`.
+    Arrays without rows and the arrays in `empty` are left out, because they need no memory.
     """
     forms = {
         name: Form((gears, 1 if width is None else width, variants), ARRAYS[name].dtype)
@@ -220,7 +220,7 @@ def _forms(
 
 @lru_cache(maxsize=REMEMBERED)
 def _placeholder(kind: type, shape: tuple[int, ...], value: float) -> Any:
-    """Return a read-only array of a value, True in an array of booleans, that takes no memory."""
+    """Return a read-only array of a constant (True for booleans) that needs no memory."""
     return np.broadcast_to(kind(value), shape)
 
 
@@ -238,9 +238,9 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     ),
     Gear: frozenset({"name", "load", "balance", "loss"}),
 }
-"""Fields of a case left out of the key, because no result depends on their values.
+"""Fields of a case left out of the cache key of plans, because no result depends on their values.
 
-A drawing affects results only by its devices, a load only by its sign.
+A drawing affects results only through its devices, and a load only through its sign.
 """
 
 
@@ -255,9 +255,9 @@ _OF_CASE = _kept(
     *("shift_elements", "mechanisms", "springs", "gears", "drag"),
 )
 _OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields, "drag")
-"""Function that returns the fields of a shift element for the key of stored plans.
+"""Function that returns the fields of a shift element for the cache key of plans.
 
-Drag is left out, because gears contain it (`Transmission.gears_with_drag`).
+Drag is left out, because the gears in the key contain it (`Transmission.gears_with_drag`).
 """
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
 """Function that returns the fields of a mechanism for the key; other numbers are plan inputs."""
@@ -266,10 +266,11 @@ _OF_GEAR = _kept(Gear, Gear._fields)
 
 
 def _case_key(case: Transmission) -> tuple[Hashable, ...]:
-    """Return the part of the key that all gears share, without numbers that can vary.
+    """Return the part of the cache key that all gears share, without numbers that can vary.
 
-    The key is built from all fields but a few, so that a new field cannot be forgotten: plans of
-    another case would silently return its numbers.
+    The key contains all fields except those of `WITHOUT_EFFECT`, so that a new field cannot be
+    forgotten. With an incomplete key, the plans of another case would silently return wrong
+    numbers.
     """
     elements = tuple(map(_OF_ELEMENT, case.shift_elements))
     mechanisms = tuple(map(_OF_MECHANISM, case.mechanisms))
@@ -290,7 +291,7 @@ def _gear_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
 
 
 def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
-    """Return the given torques that act without an input torque; empty with an input torque."""
+    """Return the given torques of a gear without an input torque; empty with an input torque."""
     if case.input_torque(gear):
         return ()
     by_part = gear.torques, gear.drag, gear.open_drag, gear.loss_torques
@@ -299,10 +300,10 @@ def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
-    """Return the plans of a gear, stored under a key without the numbers that vary."""
+    """Return the plans of a gear, stored under a key that excludes the numbers that vary."""
     with _lock:
         plans = _plans.pop(key, None) or Plans(function())
-        _plans[key] = plans  # the latest plans are last
+        _plans[key] = plans  # the most recently used plans are last
         while len(_plans) > REMEMBERED:
             del _plans[next(iter(_plans))]
     return plans

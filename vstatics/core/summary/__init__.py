@@ -1,6 +1,6 @@
-"""Summary of a gearbox for its designer: ratios and steps, shifts, largest values and margins.
+"""Summary of a gearbox for its designer: ratios, step ratios, shifts, largest values, margins.
 
-`summarize` calculates a `Summary` from results, and `tables` lays it out in tables.
+`summarize` calculates a `Summary` from results, and `tables` converts it to tables.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 >>> from vstatics.core.summary.tables import summary_grids
@@ -55,22 +55,22 @@ class Summary(NamedTuple):
     design: Design
     transitions: Sequence[Transition]
     largest: Mapping[str, Sequence[Largest]]
-    """Largest values over all gears, by the name of the table."""
+    """Largest values over all gears, by name of the result table."""
     sensitivities: Floats
     """Sensitivities ``(u/i) di/du`` of gear ratios i to basic ratios u, (gears, mechanisms). [-]"""
     efficiency_sensitivities: Floats
     """Sensitivities ``(n/ETA) dETA/dn`` of the efficiency ETA of each gear. [-]
 
-    n is the efficiency of a mechanism; the shape is (gears, mechanisms).
+    n is the efficiency of a mechanism. The shape is (gears, mechanisms).
     """
     margins: Sequence[Margin]
     """Margins of the shift elements with a given capacity."""
     combinations: Sequence[Combination] | None = None
     """Further combinations of shift elements, if requested."""
     cycle: CycleSection | None = None
-    """Results over a duty cycle, if given."""
+    """Results over a duty cycle, if one is given."""
     inertias: Sequence[GearInertia] = ()
-    """Reduced inertias; empty if the case has no inertia."""
+    """Inertias of the gears, reduced to the input; empty if the case has no inertia."""
     vehicle: Section | None = None
     """Performance of the vehicle, if the case has a vehicle with an engine."""
     needed: Sequence[Needed] = ()
@@ -99,11 +99,11 @@ def summarize(
     Parameters
     ----------
     results : Results
-        Results of a single case, without arrays of variants.
+        Results of a single case, not of arrays of variants.
     at_most : int, optional
-        Largest number of further combinations of shift elements to try; by default none is tried.
+        Largest number of further combinations of shift elements to calculate. Default: none.
     output_torque : float
-        External torque on the output, for accelerations; a load is below 0. [N*m]
+        External torque on the output, for accelerations; the torque of a load is below 0. [N*m]
     reserve : float, optional
         Ratio of needed torque capacity to largest torque. [-]
 

@@ -1,4 +1,4 @@
-"""Answer of `vstatics summary` as data, for JSON."""
+"""Record that `vstatics summary` writes as JSON."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vstatics.core.tables.ports import PortTable, port_tables
 
 @document("vstatics-summary")
 class SummaryAnswer(NamedTuple):
-    """Summary of a case."""
+    """Summary of a case as a record."""
 
     name: str
     design: Flat[Design]
@@ -32,12 +32,12 @@ class SummaryAnswer(NamedTuple):
     vehicle: Sometimes[Annotated[object, Provided("Performance")]]
     duty: Sometimes[Annotated[object, Provided("DutyResults")]]
     damage: Sometimes[Annotated[object, Provided("Damages")]]
-    """Damage of components over a duty cycle of points."""
+    """Damage of components over a duty cycle with points."""
     combinations: Sometimes[Sequence[Combination]]
 
 
 def summary_answer(summary: Summary) -> SummaryAnswer:
-    """Return a summary as data."""
+    """Return a summary as a record."""
     case = summary.results.case
     names = [mechanism.name for mechanism in case.mechanisms]
     return SummaryAnswer(

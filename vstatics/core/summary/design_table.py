@@ -1,7 +1,7 @@
 """Design table of a gearbox: ratios, step ratios, spread and efficiencies.
 
-Gears of one direction in descending order of their ratios are neighbours; their ratios divide into
-the step ratios. The order of gears in the case does not matter.
+The gears of one direction are sorted by descending ratio; a step ratio is the quotient of the
+ratios of neighbouring gears. The order of gears in the case does not matter.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ class GearLine(NamedTuple):
     gear: str
     ratio: float
     next: str
-    """Gear of equal direction with the next smaller ratio; empty for the last gear."""
+    """Gear of the same direction with the next smaller ratio; empty for the last gear."""
     step: float
     """Step ratio: ratio of the gear divided by the ratio of the next gear. [-]"""
     efficiency: float
     state: str
-    """Reason why values are missing; empty if the gear is completely determined."""
+    """Status that explains missing values; empty for a gear that is fully determined."""
 
 
 class Design(NamedTuple):
@@ -83,10 +83,11 @@ def is_same(first: float, second: float) -> bool:
 
 
 def ranges(results: Results) -> list[list[int]]:
-    """Group the gears of a case by input, output and direction, as lists of indices.
+    """Return the gears of a case grouped by input, output and direction, as lists of indices.
 
-    Each range is ordered by the magnitude of the ratio, largest first. The first range is assumed
-    to be forward; see `ranges_of`. Gears without a ratio and operating points are left out.
+    A group (range) is sorted by the magnitude of the ratio, largest first. The first range is
+    assumed to be forward; see `ranges_of`. Gears without a ratio, and operating points, are left
+    out.
 
     Examples
     --------
@@ -107,11 +108,12 @@ def ranges(results: Results) -> list[list[int]]:
 def ranges_of(
     ratios: Sequence[float], kinds: Sequence[Hashable | None], names: Sequence[str]
 ) -> list[list[int]]:
-    """Group ratios by sign and by kind, such as input and output, as lists of indices.
+    """Return ratios grouped by sign and kind (such as input and output), as lists of indices.
 
-    The first range is taken as forward. It is the longest one, since a final drive can reverse the
-    sign of all gears. Ranges with names of reverse gears only come last. Among ranges of equal
-    length the one with the fewest such names is first, and then the one written first.
+    The first group (range) is taken as forward. It is the longest range, because the sign is not
+    conclusive: a final drive can reverse all gears. Ranges that contain only names of reverse gears
+    are last. Of ranges with equal length, the range with the fewest such names is first, then the
+    range whose gear is first in the case.
 
     >>> ranges_of([-3.3, 1.0, 4.7, math.nan], ["a", "a", "a", "a"], ["R", "2", "1", "N"])
     [[2, 1], [0]]
@@ -124,13 +126,13 @@ def ranges_of(
     for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True)):
         if math.isfinite(ratio) and kind is not None:
             alike.setdefault((kind, ratio > 0), []).append(index)
-    for indices in alike.values():  # rounding errors must not reorder gears of equal ratio
+    for indices in alike.values():  # rounding must not reorder gears of equal ratio
         indices.sort(key=lambda index: -float(f"{abs(ratios[index]):.9e}"))
     return sorted(alike.values(), key=lambda indices: _likeness_of_reverse(indices, names))
 
 
 def is_guess(ranges_: Sequence[Sequence[int]], names: Sequence[str]) -> bool:
-    """Return whether only the order of gears decides that the first range is forward.
+    """Return whether the first range is taken as forward only because of the order of gears.
 
     >>> is_guess([[0, 1], [2, 3]], ["F1", "F2", "R1", "R2"]), is_guess([[0], [1]], ["a", "b"])
     (False, True)
@@ -148,4 +150,4 @@ _REVERSE = re.compile(
     r"|.*([\W_]r[\W\d_]*$|revers|rückw|rueckw|backw|задн)",
     re.IGNORECASE,
 )
-"""Pattern of reverse gears' names: -1, R, R1, RL, 1R, low R, Rückwärts, ЗХ; not road, range."""
+"""Pattern of names of reverse gears: -1, R, R1, RL, 1R, low R, Rückwärts, ЗХ; not road, range."""

@@ -1,4 +1,4 @@
-"""Largest values over all gears and least margins of torque capacity, each with its gear."""
+"""Largest values over all gears, and smallest margins of torque capacity, with their gears."""
 
 from __future__ import annotations
 
@@ -24,26 +24,26 @@ PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = (
 
 
 def quantity(name: str, *, loaded: bool) -> Quantity:
-    """Return the quantity with a name, in rpm or N*m if `loaded`."""
+    """Return the quantity with a name; if `loaded`, its version in rpm or N*m."""
     return in_unit(BY_NAME[name]) if loaded else BY_NAME[name]
 
 
 class Largest(NamedTuple):
-    """Value of largest magnitude in a row of a table."""
+    """Value of largest magnitude in a row of a result table."""
 
     row: str
     value: float
     """Signed value; NaN if the row has no value in any gear."""
     gear: str
-    """First gear with the value; empty if the value is 0 or NaN."""
+    """First gear with this value; empty if the value is 0 or NaN."""
 
 
 def largest(results: Results) -> dict[str, list[Largest]]:
-    """Return the largest values over all gears of a case, by the name of the table.
+    """Return the largest values over all gears of a case, by name of the result table.
 
-    The tables are speeds of planets, slip speeds of shift elements that are not engaged, and
-    torques on elements that carry torque without and with losses, if the gear can run. With an
-    operating point there are also tables in rpm and N*m. Rows are the rows of the result tables.
+    The tables are speeds of planets, slip speeds of disengaged shift elements, and torques without
+    and with losses on shift elements that carry torque, in gears that can run. With an operating
+    point there are also tables in rpm and N*m.
 
     Examples
     --------
@@ -66,13 +66,13 @@ def largest(results: Results) -> dict[str, list[Largest]]:
             by_name[name] = _of(table, np.where(_joined(results), np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             elements = table.values[: len(results.case.shift_elements)]
-            loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
+            loaded = results.holds.T & results.calculable  # tied-up gears have no torques
             by_name[name] = _of(table, np.where(loaded, elements, np.nan))
     return by_name
 
 
 def _joined(results: Results) -> Booleans:
-    """Return flags of shift elements whose links turn as one, shape (shift elements, gears)."""
+    """Return flags of shift elements whose links rotate together, (shift elements, gears)."""
     joined = results.holds.T.copy()
     for place, gear in enumerate(results.case.gears):
         joined[[number - 1 for number in gear.slipping], place] = False
@@ -80,7 +80,7 @@ def _joined(results: Results) -> Booleans:
 
 
 def overall(lines: Sequence[Largest]) -> Largest | None:
-    """Return the largest value of all rows; None without values."""
+    """Return the largest value of all rows; None if there are no values."""
     known = [line for line in lines if not math.isnan(line.value)]
     return max(known, key=lambda line: abs(line.value)) if known else None
 
@@ -88,7 +88,7 @@ def overall(lines: Sequence[Largest]) -> Largest | None:
 def _of(table: Table, values: Floats) -> list[Largest]:
     return [
         _largest(name, row, table.columns)
-        for name, row in zip(table.rows, values, strict=False)  # rows of mechanisms left out
+        for name, row in zip(table.rows, values, strict=False)  # without rows of mechanisms
     ]
 
 
@@ -111,14 +111,14 @@ class Margin(NamedTuple):
     """Capacity divided by torque in each gear; NaN if disengaged or without torque. [-]"""
     least: float
     gear: str
-    """First gear with the least margin; empty if the element carries no torque."""
+    """First gear with the smallest margin; empty if the shift element never carries torque."""
 
 
 def margins(results: Results) -> list[Margin]:
     """Return the margins ``capacity/|M|`` of engaged shift elements in the gears of a case.
 
-    M is the larger of the torques without and with losses, to be on the safe side, at the
-    operating point of the gear.
+    M is the torque at the operating point of the gear: the larger of the values without and with
+    losses, to be on the safe side.
 
     Examples
     --------
@@ -132,7 +132,7 @@ def margins(results: Results) -> list[Margin]:
     torques, carrying = carried_torques(results, case.load.torque_size if case.load else 0.0)
     lines = []
     for number, element in enumerate(case.shift_elements):
-        if not element.capacity:  # a capacity in N*m is 0 in a case without operating point
+        if not element.capacity:  # without operating point, a capacity in N*m is 0
             continue
         with np.errstate(all="ignore"):
             ratios = element.capacity / torques[:, number]
@@ -146,20 +146,20 @@ def margins(results: Results) -> list[Margin]:
 
 
 class Needed(NamedTuple):
-    """Torque capacity that a shift element needs."""
+    """Required torque capacity of a shift element."""
 
     element: str
     capacity: float
     """Largest torque times reserve, relative to the input torque of the case, or to the largest
     input torque of the gears if the case has none. [-]"""
     gear: str
-    """First gear with the largest torque; empty if the element carries no torque."""
+    """First gear with the largest torque; empty if the shift element never carries torque."""
     capacity_Nm: float  # noqa: N815
-    """Needed capacity [N*m]; NaN if a gear has no input torque."""
+    """Required capacity [N*m]; NaN if a gear has no input torque."""
 
 
 def needed_capacities(results: Results, reserve: float) -> list[Needed]:
-    """Return the largest torque of each shift element times a reserve; torques as in `margins`.
+    """Return the largest torque (as in `margins`) of each shift element, times a reserve.
 
     Examples
     --------

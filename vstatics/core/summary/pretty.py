@@ -27,24 +27,24 @@ from vstatics.core.tables.values import tables
 from vstatics.core.texts import tr
 
 POOR, BAD = 0.95, 0.9
-"""Efficiencies below which a gear is shown in yellow, and in red. [-]"""
+"""Efficiencies below which a gear is shown in yellow, or in red. [-]"""
 
 NEEDS_DECIMALS = 10
-"""Limit of speeds [rpm] and torques [N*m]; smaller numbers are shown with a decimal."""
+"""Speed [rpm] or torque [N*m] below which numbers are shown with a decimal."""
 
 NAMES_IN_HEADS = 12
-"""Largest total length of element names as headings; longer names can become numbers."""
+"""Largest total length of shift-element names as headings; longer names can become numbers."""
 
 SPEEDS = {
     "planet_speeds": "largest planet speed",
     "slip_speeds": "largest slip",
     "speeds": "largest speed",
 }
-"""Heading of the column of speeds, by the first of these quantities that exists."""
+"""Heading of the column of speeds, by quantity; the first quantity that exists is shown."""
 
 DOTS = Marks(holds="◆")
 ASCII = Marks("x", "f", ".")
-"""Marks for a terminal without Unicode."""
+"""Marks of shift elements for a terminal without Unicode."""
 
 
 def view(
@@ -52,13 +52,14 @@ def view(
 ) -> Group:
     """Return a table of the gears of a case, with a legend.
 
-    If the table is wider than the terminal, names of shift elements become numbers, which a line
-    above the table explains, and then the largest speeds and torques get a table of their own.
+    If the table is wider than the terminal, names of shift elements are replaced by numbers, which
+    a line above the table explains. If it is still too wide, the largest speeds and torques are in
+    a separate table.
 
     Parameters
     ----------
     marks : Marks, optional
-        Marks of engaged elements, such as `ASCII`.
+        Marks of shift elements, such as `ASCII`.
     digits : int, optional
         Number of decimals, by default chosen for each number.
     width : int, optional
@@ -101,10 +102,10 @@ def view(
 def gears_grid(
     results: Results, marks: Marks = DOTS, digits: int | None = None, *, numbered: bool = False
 ) -> Grid:
-    """Return the table of gears: engaged elements, ratio, efficiency and largest values.
+    """Return the table of gears: engaged shift elements, ratio, efficiency, largest values.
 
-    The column of speeds shows the first quantity that the case has: speeds of planets, otherwise
-    slips, otherwise speeds of links.
+    The column of speeds contains speeds of planets; in a case without planets, slip speeds; without
+    shift elements, link speeds.
 
     Parameters
     ----------
@@ -112,7 +113,7 @@ def gears_grid(
     digits : int, optional
         Number of decimals, by default chosen for each number.
     numbered : bool, optional
-        Whether columns are headed by numbers of shift elements, not by names.
+        True if the headings of shift elements are numbers instead of names.
     """
     names = [element.name for element in results.case.shift_elements]
     headings = list(map(str, range(1, len(names) + 1))) if numbered else names
@@ -150,7 +151,7 @@ def gears_grid(
 
 
 def _converters(results: Results) -> list[str]:
-    """Return headings for the speed ratios of converters, if a load determines any of them."""
+    """Return headings for speed ratios of converters, if the load determines any speed ratio."""
     case = results.case
     if not any(map(case.sought_converters, case.gears)):
         return []
@@ -162,7 +163,7 @@ def _speed_ratios(results: Results, number: int) -> list[float]:
 
 
 def _ports(results: Results) -> Grid:
-    """Return the table of ports, with the name of each gear only in the first row."""
+    """Return the table of ports, with the name of a gear only in its first row."""
     grid = ports_grid(port_tables(results))
     names = [row[0].text for row in grid.cells]
     rows = [
@@ -186,7 +187,7 @@ def _figures(line: GearLine, digits: int | None) -> list[Cell]:
 def _speed_column(
     by_name: dict[str, Table], *, rpm: bool
 ) -> tuple[str, Callable[[int], list[tuple[str, float]]]]:
-    """Return the heading of the largest speeds, and names with speeds by index of the gear."""
+    """Return the heading of the largest speeds, and a function from gear index to named speeds."""
     unit = "_rpm" if rpm else ""
     existing = (
         (heading, by_name[name + unit])
@@ -202,9 +203,9 @@ def _speed_column(
 
 
 def _torques(by_name: dict[str, Table], number: int) -> list[tuple[str, float]]:
-    """List the torques of shift elements, mechanisms and members, with losses if calculated.
+    """Return the torques of shift elements, mechanisms and members, with losses if calculated.
 
-    The list is empty if any torque is indeterminate, since that one can be the largest.
+    The list is empty if any torque is indeterminate, because it can be the largest.
     """
     unit = "_Nm" if "lossy_torques_Nm" in by_name else ""
     for name in ("lossy_torques", "torques"):
@@ -220,7 +221,7 @@ def _column(table: Table, number: int) -> Iterator[tuple[str, float]]:
 
 
 def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | None) -> Cell:
-    """Return a cell with the largest magnitude and the name there; empty without numbers."""
+    """Return a cell with the largest magnitude and its name; empty without numbers."""
     known = [(abs(value), name) for name, value in values if not math.isnan(value)]
     if not known:
         return Cell("")
@@ -240,13 +241,13 @@ def _by_role(results: Results, number: int, shown: Sequence[Role]) -> Iterator[C
 
 
 def _state(results: Results, number: int) -> Cell:
-    """Return a cell with the state of a gear that does not simply drive."""
+    """Return a cell with the state of a gear; empty for a regular gear."""
     status = results.status(number + 1)
     return state(status.name)._replace(style="red" if status.is_fault else "yellow")
 
 
 def _split(gears: Grid) -> Iterator[Grid]:
-    """Yield the table of gears without the largest values, then the table of these."""
+    """Yield the table of gears without the largest values, then a table of the largest values."""
     columns = [*enumerate(gears.columns)]
     largest = [
         n for n, column in columns if column.heading.startswith("largest") and not column.is_name
@@ -302,7 +303,7 @@ def _legend(results: Results, gears: Grid, marks: Marks) -> Iterator[str]:
 
 
 def _planets_without_speed(results: Results) -> list[str]:
-    """Return the planets of gear sets without a speed in any gear, mostly for lack of teeth."""
+    """Return the planets that have no speed in any gear, usually because teeth are missing."""
     if results.case.drawing is None:
         return []
     [planets] = [table for table in tables(results) if table.quantity.name == "planet_speeds"]
@@ -314,7 +315,7 @@ def _planets_without_speed(results: Results) -> list[str]:
 
 
 def _inverses(results: Results, digits: int | None) -> Iterator[str]:
-    """Yield 1/i of gears with a faster output, as bicycle hubs are specified."""
+    """Yield a line with 1/i for gears with a faster output, as usual for bicycle hubs."""
     fast = [line for line in design(results).gears if 0 < abs(line.ratio) < 1 - SAME_RATIO]
     if fast:
         words = tr("1/i = output speed / input speed")
@@ -326,7 +327,7 @@ def _inverses(results: Results, digits: int | None) -> Iterator[str]:
 
 
 def results_html(results: Results) -> str:
-    """Return the gears of a case as an HTML table, or one line about many variants.
+    """Return the gears of a case as an HTML table; for many variants, a line about them.
 
     Examples
     --------

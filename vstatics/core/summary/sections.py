@@ -1,4 +1,4 @@
-"""Interfaces of the sections of a summary that annexes calculate."""
+"""Interfaces for sections of a summary that annexes calculate."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from vstatics.core.tables.grid import Grid
 
 
 class Section(Protocol):
-    """Results of an annex about a case."""
+    """Interface of a section: results of an annex about a case."""
 
     def grids(self) -> Iterable[Grid]:
         """Return the tables of the section."""
 
 
 class CycleSection(Section, Protocol):
-    """Results over a duty cycle."""
+    """Interface of results over a duty cycle."""
 
     @property
     def efficiency(self) -> float:
-        """Energy that leaves, divided by energy that enters [-]."""
+        """Output energy divided by input energy over the cycle [-]."""
 
     @property
     def damage(self) -> Mapping[str, object]:
@@ -36,25 +36,25 @@ class CycleSection(Section, Protocol):
 
 
 class GivenCycle(Protocol):
-    """Duty cycle from a file."""
+    """Interface of a duty cycle read from a file."""
 
     @property
     def load(self) -> Load | None:
-        """Operating point for a case that lacks it; None for a cycle without points."""
+        """Operating point for a case without one; None for a cycle without points."""
 
     def of(self, results: Results) -> CycleSection:
         """Return the results of a case over the cycle."""
 
 
 class CycleOptions(Protocol):
-    """Options of a command that give a duty cycle."""
+    """Interface of the options of a command that specify a duty cycle."""
 
     @property
     def files(self) -> list[str]:
         """Names of the files to read."""
 
     def read(self) -> GivenCycle | None:
-        """Return the given duty cycle, or None."""
+        """Return the duty cycle; None if none is given."""
 
 
 def doubts(cycle: CycleSection | None, file: str) -> list[Problem]:

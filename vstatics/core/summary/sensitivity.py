@@ -1,4 +1,4 @@
-"""Sensitivity of each gear's ratio and efficiency to the ratio and efficiency of each mechanism.
+"""Sensitivity of each gear's ratio and efficiency to those of each mechanism.
 
 Ratios are differentiated exactly by the adjoint of the speed equations, efficiencies by finite
 differences.
@@ -27,8 +27,8 @@ from vstatics.core.statics.torques import times
 def sensitivities(results: Results) -> Floats:
     """Return relative sensitivities ``(u/i) di/du`` of gear ratios i to basic ratios u.
 
-    The u of a variator or converter is its speed ratio. Given speeds are constant, relative to the
-    input or to the link that they follow. The results are those of a single case.
+    For a variator or converter, u is the speed ratio. Given speeds are constant relative to the
+    input, or to the link whose multiple they are. The results must belong to a single case.
 
     Returns
     -------
@@ -55,10 +55,11 @@ def sensitivities(results: Results) -> Floats:
 
 
 def _of_speeds(state: GearState) -> list[float]:
-    """Return the sensitivities of a gear's ratio.
+    """Return the sensitivities of a gear's ratio to all basic ratios.
 
-    For speed equations ``A w = b`` the solution v of ``A^T v = e_output`` is the change of output
-    speed per unit of each right-hand side; a change of row k gives ``dw_output = -v_k dA_k w``.
+    For the speed equations ``A w = b``, the solution v of ``A^T v = e_output`` is the change of
+    output speed per unit of each right-hand side. A change dA_k of row k causes ``dw_output = -v_k
+    dA_k w``.
     """
     case, output = state.case, state.case.gear_output(state.gear)
     by_link: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
@@ -71,7 +72,7 @@ def _of_speeds(state: GearState) -> list[float]:
     weights = elimination.solve(by_link, len(equations)).values
     by_device = dict(
         zip(always_loaded(case, state.gear), weights, strict=False)
-    )  # they stand first
+    )  # mechanisms come first
     changes = []
     for place, (mechanism, u, motion) in enumerate(
         zip(case.mechanisms, state.ideal.variant.ratios, state.relative_speeds, strict=True),
@@ -86,20 +87,20 @@ def _of_speeds(state: GearState) -> list[float]:
 EFFICIENCY_DIFFERENCE = 1e-3
 """Relative step of an efficiency in finite differences. [-]
 
-With this step, differences of fourth order are accurate to about ten digits.
+With this step, finite differences of fourth order are accurate to about ten digits.
 """
 NEARLY_LOSSLESS = 1 - 1e-13
-"""Substitute for an efficiency of 1, whose variants would differ in structure and could not be
-calculated at once. [-]"""
+"""Substitute for an efficiency of 1, because lossless variants have another structure and could
+not be calculated together with the others. [-]"""
 BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
-"""Weights of values at 0, -1, -2, -3, -4 steps in the first derivative (Fornberg 1988, table 3)."""
+"""Weights of the values at 0, -1, -2, -3, -4 steps for the first derivative (Fornberg 1988)."""
 
 
 def efficiency_sensitivities(results: Results) -> Floats:
     """Return relative sensitivities ``(n/ETA) dETA/dn`` to the efficiencies n of mechanisms.
 
-    Backward differences are used, because efficiencies cannot be above 1. Laws count as their
-    values in each gear. The results are those of a single case.
+    Backward differences are used, because efficiencies cannot exceed 1. An efficiency given by a
+    law is replaced by its value in each gear. The results must belong to a single case.
 
     Returns
     -------
@@ -128,7 +129,7 @@ def efficiency_sensitivities(results: Results) -> Floats:
 
 
 def _at_load(results: Results) -> list[tuple[Mechanism, ...]]:
-    """Return the mechanisms of each gear with laws replaced by numbers."""
+    """Return the mechanisms of each gear, with laws replaced by their values."""
     case, points = results.case, results.points
 
     def plain(given: Any, there: float) -> Any:
@@ -149,7 +150,7 @@ def _at_load(results: Results) -> list[tuple[Mechanism, ...]]:
 
 
 def _efficiency_slopes(case: Transmission, mechanisms: tuple[Mechanism, ...]) -> Floats:
-    """Return ``n dETA/dn`` of a case with other mechanisms, shape (mechanisms, gears)."""
+    """Return ``n dETA/dn`` for a case with the given mechanisms, shape (mechanisms, gears)."""
     given = np.minimum([mechanism.efficiency for mechanism in mechanisms], NEARLY_LOSSLESS)
     count, steps = len(given), len(BACKWARD)
     efficiencies = np.tile(given, (count, steps, 1))

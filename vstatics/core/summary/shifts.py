@@ -1,4 +1,4 @@
-"""Transitions between gears: the shift elements that change, and their slip power."""
+"""Transitions between gears: shift elements that change, and their slip power."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ WORDS = ("none", "single", "double", "triple")
     kind="word",
 )
 class Transition(NamedTuple):
-    """Upshift between two gears; for the downshift the two lists change places."""
+    """Upshift between two gears; in the downshift, `released` and `engaged` are exchanged."""
 
     start: str
     end: str
@@ -30,19 +30,19 @@ class Transition(NamedTuple):
     released: Sequence[str]
     engaged: Sequence[str]
     slip_power: Mapping[str, float]
-    """Slip power of each oncoming element: torque after the shift times slip before, relative to
-    the input power. Elements in `released` are oncoming in the downshift. [-]"""
+    """Slip power of each oncoming shift element, relative to the input power: torque after the
+    shift times slip before it. Elements in `released` are oncoming in the downshift. [-]"""
     slip_power_kW: Mapping[str, float]  # noqa: N815
-    """Slip power at the operating point before the shift; NaN without operating point. [kW]"""
+    """Slip power at the operating point before the shift [kW]; NaN without an operating point."""
 
     @property
     def changes(self) -> int:
-        """Number of simultaneous changes: the length of the longer list."""
+        """Number of simultaneous changes: the larger count of released or engaged elements."""
         return max(len(self.released), len(self.engaged))
 
     @property
     def word(self) -> str:
-        """Kind of transition: single if one element is replaced, double for two, and so on.
+        """Kind of transition: `single` if one shift element is replaced, `double` for two, etc.
 
         >>> Transition("1", "2", "", ["A", "B"], ["C"], {}, {}).word
         'double'
@@ -74,7 +74,7 @@ def transitions(results: Results) -> list[Transition]:
 
 
 def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[Transition]:
-    """Yield the shifts from each gear of a range to the gear `distance` places further."""
+    """Yield the shifts from each gear of a range to the gear `distance` positions further."""
     case = results.case
     names = [element.name for element in case.shift_elements]
     for place, start in enumerate(indices[:-distance]):

@@ -19,13 +19,13 @@ SHOWN_STATES = {
     **{status.name: status.english for status in (NEUTRAL, LOCKED, DRAGGED)},
     OUTPUT_STANDS.name: "output at rest",
 }
-"""Words for states of gears whose names in data differ."""
+"""Displayed words for states of gears, where they differ from the names in data."""
 WITH_LOAD = " with load"
-"""End of the key of a table whose numbers are in rpm, N*m or kW, not relative to the input."""
+"""Suffix of the keys of tables in rpm, N*m or kW, in contrast to relative numbers."""
 
 
 class Marks(NamedTuple):
-    """Marks for the states of a shift element in a gear."""
+    """Characters that mark the state of a shift element in a gear."""
 
     engaged: str = YES
     holds: str = YES
@@ -36,7 +36,7 @@ class Marks(NamedTuple):
 def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
     """Yield all tables of a summary that are not empty.
 
-    The table of further combinations is yielded without rows if none was found.
+    If further combinations were requested but none exists, their table is yielded without rows.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
 
 
 def state(name: str) -> Cell:
-    """Return the cell of a gear's state, with the name in data as its datum.
+    """Return the cell with a gear's state; its value is the name of the state in data.
 
     >>> state("open").text, state("open").datum, state("tied up").text
     ('neutral', 'open', 'tied up')
@@ -79,7 +79,7 @@ def state(name: str) -> Cell:
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
-    """Yield a cell for each shift element: engaged, slipping, holding freewheel or none of them."""
+    """Yield a cell for each shift element: engaged, slipping, holding (freewheel) or disengaged."""
     gear = results.case.gears[index]
     for element, holds in enumerate(results.holds[index].tolist(), 1):
         if element in gear.joining:
@@ -110,7 +110,7 @@ def _transitions(summary: Summary) -> Grid:
 
 
 def _slip_powers(summary: Summary) -> Grid:
-    """Return the slip powers of shifts between neighbouring gears."""
+    """Return the table of slip powers of shifts between neighbouring gears."""
     shifts = [shift for shift in summary.transitions if not shift.skipped]
     loaded = any(math.isfinite(power) for shift in shifts for power in shift.slip_power_kW.values())
     rows = [
@@ -137,7 +137,7 @@ def _planets(summary: Summary, *, loaded: bool) -> Grid:
     devices = summary.results.case.own_devices
     planets = [planet for device in devices for planet in device.planets]
     without_teeth = {planet.name for planet in planets if math.isnan(planet.speed)}
-    # Gear pairs have rows without a planet, which are left out.
+    # Mechanisms without planets, such as gear pairs, have rows without a value, which are left out.
     known = (line for line in lines if line.row in without_teeth or not math.isnan(line.value))
     rows = [[line.row, *_cells(shown, line)] for line in known]
     parts = ["Largest planet speeds relative to the carrier"]
@@ -146,7 +146,7 @@ def _planets(summary: Summary, *, loaded: bool) -> Grid:
 
 
 def _elements(summary: Summary, *, loaded: bool) -> Grid:
-    """Return slip and torques of shift elements side by side."""
+    """Return the table of largest slips and torques of shift elements."""
     named = {SLIPS: "slip", TORQUES: "torque", LOSSY_TORQUES: "with losses"}
     shown = [(quantity(key, loaded=loaded), name) for key, name in named.items()]
     shown = [(item, name) for item, name in shown if summary.largest.get(item.name)]
@@ -164,7 +164,7 @@ def _elements(summary: Summary, *, loaded: bool) -> Grid:
 
 
 def _relative(summary: Summary, names: Iterable[str]) -> list[str]:
-    """Return the end of a relative table's title if another table has the numbers in units."""
+    """Return the suffix of a relative table's title, if a table with units exists as well."""
     has_units = any(summary.largest.get(quantity(name, loaded=True).name) for name in names)
     return ["input = 1"] * has_units
 
@@ -220,7 +220,7 @@ def other_combinations(summary: Summary) -> Grid:
 
 
 def _margins(summary: Summary) -> Iterator[Grid]:
-    """Yield the table of least margins, then the margins of all gears."""
+    """Yield the table of smallest margins, then the table of margins in all gears."""
     load = summary.results.case.load
     torque = None if load is None else load.torque_size
     unit, size = ("Nm", abs(torque)) if torque else ("", 1.0)

@@ -1,4 +1,4 @@
-"""Further gears of a transmission: combinations of shift elements that no gear of the case uses."""
+"""Further gears of a transmission: combinations of shift elements that the case does not use."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_same
 
 MOST_UNUSED_SETS = 10_000
-"""Default largest number of combinations to try, which takes some seconds."""
+"""Default for the largest number of combinations to calculate, which takes some seconds."""
 
 Key = TypeVar("Key")
 
@@ -30,13 +30,13 @@ class Combination(NamedTuple):
     ratio: float
     efficiency: float
     gear: str
-    """Gear of the case with equal ratio, if any."""
+    """Gear of the case with an equal ratio; empty if there is none."""
     state: str
-    """State as in the design table."""
+    """State of the combination, as in the design table."""
 
 
 def needed(case: Transmission) -> int:
-    """Return the number of engaged elements that a gear needs: degrees of freedom minus 1.
+    """Return the number of engaged shift elements that a gear needs: degrees of freedom minus 1.
 
     >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
     >>> needed(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
@@ -46,17 +46,17 @@ def needed(case: Transmission) -> int:
 
 
 def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Combination]:
-    """Find all unused combinations of shift elements that give a gear, largest ratio first.
+    """Return the unused combinations of shift elements that give a gear, largest ratio first.
 
-    All sets with the needed number of elements are tried, with input and output of the case and
-    without given speeds. Freewheels can hold instead of engaged elements, so sets that are smaller
-    by the number of freewheels are tried, too. A set gives a gear if it has a ratio and is not tied
-    up. Drag torques common to all gears apply.
+    All sets with the required number of shift elements are calculated, with input and output of the
+    case and without given speeds. Smaller sets are included if freewheels can hold instead of
+    engaged elements, and larger sets if they bypass converters. A set gives a gear if it has a
+    ratio and is not tied up. Drag torques that apply to all gears are included.
 
     Parameters
     ----------
     at_most : int
-        Largest number of sets to try.
+        Largest number of sets to calculate.
 
     Returns
     -------
@@ -94,7 +94,7 @@ def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Comb
 
 
 def _sizes(case: Transmission) -> range:
-    """Return numbers of engaged elements: fewer if freewheels hold, more with lock-up clutches."""
+    """Return possible numbers of engaged elements: fewer with freewheels, more with converters."""
     most = needed(case)
     converters = [mechanism for mechanism in case.mechanisms if mechanism.kind == "converter"]
     return range(max(most - len(case.freewheels), 0), most + len(converters) + 1)

@@ -1,7 +1,7 @@
-"""The output of a command is a record: its JSON and JSON Schema are derived from its types.
+"""Records, the outputs of commands, whose JSON and JSON Schema are derived from their types.
 
-A record is a named tuple. Its keys are its fields, unless `json_keys` names other attributes. A
-`document` begins with the keys of `head`. Annotations describe keys that are not plain:
+A record is a named tuple. Its keys in JSON are its fields, unless `json_keys` names other
+attributes. A `document` begins with the keys of `head`. Annotations describe special keys:
 `Sometimes`, `Flat`, `Failure`, `Unfailed`, `Count`, `Known`. A missing value is null.
 """
 
@@ -36,34 +36,34 @@ T = TypeVar("T")
 V = TypeVar("V")
 Schema = dict[str, Any]
 Answer = tuple[Any, ...] | dict[str, Any]
-"""A record, or data that are plain already."""
+"""Output of a command: a record, or plain data."""
 VERSION = 2
-"""Version of the format of every document."""
+"""Version of the format of all documents."""
 PROGRAM = f"vstatics {__version__}"
 """Name and version of the program that writes a document."""
 
 
 class Words(dict[str, Any]):
-    """Keywords added to the schema of a type, as in ``Annotated[int, Words(minimum=0)]``."""
+    """Keywords of JSON Schema for a type, as in ``Annotated[int, Words(minimum=0)]``."""
 
     __hash__ = object.__hash__  # type: ignore[assignment] # arguments of a type are hashed
 
 
 class Provided(str):
-    """Name of a type from an annex, as in ``Annotated[object, Provided("Damages")]``."""
+    """Name of a type that an annex defines, as in ``Annotated[object, Provided("Damages")]``."""
 
     __slots__ = ()
 
 
 SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Type of a key that is omitted for None or an empty mapping."""
+"""Type of a key that is omitted if its value is None or an empty mapping."""
 Flat = Annotated[T, FLAT]
 """Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]
-"""Type of a message that, unless empty, replaces all keys but the first."""
+"""Type of an error message; unless it is empty, only it and the first key are written."""
 Unfailed = Annotated[T | None, UNFAILED]
-"""Type of a key that is None only if a failure replaces the keys."""
+"""Type of a key whose value is None only in records with a `Failure`."""
 Count = Annotated[int, Words(minimum=0)]
 Known = Annotated[float, Words(type="number")]
 """Type of a number that is never null."""
@@ -94,7 +94,7 @@ _DEFINED: dict[Any, str] = {}
 
 
 def document(form: str) -> Callable[[T], T]:
-    """Return a decorator that declares a record as a document of a format, such as `form`.
+    """Return a decorator that declares a record as a document of the format `form`.
 
     >>> from typing import NamedTuple
     >>> @document("vstatics-steps")
@@ -111,19 +111,19 @@ def document(form: str) -> Callable[[T], T]:
 
 
 def defined(name: str) -> Callable[[T], T]:
-    """Give a record a named schema, to which other schemas refer."""
+    """Return a decorator that gives a record a named schema, to which other schemas refer."""
     return _registering(_DEFINED, name)
 
 
 def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
-    """Declare the attributes that are the keys of a record, instead of all fields.
+    """Return a decorator that declares which attributes of a record are its keys.
 
     Parameters
     ----------
     *names
-        Attributes whose keys have their names.
+        Attributes that have equal names as keys.
     **attributes
-        Names of further attributes by key, without a final underscore of the key.
+        Further attributes, by key; a final underscore of the key is removed.
     """
     renamed = {key.rstrip("_"): name for key, name in attributes.items()}
     return _registering(_JSON_KEYS, dict(zip(names, names, strict=True)) | renamed)
@@ -146,7 +146,7 @@ class _Key(NamedTuple):
 
 @cache
 def _keys(kind: Any) -> Sequence[_Key]:
-    """Return the keys of a type of record."""
+    """Return the keys of a record type."""
     hints, keys = get_type_hints(kind, include_extras=True), []
     fields = {field.rstrip("_"): field for field in kind._fields}
     for name, attribute in _JSON_KEYS.get(kind, fields).items():
@@ -165,7 +165,8 @@ def _keys(kind: Any) -> Sequence[_Key]:
 def plain_data(value: Any) -> Any:
     """Convert a record to mappings, lists, texts and numbers, at any depth.
 
-    A missing value becomes None, an array of complex numbers the list of their moduli.
+    A missing value becomes None, a complex number a mapping of real and imaginary part, an array of
+    complex numbers the list of their moduli.
 
     >>> from vstatics.core.model.parts import Load
     >>> plain_data({"load": Load(2000.0), "steps": (1.5, math.nan), "root": 1 - 2j})
@@ -205,10 +206,10 @@ def _of_record(record: Any) -> dict[str, Any]:
 
 
 def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, Any]:
-    """Return a document as plain data with the file of its case, with or without folders.
+    """Return a document as plain data, with the file of its case under the key `file`.
 
-    An answer without a format is returned unchanged; the document of a case in error already has
-    the key, whose value is replaced.
+    Data without the key `format` are returned unchanged. The document of a case in error already
+    contains the key `file`, whose value is replaced.
 
     >>> with_file({"format": "f", "version": 1, "case": {}}, "cases/box.yaml")
     {'format': 'f', 'version': 1, 'file': 'box.yaml', 'case': {}}
@@ -222,17 +223,17 @@ def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, 
 
 
 text = json.JSONEncoder(ensure_ascii=False, allow_nan=False, indent=1).encode
-"""Function that formats plain data as JSON on several lines, without a final line end."""
+"""Function that returns plain data as JSON on several lines, without a final line end."""
 _line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 
 def line(value: Any) -> str:
-    """Format plain data as JSON on a single line, with a line end."""
+    """Return plain data as JSON on a single line, with a line end."""
     return _line(value) + "\n"
 
 
 def as_json(answer: Answer, form: str | None) -> str:
-    """Format an answer as JSON, on a single line for the form `jsonl`."""
+    """Return a record as JSON, on a single line if the format is `jsonl`."""
     data = answer if isinstance(answer, dict) else plain_data(answer)
     return line(data) if form == "jsonl" else text(data) + "\n"
 
@@ -243,7 +244,7 @@ def list_of(items: Schema) -> Schema:
 
 
 def object_of(properties: Mapping[str, Schema], optional: Sequence[str] = ()) -> Schema:
-    """Return the schema of an object without further keys.
+    """Return the schema of an object that permits no other keys.
 
     >>> object_of({"a": TEXT, "b": NUMBER}, optional=["b"])["required"]
     ['a']
@@ -262,9 +263,9 @@ def schema(kind: Any, definitions: Schema | None = None) -> Schema:
     Parameters
     ----------
     kind : type
-        A number, a text, a record, or a sequence, mapping or union of these.
+        Type: number, text, record, or a sequence, mapping or union of such types.
     definitions : dict, optional
-        Receives the schemas of `defined` records by their names.
+        Mapping to which the schemas of `defined` records are added, by name.
 
     Examples
     --------
@@ -284,7 +285,7 @@ def schema(kind: Any, definitions: Schema | None = None) -> Schema:
 
 
 def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
-    """Return the schema of a type with arguments."""
+    """Return the schema of a type with arguments, such as ``tuple[int, ...]``."""
     origin, (first, *more) = get_origin(kind), get_args(kind)
     if origin is Annotated:
         return _of_marked(first, more[0], of)
@@ -302,7 +303,7 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
 
 
 def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
-    """Return the schema of an annotated type, invalid if an annex is missing."""
+    """Return the schema of an annotated type; it accepts nothing if its annex is missing."""
     if isinstance(mark, Provided):
         declaring = module_of_type(mark)
         return of(getattr(module(declaring), mark)) if declaring else {"not": {}}
@@ -347,13 +348,13 @@ def head_schema(form: str) -> Schema:
 
 
 def of_file(name: str, title: str, content: Schema) -> Schema:
-    """Return the schema of a file with the schema of the content."""
+    """Return the schema of a file, given the schema of its content."""
     start = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
     return {**start, "$id": f"{name}.schema.json", "title": title, **content}
 
 
 def documents(name: str, title: str, content: Schema, definitions: Schema | None = None) -> Schema:
-    """Return the schema of a file of documents or cases in error.
+    """Return the schema of a file with documents, or with reports about cases in error.
 
     Parameters
     ----------

@@ -11,14 +11,14 @@ from vstatics.core.tables.grid import Grid
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 FORMULA = re.compile(r"'*[=+\-@\t\r]")
-"""Beginning of a text that a spreadsheet calculates.
+"""Pattern of the beginning of a text that a spreadsheet would evaluate as a formula.
 
-Leading apostrophes are included, so that the added apostrophe can be removed without doubt.
+Leading apostrophes are included, so that `unguarded` removes only an added apostrophe.
 """
 
 
 def guarded(text: str) -> str:
-    """Put an apostrophe before a text that a spreadsheet would calculate as a formula.
+    """Return a text, with an apostrophe before it if a spreadsheet would take it for a formula.
 
     Examples
     --------
@@ -29,7 +29,7 @@ def guarded(text: str) -> str:
 
 
 def unguarded(text: str) -> str:
-    """Remove the apostrophe that `guarded` put before a text.
+    """Return a text without the apostrophe that `guarded` added.
 
     >>> [unguarded(text) for text in ("'=1+1", "=1+1", "'low'", "''=1")]
     ['=1+1', '=1+1', "'low'", "'=1"]
@@ -38,13 +38,13 @@ def unguarded(text: str) -> str:
 
 
 def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
-    """Format rows of texts as lines of CSV.
+    """Return rows of texts as lines of CSV.
 
     Parameters
     ----------
     rows : iterable of iterable of str
     raw : bool
-        Whether texts that begin like a formula are left unguarded.
+        True to leave texts unchanged that begin like a formula.
     """
     written = io.StringIO()
     texts = rows if raw else (map(guarded, row) for row in rows)
@@ -55,17 +55,17 @@ def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, raw: bool = False
 ) -> Iterator[str]:
-    """Write the tables of cases in sequence, with all digits, a piece for each case.
+    """Yield the CSV text of each case: its tables in sequence, with all digits.
 
-    Each row begins with the name of its table; for several cases the file of the case precedes
-    it. A row of headings is written whenever the headings change.
+    Each row begins with the name of its table, which for several cases follows the file of the
+    case. A row of headings is written whenever the headings change.
 
     Parameters
     ----------
     cases : iterable of (str, sequence of Grid)
         Files of the cases, with their tables.
     several : bool
-        Whether the first column is the file of the case.
+        True if the first column is the file of the case.
     raw : bool
         See `lines`.
 

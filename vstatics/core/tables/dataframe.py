@@ -1,4 +1,4 @@
-"""Results as a table of pandas."""
+"""Conversion of results to a pandas DataFrame."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Results as a dataset of xarray, whose axes have names."""
+"""Conversion of results to an xarray dataset with named axes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DIMENSIONS: Mapping[Rows, str] = {
     "meshes": "mesh",
     "converters": "converter",
 }
-"""Names of dimensions by the kind of rows of a table, as in `docs/expressions.md`."""
+"""Name of the dimension for each kind of rows of a table, as in `docs/expressions.md`."""
 
 
 def to_xarray(results: Results) -> xr.Dataset:

@@ -28,7 +28,7 @@ SUFFIXES = {
     "png": (".png",),
     "pdf": (".pdf",),
 }
-"""Suffixes of each format; a result written to a directory has the first."""
+"""Suffixes of each format; the first is used for results written to a directory."""
 
 
 def suffix_of(file: str) -> str:
@@ -37,7 +37,7 @@ def suffix_of(file: str) -> str:
 
 
 def format_of(file: str, formats: Iterable[Form]) -> Form | None:
-    """Find the format, among some, of a file name's suffix.
+    """Return the format, among `formats`, to which the suffix of a file name belongs.
 
     >>> format_of("a.NDJSON", ["json", "jsonl"]), format_of("a", ["text"])
     ('jsonl', None)
@@ -47,7 +47,7 @@ def format_of(file: str, formats: Iterable[Form]) -> Form | None:
 
 
 def known(formats: Sequence[str]) -> list[str]:
-    """List the suffixes of some formats.
+    """Return the suffixes of several formats.
 
     >>> known(["listing", "csv"])
     ['.lst', '.txt', '.out', '.csv']
@@ -56,7 +56,7 @@ def known(formats: Sequence[str]) -> list[str]:
 
 
 def mismatch(form: str | None, file: str) -> str:
-    """Return the message about a format that contradicts the suffix, or an empty text.
+    """Return the message about a format that contradicts the suffix; empty if it does not.
 
     >>> mismatch("csv", "a.json"), mismatch("csv", "a.csv"), mismatch("csv", "a")
     ('csv is not the format of a.json: expected .csv', '', '')

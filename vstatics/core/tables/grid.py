@@ -1,7 +1,7 @@
-"""Table of texts, from which all formats are written.
+"""Table of cells (text and value), from which all formats are written.
 
 The modules `text`, `markdown`, `latex`, `html` and `terminal` write the texts; `csv` and `xlsx`
-write the numbers behind them.
+write the values.
 """
 
 from __future__ import annotations
@@ -16,58 +16,58 @@ from vstatics.core.tables.numbers import certain, rounded
 from vstatics.core.texts import heading, labelled, spoken, title, tr
 
 NOTHING = "-"
-"""Text of a number that does not exist, and of an empty list."""
+"""Text for a number that does not exist, and for an empty list."""
 LARGE_CELL = 1e7
-"""Least magnitude of numbers that are written with a power of ten."""
+"""Smallest magnitude of numbers that are written with a power of ten."""
 YES, NO = "●", "·"
 
 
 class Column(NamedTuple):
-    """A column of a grid."""
+    """Column of a table."""
 
     heading: str
     is_number: bool = True
     is_sign: bool = False
-    """Marks a column of single signs, which is narrow at a terminal."""
+    """True for a column of single signs, which is narrow at a terminal."""
     over: str = ""
-    """Second heading on a page, shared by adjacent columns with equal text."""
+    """Heading above the heading, in HTML; adjacent columns with equal text share it."""
     is_name: bool = False
-    """Marks a heading that is a name from the case, so that it is not translated.
+    """True if the heading is a name from the case, which is not translated.
 
-    Headings below a second heading are always names and need no mark.
+    Headings below `over` are always names.
     """
 
 
 Datum = float | int | bool | str | None
-"""Value of a cell, or None for a missing value."""
+"""Value of a cell; None for a missing value."""
 
 
 class Cell(NamedTuple):
-    """Cell with a text and the value behind the text."""
+    """Cell of a table: a text for people, and a value for data formats."""
 
     text: str
     value: float | None = None
-    """Number before rounding, NaN for a missing number; also the sorting key of words."""
+    """Number before rounding, NaN if missing; for words, their sorting key."""
     says: str = ""
     """Meaning of a sign, for screen readers."""
     style: str = ""
     """Colour at a terminal, as named by `rich`."""
     kind: type[Any] = str
-    """Type of the datum: float, int, bool, or str for words."""
+    """Type of the value in data formats: float, int, bool, or str for words."""
     marks: Mapping[str, str] = {}
-    """Data attributes for the scripts of a page."""
+    """HTML data attributes for the scripts of a page."""
     is_said: bool = False
-    """Marks a word of the program, which is translated, unlike a name from the case."""
+    """True for a word of the program, which is translated; False for a name from the case."""
     written_as: str = ""
-    """Word in data formats; empty: the text."""
+    """Word in data formats; empty if it is equal to the text."""
     look: str = ""
-    """Additional class on a page."""
+    """Additional class of the cell in HTML."""
     math: str = ""
-    """Formula for the math mode of LaTeX."""
+    """Formula in LaTeX math mode, instead of the text."""
 
     @property
     def datum(self) -> Datum:
-        """Value with all digits."""
+        """Value of the cell in data formats, with all digits."""
         if self.kind is str:
             return None if self.text in ("", NOTHING) else self.written_as or self.text
         known = self.value is not None and not math.isnan(self.value)
@@ -75,7 +75,7 @@ class Cell(NamedTuple):
 
     @property
     def spoken(self) -> Cell:
-        """Cell in the language of the output; the meaning of a sign is always translated."""
+        """Cell translated to the language of the output, including the meaning of a sign."""
         if spoken() == "en":
             return self
         text = labelled(self.text) if self.is_said else self.text
@@ -83,11 +83,11 @@ class Cell(NamedTuple):
 
 
 Row = list[Cell | str]
-"""Cells of a row; a text alone is a cell of words."""
+"""Cells of a row; a plain text is a cell of words."""
 
 
 class Grid(NamedTuple):
-    """Table of texts, whose first column names the rows."""
+    """Table of cells; its first column contains the names of the rows."""
 
     title: str
     columns: Sequence[Column]
@@ -97,13 +97,13 @@ class Grid(NamedTuple):
     key: str = ""
     """Short unique name, for a table with a long title."""
     group: str = ""
-    """Name of the sheet of a workbook that is shared with other tables; empty: not shared."""
+    """Name of a sheet that several tables of a workbook share; empty if not shared."""
     prose: str = ""
-    """LaTeX text of a sentence, which is a table with a title only, with formulas in math mode."""
+    """LaTeX text of a table that is only a sentence (its title), with formulas in math mode."""
 
     @property
     def cells(self) -> list[list[Cell]]:
-        """Rows of cells, with texts converted to cells of words."""
+        """Rows of cells; plain texts are converted to cells of words."""
         return [[x if isinstance(x, Cell) else Cell(x) for x in row] for row in self.rows]
 
     @property
@@ -122,7 +122,7 @@ class Grid(NamedTuple):
 
     @property
     def spoken(self) -> Grid:
-        """Table in the language of the output, for readers; data stay English.
+        """Table translated to the language of the output; data formats stay English.
 
         >>> from vstatics.core.texts import speaking
         >>> with speaking("ru"):
@@ -144,7 +144,7 @@ class Grid(NamedTuple):
         return translated.changed(attrgetter("spoken"))
 
     def with_columns(self, chosen: Sequence[int]) -> Grid:
-        """Return the table with selected columns."""
+        """Return the table with the chosen columns only."""
         rows = [[row[place] for place in chosen] for row in self.rows]
         return self._replace(columns=[self.columns[place] for place in chosen], rows=rows)
 
@@ -153,7 +153,7 @@ class Grid(NamedTuple):
         return self._replace(rows=[list(map(change, row)) for row in self.cells])
 
     def with_digits(self, digits: int | None) -> Grid:
-        """Return the table with a number of decimals, or unchanged for None.
+        """Return the table with the given number of decimals; unchanged for None.
 
         Blank cells stay blank.
         """
@@ -169,7 +169,7 @@ class Grid(NamedTuple):
 
 
 Value = Cell | Datum | Sequence[str]
-"""Value of a new cell, converted by `exact`, `whole` or `sign`."""
+"""Value for a new cell; `exact`, `whole` or `sign` converts it."""
 Values = Sequence[Value]
 """Values of a new row."""
 
@@ -182,7 +182,7 @@ def grid_of(
     key: str = "",
     optional: Collection[str] = (),
 ) -> Grid:
-    """Build a table of plain values; a column without any number has words.
+    """Return a table of plain values; a column without numbers is a column of words.
 
     Parameters
     ----------
@@ -238,18 +238,18 @@ def word(text: str) -> Cell:
 def exact(
     value: float | None, decimals: int = 3, *, digits: int | None = None, largest: float = 0.0
 ) -> Cell:
-    """Return a cell with a rounded number and all digits of the value.
+    """Return a cell with a rounded number as text, and all digits as value.
 
     Parameters
     ----------
     value : float or None
-        Number; None: does not exist.
+        Number; None if it does not exist.
     decimals : int
         Usual number of decimals; a small number has more, see `rounded`.
     digits : int, optional
-        Number of decimals of a number of any size.
+        Number of decimals, for numbers of any size.
     largest : float
-        Largest number of the same kind; smaller numbers than a billionth of it are shown as 0.
+        Largest number of its kind; numbers below a billionth of it are shown as 0.
 
     Examples
     --------
@@ -269,7 +269,7 @@ def exact(
 
 
 def whole(value: float) -> Cell:
-    """Return a cell with a whole number, such as a count or a sign of +1; NaN: does not exist.
+    """Return a cell with a whole number, such as a count or a sign +1; NaN if it does not exist.
 
     >>> whole(-1.0)[:2], whole(-1.0).datum
     (('-1', -1.0), -1)
@@ -280,12 +280,12 @@ def whole(value: float) -> Cell:
 
 
 def sign(value: float) -> Cell:
-    """Return a cell with a dot for yes or no; NaN: unknown."""
+    """Return a cell with a dot for yes or no; NaN means unknown."""
     if math.isnan(value):
         return Cell(NOTHING, math.nan, kind=bool)
     return Cell(YES, 1.0, "yes", kind=bool) if value else Cell(NO, 0.0, "no", kind=bool)
 
 
 def words(names: Sequence[str]) -> str:
-    """Return the text of a cell with names."""
+    """Return the text of a cell that lists names."""
     return ", ".join(names) or NOTHING

@@ -13,7 +13,7 @@ from vstatics.core.tables.numbers import typeset
 
 
 class Markup(str):
-    """Text in HTML."""
+    """Text that is HTML already, so it is not escaped."""
 
     __slots__ = ()
 
@@ -23,7 +23,7 @@ VOID = {"input", "meta"}
 
 
 def tag(name: str, /, *children: str, **attributes: object) -> Markup:
-    """Build an HTML element; children other than `Markup` are escaped.
+    """Return an HTML element; children other than `Markup` are escaped.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def _attribute(key: str, value: object) -> str:
 
 
 def joined(*parts: str) -> Markup:
-    """Join parts of HTML; plain text is escaped.
+    """Return joined parts of HTML; plain text is escaped.
 
     >>> joined(tag("b", "1"), " < 2")
     '<b>1</b> &lt; 2'
@@ -63,7 +63,7 @@ def joined(*parts: str) -> Markup:
 
 
 def filled(text: str, **places: str) -> Markup:
-    """Fill the places of a text with names, which can be HTML.
+    """Return a text with its placeholders replaced by texts or HTML.
 
     >>> filled("{spread} > {first}", spread="7 < 8", first=tag("b", "1"))
     '7 &lt; 8 &gt; <b>1</b>'
@@ -76,15 +76,15 @@ _LONE_MINUS = re.compile(r"(?<=\s)-(?=\s)")
 
 
 def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
-    """Typeset the shown texts of HTML: minus signs and dashes.
+    """Return HTML with minus signs and dashes in the visible texts.
 
-    Pictures are left unchanged, as they are already typeset.
+    Pictures are left unchanged, because they already have minus signs.
 
     Parameters
     ----------
     shown : Markup
     names : iterable of str
-        Names that are left unchanged, even if they look like a number.
+        Names that are left unchanged even if they look like numbers.
 
     Examples
     --------
@@ -114,7 +114,7 @@ def _in_print(text: str) -> str:
 
 
 def terms(entries: Iterable[tuple[str, str]]) -> Markup:
-    """Build a list of terms with their descriptions.
+    """Return an HTML list of terms with their descriptions.
 
     >>> terms([("input", "sun")])
     '<dl><dt>input</dt><dd>sun</dd></dl>'
@@ -123,17 +123,17 @@ def terms(entries: Iterable[tuple[str, str]]) -> Markup:
 
 
 def table(grid: Grid, *, headed: bool = True, level: int = 3) -> Markup:
-    """Build a scrollable table with a title; a table without rows is only the title.
+    """Return a scrollable HTML table with a title; a table without rows is only its title.
 
-    Numbers keep all digits in ``data-value``.
+    The attribute ``data-value`` contains all digits of a number.
 
     Parameters
     ----------
     grid : Grid
     headed : bool
-        Whether the title is shown; unnecessary if the text above already says it.
+        True to show the title; False if the text above the table already states it.
     level : int
-        Level of the heading, 4 below the heading of a gear.
+        Level of the HTML heading; 4 below the heading of a gear.
     """
     grid = grid.spoken
     if not grid.rows:
@@ -143,7 +143,7 @@ def table(grid: Grid, *, headed: bool = True, level: int = 3) -> Markup:
 
 
 def bare(grid: Grid) -> Markup:
-    """Build a table without a title."""
+    """Return an HTML table without a title."""
     heads = (tag("th", item.heading, scope="col", class_=_kind(item)) for item in grid.columns)
     rows = [*_over(grid), tag("tr", *heads)]
     levels = grid.levels or [0] * len(grid.rows)
@@ -152,7 +152,7 @@ def bare(grid: Grid) -> Markup:
 
 
 def _over(grid: Grid) -> Iterator[Markup]:
-    """Yield the row of second headings above groups of columns, if there are any."""
+    """Yield the row of headings above groups of columns, if there are any."""
     if any(column.over for column in grid.columns):
         heads = []
         for over, columns in groupby(grid.columns, lambda column: column.over):
@@ -163,22 +163,22 @@ def _over(grid: Grid) -> Iterator[Markup]:
 
 
 NARROW_TABLE = 72
-"""Greatest width of tables that are set side by side, in characters."""
+"""Largest width of tables that are placed side by side, in characters."""
 
 
 def tables(grids: Iterable[Grid], level: int = 3) -> Iterator[Markup]:
-    """Yield tables with titles as headings of a level; narrow tables are side by side."""
+    """Yield HTML tables with titles of a heading level; narrow tables are side by side."""
     for narrow, group in groupby(grids, _is_narrow):
         shown = (table(grid, level=level) for grid in group)
         yield from [tag("div", *shown, class_="side")] if narrow else shown
 
 
 MOST_SHOWN = 50
-"""Number of rows of a table in a notebook."""
+"""Largest number of rows of a table shown in a notebook."""
 
 
 def shown(grids: Iterable[Grid]) -> Markup:
-    """Build tables for a notebook; a long table is cut, with the number of further rows.
+    """Return tables for a notebook; a long table is cut, with a count of the hidden rows.
 
     >>> from vstatics.core.tables.grid import grid_of
     >>> numbers = grid_of("Numbers < 60", ["number"], [[n] for n in range(60)])
@@ -209,7 +209,7 @@ def _is_narrow(grid: Grid) -> bool:
 
 
 def scrolled(inner: Markup, label: str) -> Markup:
-    """Build a scrollable container for parts that can be wider than a screen."""
+    """Return a scrollable container for content that can be wider than the screen."""
     return tag("div", inner, class_="scroll", tabindex=0, role="group", aria_label=label)
 
 
@@ -221,7 +221,7 @@ def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
 
 
 def _cell(column: Column, cell: Cell) -> str:
-    """Write a cell as `tag` would, in a third of the time, as a page has thousands."""
+    """Return a cell like `tag`, in a third of the time; pages have thousands of cells."""
     look = "sign" if cell.says else _kind(column) or ""
     if cell.look:
         look = f"{look} {cell.look}".lstrip()
@@ -243,5 +243,5 @@ def _text(cell: Cell) -> str:
 
 
 def _kind(column: Column) -> str | bool:
-    """Return the class of the cells of a column; numbers, the most frequent, are unclassified."""
+    """Return the HTML class of the cells of a column; numbers, the usual kind, have none."""
     return "words" if not column.is_number else "sign" if column.is_sign else False

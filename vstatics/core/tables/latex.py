@@ -16,7 +16,7 @@ _COMMANDS = {
     ">": r"\textgreater{}",
     "|": r"\textbar{}",
     '"': "''",  # a straight double quote needs the font encoding T1
-    "[": "{[}",  # at the start of a row, it would begin the length after `\\`
+    "[": "{[}",  # at the start of a row, LaTeX would read a length
     "]": "{]}",
     "*": "{*}",
     **{sign: f"\\{sign}" for sign in "&%$#_{}"},
@@ -27,7 +27,7 @@ _SPECIAL = re.compile("[" + re.escape("".join(_COMMANDS)) + "]")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Write tables in the environment `tabular` and sentences as list items.
+    r"""Return tables in the environment `tabular`, and sentences as list items.
 
     Examples
     --------
@@ -55,7 +55,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Escape all special characters of LaTeX in a text.
+    r"""Return a text with all special characters of LaTeX escaped.
 
     >>> print(escaped("50 % of R_1, --seed 3"))
     50 \% of R\_1, -{}-seed 3
@@ -64,14 +64,14 @@ def escaped(text: str) -> str:
 
 
 PAGE, SMALL_PAGE = 66, 86
-"""Number of characters in a line of usual and of small type."""
+"""Number of characters per line in usual and in small type."""
 SHORT, ENOUGH = 20, 24
-"""Number of characters of the widest column of words whose lines are not broken, and least number
-of characters of a broken column for which the usual type size is kept.
+"""Width in characters up to which a column of words is not broken into lines, and smallest width
+of a broken column for which the usual type size is used.
 """
 
 MOST_ROWS = 28
-"""Number of rows on a page."""
+"""Largest number of rows of a table on a page."""
 
 
 def _pages(grid: Grid) -> Iterator[Grid]:
@@ -97,9 +97,9 @@ def _pages(grid: Grid) -> Iterator[Grid]:
 
 
 def _lengths(grid: Grid) -> list[int]:
-    """Return the characters of each column, with the gap to the next.
+    """Return the width of each column in characters, including the gap to the next column.
 
-    Headings of numbers are stacked, so only their longest word counts.
+    A heading above numbers has one word per line, so only its longest word counts.
     """
     headings = [
         max(column.heading.split() or [""], key=len) if column.is_number else column.heading
@@ -146,7 +146,7 @@ def _lines(grid: Grid) -> Iterator[str]:
 
 
 def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
-    """Return the characters of a line, and the widths of broken columns by index."""
+    """Return the number of characters per line, and the widths of broken columns by index."""
     long = {
         index: length
         for index, length in enumerate(lengths)
@@ -156,14 +156,14 @@ def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
     page = PAGE if unbroken + ENOUGH * len(long) <= PAGE else SMALL_PAGE
     room: float = max(page - unbroken, SHORT)
     widths: dict[int, float] = {}
-    for index in sorted(long, key=long.__getitem__):  # short columns leave room to longer ones
+    for index in sorted(long, key=long.__getitem__):  # short columns leave room for longer columns
         widths[index] = min(long[index], room / (len(long) - len(widths)))
         room -= widths[index]
     return page, widths
 
 
 def _heading(text: str) -> str:
-    """Write a heading above numbers, a word in each line."""
+    """Return a heading above numbers, with one word per line."""
     words = escaped(text).split()
     stacked = r"\\ ".join(words)
     return rf"\shortstack[r]{{{stacked}}}" if len(words) > 1 else stacked
@@ -179,7 +179,7 @@ def _cell(cell: Cell, column: Column) -> str:
 
 
 def _row(cells: Iterable[str], broken: Container[int]) -> str:
-    r"""Write a row; a ragged cell redefines `\\`, so the row ends differently."""
+    r"""Return a row; a ragged cell redefines `\\`, so the row needs another end."""
     ragged = (
         rf"\raggedright {cell}" if index in broken else cell for index, cell in enumerate(cells)
     )

@@ -12,7 +12,7 @@ _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$&])")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Write tables with pipes and sentences as list items.
+    r"""Return tables with pipes, and sentences as list items.
 
     Examples
     --------
@@ -37,7 +37,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Escape all special characters of Markdown in a text.
+    r"""Return a text with all special characters of Markdown escaped.
 
     >>> print(escaped("N*m"))
     N\*m

@@ -1,4 +1,4 @@
-"""Numbers as text: for readers, for listings and for decks."""
+"""Numbers as text: for people, for listings and for decks."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from vstatics.core.numerics.tolerances import ROUNDED_NUMBER
 _MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
 
 EXPONENT_DIGITS = 4
-"""Least number of digits in E format."""
+"""Smallest number of digits in E format."""
 SMALL, SIGNIFICANT = 0.1, 4
-"""Magnitude below which a number counts as small, and the significant digits of small numbers."""
+"""Magnitude below which a number is small, and number of significant digits of small numbers."""
 
 
 def certain(value: float) -> float:
-    """Round a number to twelve significant digits, as the last bits depend on the processor.
+    """Round a number to twelve significant digits, because last bits depend on the processor.
 
-    Decisions on the digits of a number, a scale or a maximum are made with the rounded number.
+    Decisions about digits, scales or maxima use the rounded number, so that all processors agree.
 
     >>> certain(0.1 + 0.2), certain(99.99999999999999), certain(float("nan"))
     (0.3, 100.0, nan)
@@ -37,9 +37,9 @@ def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
     value : float
         Number; NaN and infinities are written as asterisks.
     width : int
-        Least width of the field.
+        Smallest width of the field.
     decimals : int
-        Number of decimals; without any the point is omitted.
+        Number of decimals; if it is 0, the point is omitted.
 
     Examples
     --------
@@ -58,8 +58,8 @@ def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
 def fixed_rows(values: Sequence[Sequence[float]], width: int, decimals: int = 3) -> list[str]:
     """Format the rows of a listing in Fortran's F format, with a blank between two fields.
 
-    As in the listing of the source, there is no zero before the point. The whole table is
-    formatted at once, in a fifth of the time that `fixed` needs for each number.
+    As in the published listing, there is no zero before the point. Formatting the whole table at
+    once takes a fifth of the time of `fixed` for each number.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
 
 
 def exponent(value: float) -> str:
-    """Format a number of a deck in E format, with four digits, or more to be read back exactly.
+    """Format a number for a deck in E format, with four digits or as many as make it exact.
 
     Examples
     --------
@@ -159,7 +159,7 @@ def short(value: float, digits: int | None = None) -> str:
     ----------
     value : float
     digits : int, optional
-        Number of decimals instead; whole numbers are written without decimals.
+        Number of decimals instead of five significant digits; whole numbers have none.
 
     Examples
     --------
@@ -177,9 +177,9 @@ def short(value: float, digits: int | None = None) -> str:
 
 @lru_cache(maxsize=4096)
 def typeset(text: str) -> str:
-    """Typeset the numbers in a text, with a minus sign.
+    """Return a text in which the hyphens of negative numbers are minus signs.
 
-    Pictures and pages use this; text for programs keeps the hyphen.
+    The function is for pictures and pages; text for programs keeps the hyphen.
 
     >>> typeset("-0.953"), typeset("sun 1-2: -0.5, 2.5 (-1e-07)")
     ('−0.953', 'sun 1-2: −0.5, 2.5 (−1e-07)')

@@ -1,4 +1,4 @@
-"""Table of the ports of gears: speed, torque and power of each link with external power."""
+"""Table of the ports of gears: speed, torque and power of links with an external torque."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vstatics.core.tables.grid import Cell, Grid, exact, grid_of, word
 from vstatics.core.tables.quantities import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
-"""Quantities of a port, and their physical units."""
+"""Quantities of a port, each with its physical unit."""
 
 
 class NamedPort(NamedTuple):
-    """Port of a gear; with an operating point also in physical units."""
+    """Port of a gear, with its quantities also in physical units if the gear has a load."""
 
     link: str
     way: str | None
@@ -34,7 +34,7 @@ class NamedPort(NamedTuple):
 
 
 class LostPower(NamedTuple):
-    """Power lost in meshes, variators, converters or drag, or in total."""
+    """Power lost in meshes, variators or converters, by drag or in total."""
 
     in_: str
     power: float
@@ -43,21 +43,21 @@ class LostPower(NamedTuple):
 
 @json_keys("gear", "ports", "lost")
 class PortTable(NamedTuple):
-    """Ports of a gear with the names of the links, and the scales of physical units."""
+    """Ports and losses of a gear, with names and the factors to physical units."""
 
     gear: str
     rows: Sequence[tuple[str, Port]]
-    """Names of the links, with the ports."""
+    """Name of the link, and the port, for each port."""
     losses: Sequence[tuple[str, float]]
-    """Names of the losses, as in `LostPower`, with the relative power. [-]"""
+    """Name of each loss, as in `LostPower`, and its relative power. [-]"""
     scales: dict[str, float]
-    """Scales of the gear by unit; see `gear_scales`."""
+    """Factors to physical units, by unit; see `gear_scales`."""
     input_torque: float
     """Relative input torque: 1, or 0 for an operating point without torque. [-]"""
 
     @property
     def ports(self) -> list[NamedPort]:
-        """Ports as records of the output."""
+        """Ports as records for output."""
         return [
             NamedPort(
                 name,
@@ -73,7 +73,7 @@ class PortTable(NamedTuple):
 
     @property
     def lost(self) -> list[LostPower]:
-        """Losses as records of the output."""
+        """Losses as records for output."""
         return [
             LostPower(name, self.relative(lost), self._with_units((0, 0, lost))[-1])
             for name, lost in self.losses
@@ -84,7 +84,7 @@ class PortTable(NamedTuple):
         return number if self.input_torque else math.nan
 
     def _with_units(self, values: Sequence[float]) -> list[float | None]:
-        """Return the quantities of `MEASURES` in physical units, None where unknown."""
+        """Return the quantities of `MEASURES` in physical units; None if unknown."""
         pairs = zip(values, [self.scales[unit] for _, unit in MEASURES], strict=True)
         return [None if math.isnan(scale) else value * scale for value, scale in pairs]
 
@@ -96,7 +96,7 @@ def port_tables(results: Results) -> list[PortTable]:
 
 
 def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
-    """Return the ports of a gear, with the scales of the gear from `gear_scales`."""
+    """Return the ports of a gear, given its factors from `gear_scales`."""
     case, of_gear = state.case, ports(state)
     rows = [(case.link_name(port.link), port) for port in of_gear.ports]
     losses = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}
@@ -116,13 +116,13 @@ def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
 
 
 def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
-    """Build the table of the ports and losses of gears.
+    """Return the table of the ports and losses of gears.
 
     Parameters
     ----------
     gears : sequence of PortTable
     named : bool, optional
-        Whether the first column has the names of the gears; unnecessary for a single gear.
+        True if the first column contains the names of the gears.
 
     Returns
     -------

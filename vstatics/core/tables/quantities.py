@@ -1,9 +1,9 @@
 """All quantities of the results: their names, headings and units, and when they exist.
 
-A new quantity needs an array in `vstatics.core.statics.result_arrays.ARRAYS` and an entry here.
-Every output writes its name, except the listing, which writes its deck name. Users can type either
-(`names`). The tables, JSON, CSV, listing, schema of results, report, comparison of results, and the
-end of a deck are all derived from these entries.
+A new quantity needs an array in `vstatics.core.statics.result_arrays.ARRAYS` and an entry here. All
+outputs contain its name, except the listing, which contains its deck name. Users can type either
+name (see `names`). Tables, JSON, CSV, listing, schema of results, report, comparison of results,
+and the detection of the end of a deck are derived from these entries.
 """
 
 from __future__ import annotations
@@ -25,37 +25,37 @@ class Quantity(NamedTuple):
     """Quantity of the results, as shown by all formats."""
 
     name: str
-    """Name in JSON, CSV, sweeps and the library, where most are attributes of `Results`."""
+    """Name in JSON, CSV, sweeps and Python; most quantities are attributes of `Results`."""
     deck_name: str
-    """Name in the listing and in decks, or in their style; accepted wherever a name is typed."""
+    """Name in listings and decks, or a name in their style; users can type it as well."""
     heading: str
     """Heading in a listing, without the colon."""
     own_title: str = ""
-    """Title in a report; empty: the heading."""
+    """Title in a report; empty if it is equal to the heading."""
     members: tuple[str, str] | None = None
-    """Headings of the second part of a table of torques, or None for a table of a single part.
+    """Headings of the second part of a table of torques; None for a table with a single part.
 
-    The headings are by mechanisms and, for a drawn case, by members of gear sets.
+    The first heading is for mechanisms, the second for members of gear sets in a drawn case.
     """
     own_rows: Rows | None = None
-    """Kind of rows of a quantity that is not an array of `Results`."""
+    """Kind of rows, for a quantity that is not an array of `Results`."""
     is_sign: bool = False
-    """Marks a quantity of +1, 0 or -1, in an array of floats because of NaN."""
+    """True if values are +1, 0 or -1; the array contains floats because of NaN."""
     columns: Literal["gears", "devices"] = "gears"
     published: bool = False
-    """Marks a table of the source's report."""
+    """True for a table of the published report."""
     exists: Callable[[Results], bool] | None = None
-    """Condition for writing the table, None for an unconditional table."""
+    """Condition under which the table is written; None if it is always written."""
     decimals: int = 3
     """Decimals in a report."""
     with_load: str = ""
-    """Unit of a further table for a case with an operating point, or empty."""
+    """Unit of a further table for a case with an operating point; empty for no such table."""
     brief: str = ""
-    """Heading of the table in the unit `with_load`; empty: the usual heading."""
+    """Heading of the table in the unit `with_load`; empty if it is the usual heading."""
     unit: str = ""
-    """Unit of the numbers; empty: relative to the input."""
+    """Unit of the numbers; empty if they are relative to the input."""
     of: str = ""
-    """Name of the relative quantity from which a quantity in `unit` is calculated; else empty."""
+    """Name of the relative quantity from which this quantity in `unit` is calculated; else ""."""
 
     @property
     def printed(self) -> str:
@@ -69,7 +69,7 @@ class Quantity(NamedTuple):
 
     @property
     def rows(self) -> Rows:
-        """Kind of rows of the table; `one` is a list over the gears."""
+        """Kind of rows of the table; `one` means one value per gear."""
         return self.own_rows or ARRAYS[self.name].rows
 
     @property
@@ -81,21 +81,22 @@ class Quantity(NamedTuple):
 
     @property
     def always(self) -> bool:
-        """True if all results have the table."""
+        """True if the table exists for all results."""
         return self.exists is None and not self.unit
 
 
 class Table(NamedTuple):
-    """Values of a quantity: a row for each link, device or mechanism, a column for each gear.
+    """Table of a quantity: a row for each link, device or mechanism, a column for each gear.
 
-    The columns of the distribution matrix are devices. A list over the gears has one row.
+    The columns of the distribution matrix are devices. A quantity with one value per gear has a
+    single row.
     """
 
     quantity: Quantity
     rows: Sequence[str]
     columns: Sequence[str]
     values: Floats
-    """Numbers of shape (rows, columns); NaN: does not exist."""
+    """Values, shape (rows, columns); NaN if a value does not exist."""
 
 
 class _Unit(NamedTuple):
@@ -108,11 +109,11 @@ UNITS = {
     "Nm": _Unit("N*m", 1),
     "kW": _Unit("kW", 3),
 }
-"""Units of physical values, by the suffix of their keys."""
+"""Physical units, by the suffix of the names of quantities."""
 
 
 def headed(name: str, unit: str) -> str:
-    """Return the heading of a column in a unit; an empty unit means relative to the input.
+    """Return the heading of a column with its unit; an empty unit means relative to the input.
 
     >>> headed("slip", "rpm"), headed("torque", "Nm"), headed("slip", "")
     ('slip, rpm', 'torque, N*m', 'slip')
@@ -318,7 +319,7 @@ RELATIVE = (
         brief="Torques of the meshes with losses",
     ),
 )
-"""Quantities without a unit, in the order of the written tables."""
+"""Relative quantities, in the order of the written tables."""
 
 _ASKED = (
     Quantity(
@@ -381,13 +382,13 @@ QUANTITIES = RELATIVE + WITH_UNITS
 """All written quantities, in the order of their tables."""
 
 ASKED = _ASKED + tuple(in_unit(quantity) for quantity in _ASKED if quantity.with_load)
-"""Quantities that are written only if requested by name.
+"""Quantities that are output only if requested by name.
 
-The output torque is also the last row of the tables of torques.
+They include the output torque, which is also the last row of the tables of torques.
 """
 
 PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
-"""Quantities by the names above the tables of a listing, which also end a preceding deck."""
+"""Quantities by their names in a listing; such a name also ends the deck before it."""
 
 BY_NAME = {
     name: quantity

@@ -1,4 +1,4 @@
-"""Headings with linear units, for a case with links that move in a straight line."""
+"""Headings with units of straight motion, for a case with links that move along a line."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _UNITS = {
     "rad/s^2": "m/s^2",
     "rad/s": "m/s",
 }
-"""Linear units by the units of rotation."""
+"""Units of straight motion, by the corresponding units of rotation."""
 _ANY = "|".join(map(re.escape, [*_UNITS][:-1]))
 _SPEEDS = "|".join(rf"(?<={word} \[)" for word in ("speed", "rate", "velocity"))
 _UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?:{_SPEEDS})rad/s(?=\])")
@@ -26,7 +26,7 @@ _UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?:{_SPEEDS})rad/s(?
 
 
 def in_both_units(case: Transmission, grids: Iterable[Grid]) -> Iterator[Grid]:
-    """Yield tables whose headings include the units of straight links, if the case has any.
+    """Yield tables whose headings also give units of straight motion, if the case has such links.
 
     Examples
     --------

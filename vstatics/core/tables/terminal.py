@@ -1,4 +1,4 @@
-"""Tables with colours at a terminal; the only module of this folder that imports `rich`."""
+"""Tables with colours for terminals; the only module of this package that imports `rich`."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from vstatics.core.tables.grid import Cell, Grid
 
 
 class _TerminalColumn(NamedTuple):
-    """Column at a terminal: texts below a heading, and the possible widths in characters."""
+    """Column for a terminal: heading and texts, and possible widths in characters."""
 
     heading: Text
     texts: list[Text]
     least: int
-    """Least width that cuts no word or number."""
+    """Smallest width at which no word or number is cut."""
     whole: int
-    """Least width that folds no text below the heading."""
+    """Smallest width at which no text below the heading is folded (wrapped)."""
     natural: int
-    """Least width that folds no text and no heading."""
+    """Smallest width at which neither a text nor the heading is folded."""
     is_number: bool
     may_fold: bool
 
 
 def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
-    """Lay out a table without a title, or several tables if the columns are too wide.
+    """Return a table without a title, or several tables if the columns are too wide.
 
-    A word is cut only if it is wider than the terminal. Columns of signs are set close together,
+    A word is cut only if it is wider than the terminal. Columns of signs are close together,
     without a gap if their headings are single letters.
 
     Parameters
@@ -41,7 +41,7 @@ def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
     width : int
         Width of the terminal, in characters.
     keys : int, optional
-        Number of first columns that are repeated in each table.
+        Number of leading columns that are repeated in each table.
     """
     grid = grid.spoken
     columns = [_column(grid, group) for group in _groups(grid)]
@@ -60,14 +60,14 @@ def natural_width(grid: Grid) -> int:
 
 
 def whole_width(grid: Grid) -> int:
-    """Return the least width of a table in which only headings are folded, in characters."""
+    """Return the smallest width at which only headings are folded, in characters."""
     grid = grid.spoken
     columns = (_column(grid, group) for group in _groups(grid))
     return _sum(max(column.least, column.whole) for column in columns)
 
 
 def _sum(widths: Iterable[int]) -> int:
-    """Return the width of a table from the widths of columns, with gaps of two blanks."""
+    """Return the width of a table with the given column widths and gaps of two blanks."""
     return sum(width + 2 for width in widths)
 
 
@@ -108,10 +108,10 @@ def _table(columns: Sequence[_TerminalColumn], width: int) -> RichTable:
 
 
 def _widths(columns: Sequence[_TerminalColumn], width: int) -> list[int]:
-    """Return the widths of the columns, with as few folded texts as possible.
+    """Return the column widths for which as few texts as possible are folded.
 
-    The remaining width goes to the columns that need least, first to fold no text, then to fold
-    no heading, which costs one line at most.
+    Available width is given to the columns that need least: first so that no text is folded, then
+    so that no heading is folded.
     """
     least = [column.least for column in columns]
     widths = [max(min(need, width - _sum(least) + need), 1) for need in least]
@@ -125,7 +125,7 @@ def _widths(columns: Sequence[_TerminalColumn], width: int) -> list[int]:
 
 
 def _groups(grid: Grid) -> list[list[int]]:
-    """Return the indices of columns in groups; adjacent columns of signs form a group."""
+    """Return groups of column indices; adjacent columns of signs form a group."""
     indices = range(len(grid.columns))
     groups = groupby(indices, lambda index: -1 if grid.columns[index].is_sign else index)
     return [list(group) for _, group in groups]

@@ -1,6 +1,6 @@
 """Tables of the results that every output format shows, in the order of the source.
 
-The headings of a case with springs mention them.
+For a case with springs, the headings mention springs.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from vstatics.core.tables.quantities import RELATIVE, WITH_UNITS, Quantity, Tabl
 
 
 def tables(results: Results) -> list[Table]:
-    """Return all existing tables of the results of a case.
+    """Return all tables that exist for the results of a case.
 
     Examples
     --------
@@ -48,7 +48,7 @@ def tables(results: Results) -> list[Table]:
 
 
 def places(table: Table) -> list[tuple[str, str, str | None]]:
-    """Return key, row and gear of each value of a table, for the long form of CSV and Parquet.
+    """Return table, row and gear of each value, for the long form of CSV and Parquet.
 
     The distribution matrix does not depend on the gear: its rows are ``link:device``.
     """
@@ -75,7 +75,7 @@ WORDS = {
     "mechanisms and output": "mechanisms, springs and output",
     "the elements and of the output": "the elements, of springs and of the output",
 }
-"""Words of headings and their replacements for a case with springs."""
+"""Phrases in headings, and their replacements for a case with springs."""
 
 
 def among_springs(quantity: Quantity) -> Quantity:

@@ -9,43 +9,43 @@ from typing import NamedTuple
 from vstatics.core.model.transmission import Transmission
 
 GEAR_NUMBER = "gear number"
-"""Column of a driving cycle with the numbers of gears, which are whole numbers."""
+"""Column of a written driving cycle that contains the numbers of gears."""
 
 
 class Figure(NamedTuple):
-    """Number as written; NaN: no value."""
+    """Number as written in a result; NaN if it has no value."""
 
     value: float
     slack: float = 0.0
-    """Largest rounding error of a number from a listing: half a unit of its last digit."""
+    """Largest rounding error of a number in a listing: half a unit of its last digit."""
 
 
 Figures = list[list[Figure]]
-"""Rows of a table; a list over the gears has a single row."""
+"""Rows of a table; a table with one value per gear has a single row."""
 
 
 class WrittenResult(NamedTuple):
-    """Written result of a case: the tables by name."""
+    """Result of a case as written in a file: tables by name."""
 
     tables: dict[str, Figures]
     case: Transmission | None
-    """Case of the result, if known, for the names of rows and gears."""
+    """Case of the result, which gives the names of rows and gears; None if unknown."""
     printed: bool
     """True if the result was read from a listing."""
     errors: bool = False
     """True if the case failed."""
     rows: Mapping[str, Sequence[str]] = MappingProxyType({})
-    """Names of the rows of each table, if written: for a drawn case, or in CSV."""
+    """Names of the rows of each table, if the file contains them (for a drawn case, or in CSV)."""
     file: str = ""
-    """File of the case, with folders if written; empty: unknown."""
+    """File of the case, with folders if they are written; empty if unknown."""
     gears: Sequence[str] = ()
-    """Names of the gears, if written without the case."""
+    """Names of the gears, if the file contains them without the case."""
     devices: Sequence[str] = ()
-    """Names of the devices, if written without the case."""
+    """Names of the devices, if the file contains them without the case."""
 
     @property
     def is_of_source(self) -> bool:
-        """True if the result is a listing of the source, with published tables only."""
+        """True if the result is a listing with the tables of the published report only."""
         return self.printed and "ratio" not in self.tables
 
     @property
@@ -58,7 +58,7 @@ class WrittenResult(NamedTuple):
 
     @property
     def gear_names(self) -> Sequence[str]:
-        """Names of the gears, if known; a listing of the source has numbers only."""
+        """Names of the gears, if known; a published listing has only numbers."""
         if self.is_of_source:
             return ()
         return self.gears or ([gear.name for gear in self.case.gears] if self.case else ())
@@ -72,7 +72,7 @@ class WrittenResult(NamedTuple):
 
     @property
     def case_name(self) -> str:
-        """Name of the case, or an empty text."""
+        """Name of the case; empty if unknown."""
         return self.case.name if self.case else ""
 
 
@@ -81,12 +81,12 @@ GEAR = "gear"
 
 
 class WrittenSweep(NamedTuple):
-    """Written sweep: columns with a value for each row."""
+    """Sweep as written in a file: columns with a value for each row."""
 
     variants: list[int]
     status: list[str]
     columns: dict[str, list[float]]
-    """Numbers of each column; NaN: no value."""
+    """Numbers of each column; NaN for a missing value."""
     varied: tuple[str, ...] = ()
     """Names of the varied columns."""
     gears: Sequence[str] = ()

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from openpyxl import Workbook
 
 MOST_ROWS, MOST_COLUMNS = 1_048_576, 16_384
-"""Size limits of a sheet."""
+"""Largest number of rows and of columns of a sheet."""
 LONGEST_SHEET_NAME = 31
-"""Length limit of the name of a sheet."""
+"""Largest number of characters of the name of a sheet."""
 CONTENTS = "tables"
 _FORBIDDEN = re.compile(r"[\[\]:*?/\\\x00-\x1f]")
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
@@ -29,11 +29,12 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, digits: int | None = None
 ) -> bytes:
-    """Write the tables of cases as a workbook; tables with equal names share a sheet.
+    """Return the tables of cases as a workbook; tables with equal names share a sheet.
 
-    A sheet of several cases has the file of each case in its first column; a row of headings is
-    written whenever the headings change. Tables of one group share a sheet with a column of
-    titles. If tables have keys, the first sheet lists their titles. Equal tables give equal bytes.
+    For several cases, the first column of a sheet contains the file of the case. A row of headings
+    is written whenever the headings change. Tables of the same group share a sheet, with a column
+    of titles. If tables have keys, the first sheet lists their titles. Equal tables give equal
+    bytes.
 
     Parameters
     ----------
@@ -42,7 +43,7 @@ def write(
     several : bool
         Whether the first column is the file of the case.
     digits : int, optional
-        Number of shown decimals; the numbers keep all digits.
+        Number of decimals shown; the stored numbers keep all digits.
 
     Raises
     ------
@@ -62,7 +63,7 @@ def write(
 
 
 def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
-    """Write a workbook of named sheets; the first row of each sheet has the headings.
+    """Return a workbook of named sheets; the first row of each sheet contains the headings.
 
     Equal sheets give equal bytes.
     """
@@ -75,7 +76,7 @@ def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
 
 
 class _Book:
-    """Workbook that is being filled."""
+    """Workbook under construction."""
 
     def __init__(self, book: Workbook, *, several: bool, digits: int | None) -> None:
         self.book = book
@@ -86,7 +87,7 @@ class _Book:
         self.titles: dict[str, str] = {}
 
     def add(self, file: str, grid: Grid) -> None:
-        """Write a table, below other tables of the sheet."""
+        """Add a table, below the other tables of its sheet."""
         name = grid.group or grid.key or grid.title
         if name not in self.sheets:
             sheet = sheet_name(name, self.names)
@@ -100,21 +101,21 @@ class _Book:
         )
 
     def data(self) -> bytes:
-        """Return the content of the file, with a table of contents."""
+        """Return the content of the workbook file, with a sheet of contents."""
         if self.titles or not self.sheets:
             contents = _Worksheet(self.book.create_sheet(CONTENTS, 0), self)
             contents.add([], ["sheet", "table"], list(map(list, self.titles.items())))
         return self.saved()
 
     def saved(self) -> bytes:
-        """Return the content of the file."""
+        """Return the content of the workbook file."""
         written = io.BytesIO()
         self.book.save(written)
         return _without_dates(written)
 
 
 class _Worksheet:
-    """Sheet that is being filled."""
+    """Sheet under construction."""
 
     def __init__(self, sheet: Any, book: _Book) -> None:
         sheet.freeze_panes = "B2"
@@ -124,7 +125,7 @@ class _Worksheet:
         self.rows = 0
 
     def add(self, front: Sequence[str], headings: list[str], rows: Sequence[Sequence[Any]]) -> None:
-        """Write rows, preceded by headings if the headings change."""
+        """Add rows, preceded by headings if these differ from the last headings."""
         from openpyxl.styles import Font
 
         bold = Font(bold=True)
@@ -140,7 +141,7 @@ class _Worksheet:
             self.sheet.append([self._cell(datum) for datum in (*front, *row)])
 
     def _cell(self, datum: Datum, font: Any = None) -> Any:
-        """Return a cell; a text is never taken for a formula."""
+        """Return a cell with a value; texts never become formulas."""
         from openpyxl.cell import WriteOnlyCell
 
         if datum is None:
@@ -160,7 +161,7 @@ class _Worksheet:
 
 
 def sheet_name(name: str, taken: set[str]) -> str:
-    """Return a valid, unused name of a sheet, and add the name to `taken`.
+    """Return a valid, unused name for a sheet, and add it to `taken`.
 
     >>> taken = set()
     >>> sheet_name("Gear 1/2: [low]", taken), sheet_name("gear 1 2  (low)", taken)

@@ -1,8 +1,8 @@
 """Translation of the program's texts; English texts are written in the code.
 
-`tr` returns a text in the current language, which `speaking` selects. The English text is the key
-of a row in `table.txt`, which contains the translations. Numbers and names are inserted into named
-fields, because word order depends on the language. A text without a row stays English.
+`tr` returns a text in the current language, which `speaking` selects. The file `table.txt` contains
+a row with the translations of each English text. Numbers and names are inserted into named fields,
+because word order depends on the language. A text without a row stays English.
 
 >>> with speaking("ru"):
 ...     tr("efficiency"), tr("Gear {gear}", gear="R")
@@ -24,12 +24,12 @@ Language = Literal["en", "ru"]
 
 _SPOKEN: ContextVar[Language] = ContextVar("language", default="en")
 FORMS = "|"
-"""Separator between the singular, plural and, in Russian, second plural of a text."""
+"""Separator between the singular and plural forms of a text; Russian has two plurals."""
 
 
 @contextmanager
 def speaking(language: Language) -> Iterator[None]:
-    """Select the language of all texts translated within the context."""
+    """Run the block with a language for all texts that are translated in it."""
     before = _SPOKEN.set(language)
     try:
         yield
@@ -43,12 +43,12 @@ def spoken() -> Language:
 
 
 def tr(text: str, /, **places: object) -> str:
-    """Translate a text into the current language.
+    """Return a text in the current language.
 
     Parameters
     ----------
     text : str
-        English text, with several forms if it depends on a number `count`.
+        English text, with its forms separated by `FORMS` if it depends on a number `count`.
     **places
         Values of the named fields.
 
@@ -64,7 +64,7 @@ def tr(text: str, /, **places: object) -> str:
 
 
 def translated(text: str, /, language: Language, **places: object) -> str:
-    """Translate a text into a given language; see `tr`.
+    """Return a text in a given language; see `tr`.
 
     >>> translated("efficiency", "ru")
     'КПД'
@@ -92,7 +92,7 @@ _IN_BRACKETS = re.compile(r"(.+) \[(.+)\]")
 
 
 def heading(text: str) -> str:
-    """Translate the heading of a column, which can end with a unit.
+    """Return the translated heading of a column, which can end with a unit.
 
     >>> with speaking("ru"):
     ...     heading("speed, rpm"), heading("time [s]"), heading("efficiency")
@@ -110,7 +110,7 @@ def heading(text: str) -> str:
 
 
 def title(text: str) -> str:
-    """Translate the title of a table, except a key of JSON in brackets at the end.
+    """Return the translated title of a table, except a JSON key in brackets at its end.
 
     >>> with speaking("ru"):
     ...     title("Power lost in the mechanisms [losses]")
@@ -123,7 +123,7 @@ def title(text: str) -> str:
 
 
 def labelled(text: str) -> str:
-    """Translate a text, or only the label before a colon.
+    """Return a translated text; without a translation, only the label before its colon is.
 
     >>> with speaking("ru"):
     ...     labelled("sun: ring"), labelled("lost: meshes")
@@ -137,7 +137,7 @@ def labelled(text: str) -> str:
 
 @cache
 def table(language: Language) -> Mapping[str, str]:
-    """Return all texts in a language by English text."""
+    """Return the translations into a language, by English text."""
     return {row["en"]: row[language] for row in rows()}
 
 

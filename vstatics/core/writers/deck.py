@@ -1,4 +1,4 @@
-"""Writer of decks, with the headings and fields of the published template."""
+"""Writer of decks, with the headings and fields of the published example."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ DECK_KEYS = {
     *("kind", "engaged", "speeds", "torques"),
     *("first", "second", "third", "ratio", "efficiency", "planet_ratio"),
 }
-"""Keys of YAML and JSON that have fields in a deck; `kind` has no field for some kinds."""
+"""Keys of YAML and JSON that have fields in a deck; some values of `kind` have no field."""
 
 
 def write(case: Transmission, lang: Language = "en") -> str:
-    """Write a case as a deck, which is read back as an equal case except for `lost`.
+    """Return a case as a deck; reading it gives an equal case, except for parts listed by `lost`.
 
-    A case with speeds given as speeds of other links must be converted by
-    `Results.with_numbers_only` before. The fields of springs are not read from decks; their heading
-    says so, and `check_deck` refuses springs.
+    A case with speeds that are multiples of other links' speeds must first be converted by
+    `Results.with_numbers_only`. Springs are written under a heading that marks them as unreadable;
+    `check_deck` raises an error for springs.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def write(case: Transmission, lang: Language = "en") -> str:
 
 
 def template(case: Transmission) -> Iterator[str]:
-    """Yield the fields of the published template with English headings."""
+    """Yield the fields of a deck with English headings."""
     elements, mechanisms = case.shift_elements, case.mechanisms
     planets = {
         number: mechanism.planet_ratio
@@ -80,7 +80,7 @@ def template(case: Transmission) -> Iterator[str]:
 
 
 def lost(case: Transmission) -> list[str]:
-    """List the parts of a case that a deck cannot contain, such as the description."""
+    """Return the parts of a case that a deck cannot contain, such as the description."""
     from vstatics.core.model.checks import carried_keys
     from vstatics.core.model.keys import (  # costs start-up time
         CASE,
@@ -118,7 +118,7 @@ def lost(case: Transmission) -> list[str]:
 
 
 def _unkept(part: object, shape: ByKey) -> Iterator[str]:
-    """Yield the keys of a part without a field in a deck, unless they have their defaults."""
+    """Yield the keys of a part that have no field in a deck and differ from their defaults."""
     for key in shape.keys:
         if key.name not in DECK_KEYS and not key.leaves_out(getattr(part, key.name, None)):
             yield key.name
@@ -131,7 +131,7 @@ def _links_of_devices(case: Transmission) -> list[str]:
 
 
 def _lists(part: str, parts: Sequence[object], kind: type[float]) -> Iterator[str]:
-    """Yield the lists of numbers of a kind; lists of gears without values are omitted."""
+    """Yield the lists of numbers of a type; lists for gears are omitted if all are defaults."""
     for key, field in FIELDS.items():
         if field.part != part or field.kind is not kind:
             continue
@@ -170,7 +170,7 @@ def _gears(case: Transmission) -> list[str]:
 def _given(
     gears: Sequence[Mapping[int, Any]], count: str, links: str, values: str
 ) -> Iterator[str]:
-    """Yield links and values of given speeds or torques, a line for each gear."""
+    """Yield the links and values of given speeds or torques, with a line for each gear."""
     if any(gears):
         yield "Their links:"
         yield f"({links}(K,I),K=1,{count}(I)),I=1,NP:"
@@ -185,7 +185,7 @@ def _further_lines(case: Transmission) -> list[str]:
 
 
 def _conditions(case: Transmission) -> Iterator[str]:
-    """Yield input, output and conventions that differ from the defaults."""
+    """Yield the fields of input, output and conventions that differ from the defaults."""
     conditions = {
         f"INP= {case.input}": case.input != 1,
         f"IOUT= {case.output}": case.output != case.links,

@@ -1,4 +1,4 @@
-"""Outcomes of a check or comparison in the XML of JUnit, which CI shows as tests."""
+"""Outcomes of a check or comparison as JUnit XML, which CI systems show as tests."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from vstatics.core.errors import printable
 
 
 class CaseOutcome(NamedTuple):
-    """Outcome of a case, a failure if `type` is not empty."""
+    """Outcome of a check or comparison for a case; a failure if `type` is not empty."""
 
     name: str
     type: str = ""
     message: str = ""
     text: str = ""
-    """Output about the case, also without a failure."""
+    """Output about the case, for failures and successes."""
 
 
 def junit(suite: str, outcomes: Sequence[CaseOutcome]) -> str:
-    """Write the outcomes as a suite with a `testcase` each.
+    """Return the outcomes as a test suite with a `testcase` for each.
 
     Examples
     --------

@@ -1,7 +1,7 @@
-"""Listing of results in the form of the source's report: the deck, then the tables.
+"""Listing of results in the form of the published report: the deck, then the tables.
 
-Rows, columns, names and index lists are printed as in the source; the additional tables of this
-program follow. As the listing begins with the deck of the case, it can be run again as a deck,
+Rows, columns, names and index lists are printed as in the published report; additional tables of
+this program follow. The listing begins with the deck of the case, so it can be run again as a deck,
 except for a case with springs.
 """
 
@@ -27,7 +27,7 @@ CONVENTIONS = (
 )
 COASTING = "Coasting: the power enters at the output; in this scaling losses are below 0."
 LISTING_DECIMALS = 3
-"""Number of decimals, as published."""
+"""Number of decimals in the published report."""
 MESSAGES = "Messages:"
 
 
@@ -58,7 +58,7 @@ def table_lines(results: Results, shown: Iterable[Table], digits: int) -> Iterat
     named = results.case.has_own_rows
     for table in shown:
         for title, indices, part in parts(table, results.case):
-            mark = " (1)" if part.quantity.kind is bool else ""  # the number for yes
+            mark = " (1)" if part.quantity.kind is bool else ""  # 1 means yes
             yield from ("", f"{heading(title)}{mark}:", indices)
             yield from _rows(part, digits, named=named and table.quantity.rows != "one")
 
@@ -70,7 +70,7 @@ def messages(results: Results) -> list[str]:
 
 
 def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
-    """Yield heading, index list and rows of a table, or of both parts of a table of torques."""
+    """Yield heading, index list and rows of a table; a table of torques has two parts."""
     quantity = table.quantity
     if quantity.members is None:
         if table.values.size:
@@ -96,9 +96,9 @@ def _indices(quantity: Quantity, rows: str = "") -> str:
 
 
 def _rows(table: Table, digits: int, *, named: bool) -> list[str]:
-    """Return rows of equal fields: with three decimals 7 wide, integers 3 wide, or wider.
+    """Return rows with fields of equal width: 7 for three decimals, 3 for integers, or wider.
 
-    With `named`, for a case that is drawn or has springs, each row ends with its name.
+    With `named`, each row ends with its name (for cases with gear sets or springs).
     """
     decimals, width = (digits, digits + 4) if table.quantity.kind is float else (0, 3)
     rows = fixed_rows(table.values.tolist(), width, decimals)

@@ -1,4 +1,4 @@
-"""Structure of a case of planetary gear sets as matrices of rigid and variable connections."""
+"""Structure of a case with planetary gear sets as matrices of rigid and variable connections."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from vstatics.core.model.transmission import ShiftElement, Transmission
 from vstatics.core.tables import csv
 
 MEMBERS = {"sun": "a", "carrier": "h", "ring": "b", "first": "a", "third": "h", "second": "b"}
-"""Letter in the matrices for each member of a gear set or mechanism, in the order of columns."""
+"""Letter for each member of a gear set or mechanism, in the order of the columns."""
 
 
 def write(case: Transmission) -> str:
-    """Write the two matrices as tables in CSV, separated by a blank line; rows are links.
+    """Return both matrices as CSV tables, separated by a blank line; rows are links.
 
     The matrix of rigid connections has a column for each member of each gear set, unless the
     member is fixed to the housing: 1 in the row of its link, or -1 if the link is the input. The

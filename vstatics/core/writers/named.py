@@ -1,4 +1,4 @@
-"""Writers of cases as YAML and JSON, which are read back exactly."""
+"""Writers of cases as YAML and JSON; reading the text gives an equal case."""
 
 from __future__ import annotations
 
@@ -40,20 +40,20 @@ _WORD = re.compile(r"[^\W\d]\w*")
 
 
 class _OnOneLine(dict[str, Any]):
-    """Mapping that YAML writes in braces."""
+    """Mapping that is written in YAML on one line, in braces."""
 
 
 def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
-    """Convert a case to plain data with the keys of YAML and JSON.
+    """Convert a case to a mapping of plain data with the keys of YAML and JSON.
 
-    Keys with their default values are omitted.
+    Keys whose values are the default are omitted.
 
     Parameters
     ----------
     case : Transmission
     units : bool
-        Whether values given in physical units keep their unit, so that they do not change with the
-        operating point. Otherwise they are relative to the speed or torque of the operating point.
+        True if values given in physical units keep their units, so that they do not change with the
+        operating point. False to write them relative to the input speed or torque.
 
     Examples
     --------
@@ -79,7 +79,7 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
     values["output"] = None if case.outputs or case.output == own_links else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
-    sets = values["mechanisms"]  # in a drawn case only mechanisms that are not in a gear set
+    sets = values["mechanisms"]  # only mechanisms that are not part of a gear set
     values["mechanisms"] = {name: mechanism_record(part) for name, part in sets.items()}
     values["springs"] = {spring.name: spring_record(spring) for spring in case.springs}
     values["converters"] = {
@@ -123,17 +123,17 @@ def write_json(case: Transmission) -> str:
 
 
 def _wholes(case: Transmission) -> set[float]:
-    """Return the speeds and torques of all operating points, without signs.
+    """Return the magnitudes of the speeds and torques of all operating points.
 
-    A number relative to any other value is written without a unit, which no operating point would
-    convert back when the case is read again.
+    A number relative to any other value is written without a unit, because no operating point could
+    convert the unit back when the case is read.
     """
     loads = [case.load, *(gear.load and case.gear_load(gear) for gear in case.gears)]
     return {size for load in loads if load for size in (load.torque_size, abs(load.speed or 0.0))}
 
 
 def _drag_by_gear(case: Transmission) -> dict[str, Any]:
-    """Return gears with all drags relative to the operating point of each gear."""
+    """Return the written gears, with all drags relative to the operating point of each gear."""
     gears = []
     for gear, with_drag in zip(case.gears, case.gears_with_drag, strict=True):
         dragging = {
@@ -145,7 +145,7 @@ def _drag_by_gear(case: Transmission) -> dict[str, Any]:
 
 
 def _link_words(case: Transmission) -> list[int | str]:
-    """Return the written links, the housing first; by number if the case has no other names."""
+    """Return how links are written, housing first: by name, or by number if they have no names."""
     own_links = case.own_links
     if list(case.link_names[:own_links]) == [str(number) for number in range(1, own_links + 1)]:
         return ["housing", *range(1, case.links + 1)]
@@ -153,7 +153,7 @@ def _link_words(case: Transmission) -> list[int | str]:
 
 
 def _as_written(case: ByKey) -> ByKey:
-    """Return the keys in the order of writing: `load` after `coast`."""
+    """Return the declaration of a case with its keys in the order of writing."""
     keys = {key.name: key for key in case.keys}
     load = keys.pop("load")
     position = [*keys].index("coast") + 1
@@ -165,16 +165,16 @@ _CASE = _as_written(CASE)
 
 
 class _Writer(NamedTuple):
-    """Converter of parts of the model to plain data, directed by shapes.
+    """Converter of parts of the model to plain data, following the declared shapes.
 
-    It has the written names of links, shift elements and mechanisms by number.
+    Its fields contain the written names of links, shift elements and mechanisms, by number.
     """
 
     links: Sequence[int | str]
     elements: Sequence[str]
     mechanisms: Sequence[str]
     wholes: Collection[float]
-    """Sizes of operating points; a value relative to one of these is written with its unit."""
+    """Speeds and torques of operating points; values relative to one of them keep their unit."""
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
         """Return the keys of a part or mapping, without default values."""
@@ -182,7 +182,8 @@ class _Writer(NamedTuple):
         data: dict[str, Any] = {}
         for key in shape.keys:
             value = getattr(part, key.name, None) if values is None else values.get(key.name)
-            # A value relative to a missing operating point is 0 like a default, but is written.
+            # A value with a unit is written even if it equals the default 0, as without an
+            # operating point.
             is_written = key.required or isinstance(value, OfLoad) or not key.leaves_out(value)
             if key.name == "torque" and getattr(part, "power", None) is not None:
                 is_written = False  # the power determines the torque
@@ -263,7 +264,7 @@ class _Writer(NamedTuple):
         return {**data, shape.power: self.leaf(value.battery, Leaf("power"))}
 
     def by_points(self, value: Any, shape: ByPoints) -> Any:
-        """Write points, a constant number, or the keys of a mapping."""
+        """Write a curve: points, a constant number, or the keys of a mapping."""
         if hasattr(value, "_asdict"):
             return self.by_key(value, shape.mapping)
         rows = [self.row(point, shape.row) for point in value]
@@ -288,7 +289,7 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
     ByLaw: _Writer.by_law,
     Balances: _Writer.balance,
 }
-"""Method that writes the values of each type of shape."""
+"""Method that writes a value, by the type of its shape."""
 
 _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(
@@ -299,7 +300,7 @@ _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(("text", "choice"), str),
     "flag": bool,
 }
-"""Type in which values without unit or name are written, by the kind of leaf."""
+"""Type to which plain values are converted for writing, by kind of the declared value."""
 
 
 def _dumper() -> type[yaml.SafeDumper]:
@@ -311,9 +312,9 @@ def _dumper() -> type[yaml.SafeDumper]:
             return True
 
     def text(dumper: yaml.SafeDumper, data: str) -> yaml.ScalarNode:
-        plain = printable(data, lines=True) == data  # else only quotes can hold its escapes
+        plain = printable(data, lines=True) == data  # otherwise escapes need quotes
         style = ("|" if "\n" in data else None) if plain else '"'
-        if data in {*"yYnN"}:  # true or false for strict readers of YAML 1.1, PyYAML writes it bare
+        if data in {*"yYnN"}:  # other readers of YAML 1.1 take these for true or false
             style = "'"
         return dumper.represent_scalar("tag:yaml.org,2002:str", data, style=style)
 

@@ -10,12 +10,12 @@ from vstatics.core.errors import Problem
 from vstatics.core.messages.catalogue import explained
 
 _COMMANDS = {"error": "error", "warning": "warning", "note": "notice"}
-"""Workflow commands of GitHub, by severity."""
+"""Workflow command of GitHub for each severity."""
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 def github(problems: Iterable[Problem]) -> str:
-    """Write a line for each problem, which GitHub shows as an annotation of the file.
+    """Return a line for each problem, which GitHub shows as an annotation of the file.
 
     >>> from vstatics.core.errors import Place
     >>> place = Place("scenarios/../a,b.yaml", 3, 7)

@@ -1,4 +1,4 @@
-"""Results as CSV in long form, with a number in each row, for spreadsheets and pandas."""
+"""Results as CSV in long form (one number per row), for spreadsheets and pandas."""
 
 from __future__ import annotations
 
@@ -14,39 +14,39 @@ CONVENTIONS = (
     "torques: an external torque acts on a link and is positive in the direction of the input "
     "torque, which is 1; Mx is the output torque, given to the load",
 )
-"""Conventions of the numbers.
+"""Sign conventions and units of the numbers, as sentences.
 
-They are written as rows without a value, because CSV has no comments for spreadsheets.
+They are written as rows without a value, because spreadsheets do not support comments in CSV.
 """
 
 
 def write(results: Results, *, raw: bool = False) -> str:
     """Write the results of a case as CSV.
 
-    The columns are table, row, gear and value. The distribution matrix does not depend on the
-    gear: its rows are ``link:device``, without a gear. A value that does not exist is empty. The
-    last rows state the conventions and the program, also without a value.
+    The columns are table, row, gear and value. The distribution matrix does not depend on the gear:
+    its rows are named ``link:device``, and the gear is empty. A value that does not exist is empty.
+    The last rows state the conventions and the program, without a value.
 
     Parameters
     ----------
     results : Results
     raw : bool
-        Whether texts that begin like a formula are left unguarded; see `csv.guarded`.
+        True to leave texts unchanged that begin like a formula; see `csv.guarded`.
     """
     return "".join([head(several=False), rows(None, results, raw=raw), tail(several=False)])
 
 
 def head(*, several: bool) -> str:
-    """Write the names of the columns; several results need a column `case`."""
+    """Return the line of column names; several results need a column `case`."""
     return csv.lines([["case"] * several + ["table", "row", "gear", "value"]])
 
 
 def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
-    """Write the rows of a result, with the file of the case if there are several."""
+    """Return the rows of a result; for several results, with the file of the case."""
     front = [] if file is None else [file]
     cells = []
     for table in tables(results):
-        kind = float if table.quantity.kind is float else int  # a flag is written as 0 or 1
+        kind = float if table.quantity.kind is float else int  # flags are written as 0 or 1
         values = table.values.ravel().tolist()
         for (key, row, gear), value in zip(places(table), values, strict=True):
             shown = "" if math.isnan(value) else repr(kind(value))
@@ -55,7 +55,7 @@ def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
 
 
 def tail(*, several: bool) -> str:
-    """Write the rows of the conventions and of the program."""
+    """Return the rows that state the conventions and the program."""
     about = [("conventions", convention) for convention in CONVENTIONS]
     return csv.lines(
         [""] * several + [table, text, "", ""] for table, text in [*about, ("program", PROGRAM)]

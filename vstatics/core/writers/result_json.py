@@ -34,8 +34,8 @@ CONVENTIONS = {
 def document(results: Results) -> dict[str, Any]:
     """Convert results to a mapping of plain data for JSON.
 
-    A table is a list of rows, a list over the gears a single list; NaN becomes None. The key
-    `idle` of the case is always written.
+    A table becomes a list of rows, a table with one value per gear a plain list; NaN becomes None.
+    The key `idle` of the case is always written.
     """
     case = results.case
     result: dict[str, Any] = {
@@ -61,9 +61,9 @@ def document(results: Results) -> dict[str, Any]:
 
 
 def _converters(results: Results, number: int) -> Iterator[tuple[str, Any]]:
-    """Yield the speed ratio of each converter of a gear, and others that agree with the load.
+    """Yield the speed ratio of each converter in a gear, and further ratios that fit the load.
 
-    The value is None for a converter that is bypassed or open.
+    The speed ratio is None for a converter that is bypassed or open.
     """
     case, points = results.case, results.points
     others = points.other_ratios.get(number, ()) if points else ()
@@ -84,7 +84,7 @@ def to_json(results: Results, file: str = "") -> str:
     results : Results
         Results of one case, not of arrays of variants.
     file : str
-        File of the case, for the key `file`; empty: no such key.
+        File of the case, for the key `file`, which is omitted if this is empty.
     """
     expect_one_case(results, "to_json")
     data = document(results)
@@ -92,7 +92,7 @@ def to_json(results: Results, file: str = "") -> str:
 
 
 def text(data: dict[str, Any]) -> str:
-    """Format a document on several lines, a line for each row of a table, without a final end.
+    """Format a document with a line for each row of a table, without a final line end.
 
     Examples
     --------
@@ -114,13 +114,13 @@ def _braced(entries: Iterable[tuple[str, str]], indent: str = "") -> str:
 
 
 def _value(key: str, value: Any) -> str:
-    """Format a value on a line, or a table, mapping or list of messages on several lines."""
+    """Format a value: tables, mappings and lists of messages on several lines, others on one."""
     if value is CONVENTIONS:
         return _conventions()
     if isinstance(value, dict) and value:
         return _mapping(value)
     if isinstance(value, list) and value:
-        if isinstance(value[0], list):  # rows of numbers, so "], [" only separates rows
+        if isinstance(value[0], list):  # a table, in which "], [" only separates rows
             return "[\n    " + _text(value)[1:-1].replace("], [", "],\n    [") + "\n  ]"
         if key == "messages":
             return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
@@ -133,7 +133,7 @@ def _mapping(value: dict[str, Any]) -> str:
 
 @cache
 def _conventions() -> str:
-    """Format the conventions once, as all results have equal conventions."""
+    """Format the conventions; cached, because they are equal for all results."""
     return _mapping(CONVENTIONS)
 
 

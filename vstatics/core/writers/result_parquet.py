@@ -1,4 +1,4 @@
-"""Results of many cases in Parquet, in long form as in CSV: a number in each row."""
+"""Results of many cases in Parquet, in long form (one number per row) as in CSV."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ NAMES = ("case", "table", "row", "gear")
 
 
 def rows(file: str, results: Results) -> bytes:
-    """Return the rows of a result as a stream of Arrow, for `joined`.
+    """Return the rows of a result as an Arrow stream, for `joined`.
 
-    The columns are case, table, row, gear and value. The distribution matrix does not
-    depend on the gear: its rows are ``link:device``, without a gear. A value that does not exist
-    is null.
+    The columns are case, table, row, gear and value. The distribution matrix does not depend on the
+    gear: its rows are named ``link:device``, and the gear is empty. A value that does not exist is
+    null.
     """
     pa = import_module("pyarrow")  # costs start-up time, and may be missing
     shown = tables(results)
@@ -39,7 +39,7 @@ def rows(file: str, results: Results) -> bytes:
 
 
 def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
-    """Yield a Parquet file of all results in pieces, with the program in its metadata.
+    """Yield, in pieces, a Parquet file of all results; its metadata contain the program.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
 
 
 class _Drained(io.RawIOBase):
-    """File whose content can be removed during writing."""
+    """File object in memory whose content can be taken out while it is being written."""
 
     def __init__(self) -> None:
         self.pieces: list[bytes] = []

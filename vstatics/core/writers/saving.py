@@ -24,7 +24,7 @@ SUFFIXES = {
 
 @refusing()
 def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
-    """Write a case to a file, in the format of the suffix.
+    """Write a case to a file, in the format given by the suffix.
 
     The file is written completely or not at all.
 
@@ -42,9 +42,9 @@ def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
     Raises
     ------
     CaseError
-        If the case would have other results without these parts.
+        If parts that the format cannot contain affect the results.
     ValueError
-        If no format has the suffix.
+        If the suffix does not belong to a format.
     OSError
         If the file cannot be written.
 

@@ -1,4 +1,4 @@
-"""JSON Schema of a result, derived from the declaration of its tables."""
+"""JSON Schema of a result, derived from the declared quantities of its tables."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def json_schema(of_case: Schema) -> Schema:
     Parameters
     ----------
     of_case : dict
-        Schema of the case, which is contained in the result.
+        Schema of a case, because a result contains its case.
     """
     texts = list_of(TEXT)
     properties: Schema = {

@@ -1,8 +1,8 @@
-"""Published listing in the source's Russian wording, with the published fields and tables only.
+"""Listing in the Russian wording of the published report, with its fields and tables only.
 
-The listing has fields for links, shift elements, mechanisms and gears. The input is the first link
-and the output the last link, and mechanisms without power flow have a sign. `published_results`
-solves the case within these limits, so the listing is a deck with equal results.
+The published report has fields for links, shift elements, mechanisms and gears. Its input is the
+first link, its output the last link, and idle mechanisms have a sign. `published_results` solves
+the case within these limits, so running the listing as a deck gives the same results.
 """
 
 from __future__ import annotations
@@ -84,16 +84,16 @@ GIVEN = {
         "Число дополнительных внешних моментов на каждой передаче:"
     ),
 }
-"""Headings of the source by the headings of a deck; values of given speeds lack a heading."""
+"""Russian headings by the headings of a deck; values of given speeds have no heading."""
 BELOW = ("NNM(", "KFRI(", "KWZ(", "KMZ(")
-"""Lists whose numbers are below the name of the list; in a deck they are behind the name."""
+"""Lists whose numbers are below the name of the list; in a deck they are on the same line."""
 
 SECTIONS = {
     "W": "А. Скоростной расчет",
     "AMLG": "Б. Силовой расчет",
     "AMLGP": "В. Силовой расчет с учетом потерь в преобразующих механизмах",
 }
-"""Titles of sections, by the first table of each section."""
+"""Title of each section, by the first table of the section."""
 _OF_ELEMENTS = "Крутящие моменты на звеньях муфт и тормозов на каждой передаче"
 _OF_MECHANISMS = (
     "Крутящие моменты на первых звеньях (обычно солнечных шестернях дифференциалов) "
@@ -119,7 +119,7 @@ HEADINGS = {
         "(указывает направление мощностного потока):"
     ),
 }
-"""Headings by the index lists of tables, or of parts of tables."""
+"""Russian headings of tables, or parts of tables, by their index lists."""
 
 
 NO_FOLLOWING = (
@@ -129,7 +129,7 @@ NO_FOLLOWING = (
 
 
 def published_results(results: Results) -> Results:
-    """Solve the case within the limits of the fields of the published listing.
+    """Solve the case with the fields of the published listing only.
 
     The links are renumbered with the input first and the output last. Freewheels become shift
     elements that are engaged if the freewheel holds, and given speeds become numbers.
@@ -137,7 +137,7 @@ def published_results(results: Results) -> Results:
     Raises
     ------
     CaseError
-        If the listing has no field for a part of the case that its numbers depend on.
+        If the results depend on a part of the case for which the listing has no field.
 
     Examples
     --------
@@ -162,7 +162,7 @@ def published_results(results: Results) -> Results:
 
 
 def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
-    """Return warnings about gears whose efficiency depends on signs of idle mechanisms."""
+    """Return warnings about gears whose efficiency depends on the signs of idle mechanisms."""
     before, after = results.efficiency, published.efficiency
     same = np.isclose(before, after, rtol=SAME_RATIO, atol=0, equal_nan=True)
     problems = []
@@ -222,7 +222,7 @@ def _published_case(results: Results) -> Transmission:
 def write(
     results: Results, digits: int = listing.LISTING_DECIMALS, *, own_tables: bool = False
 ) -> str:
-    """Write the published listing of a case, with rows in F8.3 and I3.
+    """Return the published listing of a case, with numbers in the Fortran formats F8.3 and I3.
 
     Parameters
     ----------
@@ -231,7 +231,8 @@ def write(
     digits : int
         Number of decimals.
     own_tables : bool
-        Whether the unpublished tables and the messages follow, in Russian.
+        True to append the tables that are not in the published report, and the messages, in
+        Russian.
     """
     shown = tables(results)
     lines = [*_given(results.case), RESULTS]
@@ -247,7 +248,7 @@ def write(
 
 
 def _given(case: Transmission) -> Iterator[str]:
-    """Yield the fields of a deck, each below its heading in the source."""
+    """Yield the fields of the deck, each below its Russian heading."""
     for line in deck.template(case):
         name, colon, numbers = line.partition(": ")
         if line.startswith(BELOW):

@@ -1,4 +1,4 @@
-"""Writer of cases as workbooks (XLSX), which are read back exactly."""
+"""Writer of cases as workbooks (XLSX); reading the file gives an equal case."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from vstatics.core.writers.named import mapping
 
 _Row = list[Any]
 _Values = Iterator[tuple[Path, Any]]
-"""Values, with the paths."""
+"""Paths with their values."""
 
 
 def write(case: Transmission) -> bytes:
@@ -44,7 +44,7 @@ def write(case: Transmission) -> bytes:
 
 
 def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
-    """Return the sheets of a case in plain data; the first row of each sheet has the headings.
+    """Return the sheets of a case given as plain data; the first row of a sheet is the headings.
 
     Raises
     ------
@@ -85,12 +85,12 @@ def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
 
 
 def _parts(parts: Mapping[str, Any], key: str) -> list[_Row]:
-    """Return the rows of parts, with a column for each path of any part."""
+    """Return a row for each part, with a column for each path that occurs in any part."""
     first = {path: heading for heading, path in PART_SHEETS[key].first.items()}
     cells: dict[str, dict[str, Any]] = {}
     for name, part in parts.items():
         whole, ends = part, []
-        if first:  # a shift element, which can be given by its links alone
+        if first:  # a shift element can be given by its links alone
             whole = dict(part) if isinstance(part, dict) else {"links": part}
             ends = whole.pop("links")
         cells[name] = {first["links", end]: _cell(link) for end, link in enumerate(ends, 1)}
@@ -103,7 +103,7 @@ def _parts(parts: Mapping[str, Any], key: str) -> list[_Row]:
 
 
 def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
-    """Return the rows of gears, with columns of shift elements and of paths."""
+    """Return a row for each gear, with columns for shift elements and for paths."""
     engaged = {name: list(map(str, gear.get("engaged", ()))) for name, gear in gears.items()}
     columns = _in_order(names, list(engaged.values()))
     place = {name: number for number, name in enumerate(columns)}
@@ -130,7 +130,7 @@ def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
 
 
 def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[str]:
-    """Sort the shift elements in the order within the gears, as far as possible."""
+    """Return the shift elements, sorted by their order within the gears as far as possible."""
     best, known = list(names), set[tuple[str, str]]()
     for elements in engaged:
         pairs = known | {*pairwise(elements)}
@@ -138,7 +138,7 @@ def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[st
             continue
         try:
             best, known = _sorted(names, pairs), pairs
-        except CycleError:  # the gear gets numbers as marks
+        except CycleError:  # numbers in the cells then give the order
             continue
     return best
 
@@ -158,7 +158,7 @@ def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[st
 
 
 def _flat(value: Mapping[str, Any], path: Path = ()) -> _Values:
-    """Yield the paths of plain data with the contents of cells."""
+    """Yield the paths of plain data, each with the content of its cell."""
     for key, item in value.items():
         yield from _flat_value(item, (*path, str(key)))
 

@@ -1,17 +1,17 @@
 """Building blocks of all commands: options, cases, input and output, messages, exit status.
 
-`files` reads inputs and writes outputs and messages. `console` and `progress` draw on a terminal.
-`exit_status` lists the statuses, and `lazy_group` imports a command when it is called.
+`files` reads inputs and writes outputs and messages. `console` and `progress` write to a terminal.
+`exit_status` lists the exit statuses, and `lazy_group` imports a command when it is called.
 
-`options` combines options that belong together into one argument of a command, and `values` parses
-options: numbers with limits, pairs, lists, names. `formats` decides where a command writes and in
-which format, `sharing` which processes share the work, `estimates` predicts time and size.
-`documents` recognises documents other than cases, which annexes declare. `cases` has the options of
-cases, reads and calculates them, and `problems` decides which problems are printed and which make
-the command fail.
+`options` combines related options into one argument of a command, and `values` parses the values of
+options: numbers with limits, pairs, lists, names. `formats` determines the output file and its
+format, `sharing` distributes work over processes, and `estimates` predicts time and size.
+`documents` recognises documents other than cases, which annexes declare. `cases` reads and
+calculates cases and defines their options; `problems` decides which problems are printed and which
+make the command fail.
 
-`texts` writes the output of a case in each format. `one_or_many` carries out a command for its
-cases: a single case directly, several through `many`, to a directory or a stream. `one_case` reads
-the case, and writes the answer and the problems, of a command that takes one case. No module here
-imports a command.
+`texts` creates the output of a case in each format. `one_or_many` runs a command for its cases: a
+single case directly, several cases through `many`, into a directory or a stream. `one_case` serves
+commands for a single case: it reads the case and writes the answer and the problems. No module of
+this package imports a command.
 """

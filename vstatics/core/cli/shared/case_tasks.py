@@ -1,4 +1,4 @@
-"""Assignment of a result file to each case of a run, and conflicts between these files."""
+"""Assignment of a result file to each case of a run, with checks for conflicts."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TABULAR = known(("listing", "text", "json", "csv"))
 
 
 class CaseTask(NamedTuple):
-    """Case, and the file for the result, or `None` if results go to a stream."""
+    """Case and the file for its result; None if results are written to a stream."""
 
     file: str
     target: str | None = None
@@ -28,7 +28,7 @@ class CaseTask(NamedTuple):
 def tasks(
     cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()
 ) -> list[CaseTask]:
-    """Assign a result file in the folder to each case: the stem of the case with the suffix.
+    """Return each case with its result file: name of the case with the suffix, in the folder.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def _stem(file: str) -> str:
 
 
 def _real_path(real_folder: Callable[[str], str], file: str) -> str:
-    """Return the path of a file with all links resolved, or `-` for standard input."""
+    """Return the path of a file with all links resolved; `-` for standard input."""
     if file == files.STDIN:
         return file
     folder, name = os.path.split(file)

@@ -1,4 +1,4 @@
-"""One of several cases: read, calculated and written by one of the processes."""
+"""Work on one of several cases: reading, calculation and writing, in any process."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from vstatics.core.jobs.page_files import set_pages_aside
 
 
 class Done(NamedTuple):
-    """Outcome of a case, as reported to the process that counts and prints."""
+    """Outcome of a case, reported to the process that counts cases and prints messages."""
 
     file: str
     problems: list[Problem]
     failed: bool = True
     has_result: bool = False
-    """True if there is output to write, perhaps of some gears only."""
+    """True if there is output to write, possibly for some gears only."""
     part: texts.Part = b""
-    """Output of the case, as a part of the stream of all cases."""
+    """Output of the case, a part of the stream of all cases."""
     stop: bool = False
-    """True if the remaining cases cannot be written either."""
+    """True if the outputs of remaining cases cannot be written either."""
     left: str = ""
-    """New name of the file with an earlier result, if the case failed."""
+    """New name of the file with an earlier result, which is renamed if the case failed."""
     mark: CaseMark | None = None
     """Hashes that identify the case, if the part is stored for resuming."""
 
@@ -50,7 +50,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
         result = texts.alone(file, shown, job.to)
         named_files = _named_files(case)
         job.finished.put(task.target, result, case.data, named_files, failed=case.failed)
-    except ReadError as error:  # a page would overwrite a file of another origin
+    except ReadError as error:  # a page would overwrite another file
         return Done(file, [*problems, *error.problems])
     except OSError as error:
         return Done(
@@ -70,7 +70,7 @@ def _named_files(case: CalculatedCase) -> set[str]:
 def _shown_of_case(
     job: Job, case: CalculatedCase
 ) -> tuple[CalculatedCase, texts.CaseOutput | None]:
-    """Return the output of a case, and a failure if the output is impossible."""
+    """Return the outcome and the output of a case; None, and a failure, if there is no output."""
     if case.results is None:
         return case, None
     try:
@@ -91,7 +91,7 @@ def _given_up(task: CaseTask) -> Done:
 
 
 def _is_only_here(task: CaseTask) -> bool:
-    """Return True for a case on a stream, which other processes cannot read."""
+    """Return whether a case is read from a stream, which other processes cannot read."""
     return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
 
 

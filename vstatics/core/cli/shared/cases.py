@@ -51,7 +51,7 @@ argument, optional_argument = (
     )
     for required in (True, False)
 )
-"""Arguments for one or more cases, and for any number of cases; patterns are expanded."""
+"""Arguments of commands: at least one case, or any number of cases; patterns are expanded."""
 files_from = under(
     INPUT,
     click.option(
@@ -126,7 +126,7 @@ limit = under(
         help="Stop each simulation after SECONDS of wall-clock time and keep the results so far.",
     ),
 )
-"""Option that limits the computing time of a simulation."""
+"""Option that limits the wall-clock time of a simulation."""
 some_gears = under(
     INPUT,
     click.option(
@@ -140,14 +140,14 @@ some_gears = under(
 
 
 class RequiredUnless(RenamedOption):
-    """Option that is required unless a second option is given."""
+    """Option that is required unless an alternative option is given."""
 
     def __init__(self, *names: Any, unless: str = "", **named: Any) -> None:
         super().__init__(*names, **named)
         self.unless = unless
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        """Return the help record of click, with the name of the alternative option."""
+        """Return the help text of the option, which also names the alternative option."""
         record = super().get_help_record(ctx)
         other = self._other(ctx)
         if record is None or other is None:
@@ -155,7 +155,7 @@ class RequiredUnless(RenamedOption):
         return record[0], record[1].replace("[required]", f"[required without {other.opts[-1]}]")
 
     def process_value(self, ctx: click.Context, value: Any) -> Any:
-        """Process the value; the error for a missing option also names the alternative option."""
+        """Return the value; the error for a missing option also names the alternative option."""
         try:
             return super().process_value(ctx, value)
         except click.MissingParameter:
@@ -172,7 +172,7 @@ class RequiredUnless(RenamedOption):
         return next((option for option in options if option.name == self.unless), None)
 
     def value_is_missing(self, value: Any) -> bool:
-        """Return whether the option is missing although the alternative option is not given."""
+        """Return whether both the option and its alternative are missing."""
         context = click.get_current_context()
         is_given = context.get_parameter_source(self.unless) not in (None, ParameterSource.DEFAULT)
         other = is_given and context.params.get(self.unless)
@@ -197,11 +197,11 @@ def required_output(says: str, unless: str = "") -> Callable[[Command], Command]
 
 
 WORDS = "headings and words; names and messages stay as they are"
-"""Help of --lang of commands that print tables."""
+"""Help text of --lang for commands that print tables."""
 
 
 def language(of: str, *more: str) -> Callable[[Command], Command]:
-    """Return the option --lang for the language of `of`, with further choices `more`."""
+    """Return the option --lang for the language of `of`; `more` are further choices."""
     return under(
         OUTPUT,
         click.option(
@@ -215,7 +215,7 @@ def language(of: str, *more: str) -> Callable[[Command], Command]:
 
 
 class CalculatedCase(NamedTuple):
-    """Outcome of a case: results and problems, or problems alone."""
+    """Outcome of a case: results and problems, or only problems."""
 
     file: str
     results: Results | None
@@ -226,12 +226,12 @@ class CalculatedCase(NamedTuple):
     scenario: DocumentOfCase | None = None
     """Scenario that names the case, if the command takes scenarios."""
     is_run: bool = False
-    """True if the run of the scenario is shown."""
+    """True if the output is about the run of the scenario."""
     locate: Callable[[Problem], Problem] | None = None
     """Function that adds the place in the file to a problem of the model."""
 
     def located(self, error: CaseError) -> ReadError:
-        """Return an error whose problems have their places in the file of the case."""
+        """Return an error with its problems located in the file of the case."""
         problems = error.problems if self.locate is None else map(self.locate, error.problems)
         return ReadError(each if each.place else each.in_file(self.file) for each in problems)
 
@@ -248,7 +248,7 @@ class CalculatedCase(NamedTuple):
 
 
 class CaseOptions(NamedTuple):
-    """Options of reading and calculating cases; None stands for the value of the case."""
+    """Options for reading and calculating cases; None means the value given by the case."""
 
     input_format: readers.Format | None = None
     coast: bool | None = None
@@ -257,29 +257,29 @@ class CaseOptions(NamedTuple):
     scenarios: bool = False
     """True if a scenario can be given instead of a case."""
     of_runs: bool = False
-    """True if the run of a scenario is shown; faults of gears then are not failures."""
+    """True if the output is about the run of a scenario; faulty gears are then not failures."""
     of_vibration: bool = False
-    """True if vibration is shown, for which a converter without ratio is open."""
+    """True if the output is about vibration; converters without a speed ratio then slip freely."""
 
     load: Load | None = None
-    """Operating point of the command, for a case without an operating point."""
+    """Default operating point, for a case without an operating point."""
     is_nominal: bool = False
-    """True if no result that is shown depends on `load`; messages about gears are then omitted."""
+    """True if no shown result depends on `load`; messages about gears are then omitted."""
 
     @property
     def on_page(self) -> CaseOptions:
-        """Options for a page that shows the notes instead of stderr."""
+        """Options for a page, which shows the notes instead of stderr."""
         return self._replace(telling=self.telling._replace(notes=True, on_page=True))
 
 
 telling = gathered("telling", Telling, quiet, strict, allow)
-"""Options that choose which messages are printed, and which make the command fail."""
+"""Options that determine which messages are printed and which make the command fail."""
 settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
 """Options of reading, calculating and reporting cases."""
 
 
 def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
-    """Return the number of a gear, from 1, that is given by name or by a number such as ``#3``.
+    """Return the number (from 1) of a gear, given by name or by a number such as ``#3``.
 
     Raises
     ------
@@ -291,7 +291,7 @@ def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
 
 
 def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear") -> Sequence[int]:
-    """Return the indices of the requested gears without repetition; all by default.
+    """Return the indices of the requested gears without repetitions; all gears by default.
 
     Raises
     ------
@@ -303,7 +303,7 @@ def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear
 
 
 def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[CalculatedCase]:
-    """Calculate each case and print the problems; a failed case does not stop the others."""
+    """Calculate each case and print its problems; other cases are calculated even if one fails."""
     check_streams(cases)
     for file in cases:
         outcome = calculate_one(file, settings)
@@ -312,7 +312,7 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
 
 
 def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[Problem]:
-    """Return a note on laws evaluated outside their points, unless the case suppresses it."""
+    """Return the note about laws evaluated outside their points, unless the case suppresses it."""
     from vstatics.core.statics.diagnosis import outside_message
 
     messages = not_allowed([outside_message(names)] if names else [], case.untold)
@@ -320,7 +320,7 @@ def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[P
 
 
 def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
-    """Print problems of a file on stderr; state a failure that is due to warnings not printed."""
+    """Print problems of a file on stderr, including a failure caused by suppressed warnings."""
     files.show(telling.printed(problems))
     files.show(telling.quiet_failure(problems, name))
 
@@ -348,13 +348,13 @@ def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
 
 
 def check_streams(cases: Sequence[str]) -> None:
-    """Refuse standard input that is named twice."""
+    """Raise an error if standard input is named twice."""
     if cases.count(files.STDIN) > 1:
         raise click.UsageError("standard input (-) can be read once")
 
 
 def check_order(case: str, table: str) -> None:
-    """Refuse a case in CSV that follows the table of numbers."""
+    """Raise an error if the arguments `case` and `table` are probably swapped."""
     if suffix_of(case) == ".csv" != suffix_of(table):
         raise click.UsageError(f"the case stands first, then the CSV file: {table} {case}")
 
@@ -368,7 +368,8 @@ def calculate_one(
 ) -> CalculatedCase:
     """Read and calculate a case, with all errors as problems.
 
-    `texts` replace the content of the files of their names. `regular` refuses pipes and devices.
+    `texts` contains texts that replace the files of these names. If `regular` is True, pipes and
+    devices are not accepted.
     """
     name, data = files.file_name(file), b""
     scenario, locate, is_run = None, None, False
@@ -410,12 +411,12 @@ def calculate_one(
 
 
 def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
-    """Solve a case; with `opens`, converters without a speed ratio transmit nothing.
+    """Return the results of a case; with `opens`, converters without a speed ratio slip freely.
 
     Raises
     ------
     ReadError
-        If a law of the case gives an impossible torque, with its place.
+        If a law of the case gives an impossible torque; the error states its place.
     """
     from vstatics.core.statics.solution import solution  # not needed for the help text
 
@@ -433,7 +434,7 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
 
 
 def _with_load(case: Transmission, load: Load) -> Transmission:
-    """Return a case at a load if its operating points lack a number that its losses need."""
+    """Return a case with a load, if its operating points lack a number that its losses need."""
     from vstatics.core.model.laws import of_sought_ratios, without_loads
 
     if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):
@@ -445,12 +446,12 @@ def _with_load(case: Transmission, load: Load) -> Transmission:
 def read_data(
     data: bytes, name: str, input_format: readers.Format | None, telling: Telling
 ) -> Reading:
-    """Read a case and print the warnings, for a command without results.
+    """Read a case and print its warnings, for a command that calculates no results.
 
     Raises
     ------
     ReadError
-        If the case cannot be read; with the problems to print.
+        If the case cannot be read; the error contains the problems to print.
     """
     try:
         reading = readers.read(data, name, input_format).allowing(telling.allow)
@@ -463,7 +464,7 @@ def read_data(
 def unexpected(name: str, error: Exception) -> Problem:
     """Return the problem that reports a fault in the program, with the line of the code.
 
-    A package that cannot be imported is reported as such.
+    A package that cannot be imported is reported as a missing package.
     """
     if why := broken(error):
         return of_file("E014", name, why)

@@ -1,4 +1,4 @@
-"""Terminal output by rich: texts of users are escaped, and the colours of rich remain.
+"""Terminal output through rich; texts of users are escaped, colours of rich are not.
 
 Import this module where it is used, because rich costs start-up time.
 """
@@ -14,11 +14,11 @@ from rich.segment import Segment
 from vstatics.core.errors import printable
 
 _BLANKS = re.compile(r"[ ]+((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
-"""Blanks at the end of a line, before the marks that end colours."""
+"""Pattern of blanks at the end of a line, before codes that end colours."""
 
 
 class SafeConsole(Console):
-    r"""Console that escapes all printed texts.
+    r"""Console of rich that escapes all printed texts.
 
     >>> SafeConsole().print("a\x1b[2J")
     a\u001b[2J
@@ -27,14 +27,14 @@ class SafeConsole(Console):
     def render(
         self, renderable: RenderableType, options: ConsoleOptions | None = None
     ) -> Iterable[Segment]:
-        """Render as rich does, with the text of each segment made safe."""
+        """Yield the segments of rich, with control characters in their texts escaped."""
         for text, style, control in super().render(renderable, options):
             shown = text if control else printable(text, lines=True)
             yield Segment(shown, style, control)
 
 
 def trimmed(text: str) -> str:
-    r"""Return a text for a terminal without trailing blanks and empty lines.
+    r"""Return a text for a terminal without trailing blanks and without empty lines at the end.
 
     >>> trimmed("gear  \n\x1b[1m1   \x1b[0m\n  \n")
     'gear\n\x1b[1m1\x1b[0m\n'

@@ -1,4 +1,4 @@
-"""Recognition of documents that annexes declare in addition to cases, such as scenarios."""
+"""Recognition of documents other than cases that annexes declare, such as scenarios."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ NO_TEXTS: Mapping[str, bytes] = {}
 
 
 class DocumentOfCase(Protocol):
-    """Document that was read together with a case, such as a scenario."""
+    """Interface of a document that refers to a case, such as a scenario."""
 
     @property
     def name(self) -> str:
@@ -26,17 +26,17 @@ class DocumentOfCase(Protocol):
 
     @property
     def reading(self) -> Reading:
-        """The case of the document, as read."""
+        """Case of the document, as read."""
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
-        """Speeds of the input that the document gives [rpm]."""
+        """Input speeds that the document gives [rpm]."""
 
     def allowing(self, ids: Sequence[str]) -> Self:
-        """Return the document with further messages suppressed."""
+        """Return the document with further ids of messages suppressed."""
 
     def locate(self, problem: Problem) -> Problem:
-        """Add the place in the file to a problem of the document or the case."""
+        """Return a problem of the document or the case with its place in the file."""
 
 
 def is_a(kind: str, data: bytes, name: str) -> bool:
@@ -54,9 +54,9 @@ def is_a(kind: str, data: bytes, name: str) -> bool:
 
 
 def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
-    """Return the problems of a document that a command cannot use as a case; empty if it can.
+    """Return problems if a command cannot use a document as a case; empty if it can.
 
-    Documents of a kind can be used if the annex declares the function `taken` for the kind.
+    Documents of a kind can be used if their annex declares a function named `taken` for the kind.
     """
     problems = []
     for kind, (annex, _) in DOCUMENTS.items():

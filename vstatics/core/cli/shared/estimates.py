@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class CommandEstimate(NamedTuple):
-    """Time, size and other numbers known before a command is carried out.
+    """Estimated time, size and other numbers, known before a command runs.
 
     Examples
     --------
@@ -28,17 +28,17 @@ class CommandEstimate(NamedTuple):
     """
 
     said: Mapping[str, str]
-    """Texts of the estimated quantities, by label."""
+    """Estimated quantities as text, by label."""
     answer: Answer
     """Record written as JSON, which contains the seconds."""
     seconds: float
     jobs: int = 1
     at_least: bool = False
-    """True if the estimate is a lower limit, and the command can take much longer."""
+    """True if the estimated time is a lower limit; the command can take much longer."""
 
     @property
     def rows(self) -> dict[str, str]:
-        """Texts of all estimates, including the time, by label."""
+        """All estimates as text, including the time, by label."""
         processes = f" with {self.jobs} jobs" if self.jobs > 1 else ""
         more = " or more" if self.at_least else ""
         return {**self.said, "time": f"about {duration_text(self.seconds)}{more}{processes}"}
@@ -94,7 +94,7 @@ def about(number: float) -> str:
 
 
 def check_room(size: float, output: str | None, expected: str) -> None:
-    """Refuse an output that is larger than the free disk space.
+    """Raise an error if the output would be larger than the free disk space.
 
     Parameters
     ----------
@@ -116,10 +116,10 @@ def check_room(size: float, output: str | None, expected: str) -> None:
 
 
 def free_room(output: str | None) -> int | None:
-    """Return the free disk space for an output file [bytes], or `None` for a stream."""
+    """Return the free disk space for an output file [bytes]; None for a stream."""
     from shutil import disk_usage
 
-    # a failure here is reported when the output is written
+    # A failure is ignored here, because it is reported when the output is written.
     with contextlib.suppress(OSError, ValueError, AttributeError, TypeError):
         if output is None or output == STDOUT:
             stdout = sys.stdout.fileno()

@@ -40,21 +40,21 @@ STDIN = "-"
 MOST_SHOWN_PROBLEMS = 100
 """Largest number of problems of a case that are printed."""
 MOST_SEARCHED = 1000
-"""Largest number of files of a folder among which a similar name is searched."""
+"""Largest number of files in a folder among which a similar name is searched for."""
 ALIKE, SHORT = 0.75, 0.66
-"""Smallest similarity, from 0 to 1, of suggested names; lower for names of three letters."""
+"""Smallest similarity (0 to 1) of a suggested name, and its lower value for short names."""
 CLOSED = "it is closed"
 
 
 def file_name(file: str) -> str:
-    """Return the name of an input file in messages."""
+    """Return the name of an input file for messages."""
     return STDIN_NAME if file == STDIN else file
 
 
 def read_input(
     file: str, most: int = DOCUMENT_BYTES, *, regular: bool = False
 ) -> tuple[bytes, str]:
-    """Return the bytes of a file or of standard input, and the name in messages.
+    """Return the bytes of a file or of standard input, and its name for messages.
 
     Parameters
     ----------
@@ -83,14 +83,14 @@ def read_input(
         reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
     except OSError as error:
         raise ReadError([unreadable(name, error)]) from None
-    except ValueError as error:  # a name that contains a zero byte
+    except ValueError as error:  # the name contains a zero byte
         reason = str(error)
     raise ReadError([of_file("E006", name, f"cannot be read: {reason}")])
 
 
 @contextlib.contextmanager
 def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
-    """Report problems without a line, with a hint after each message.
+    """Run the block; raise its problems with only the file as place, and with a hint.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
 def _nearest_file(file: str) -> str:
     """Return a hint that names the most similar file in the folder.
 
-    Stems are compared, because equal suffixes make different names similar.
+    Names are compared without suffix, because equal suffixes make different names similar.
     """
     from difflib import get_close_matches  # costs start-up time
 
@@ -131,7 +131,7 @@ def _stem(name: str) -> str:
 
 
 def _shipped(file: str) -> str:
-    """Return a hint on the command that writes a shipped case of this name.
+    """Return a hint with the command that writes the shipped case of this name.
 
     >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
     ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
@@ -150,7 +150,7 @@ def _shipped(file: str) -> str:
 
 
 def show(problems: Iterable[Problem]) -> None:
-    """Print problems to stderr in the format of a compiler, with the line and a caret."""
+    """Print problems to stderr like a compiler, with the faulty line and a caret."""
     all_problems = list(problems)
     for problem in all_problems[:MOST_SHOWN_PROBLEMS]:
         say(str(problem))
@@ -163,18 +163,18 @@ def show(problems: Iterable[Problem]) -> None:
 
 
 def say(line: str) -> None:
-    """Print a line to stderr, made safe; a closed stderr is ignored."""
+    """Print a line to stderr with control characters escaped; a closed stderr is ignored."""
     with contextlib.suppress(OSError):
         _speakers[-1](printable(line))
 
 
 _speakers: list[Callable[[str], None]] = [partial(click.echo, err=True)]
-"""Stack of functions that print a line; the last of them is used."""
+"""Stack of functions that print a line; the last function is used."""
 
 
 @contextlib.contextmanager
 def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
-    """Let `speaker` print the lines of `say` within the context."""
+    """Run the block with `speaker` as the function that prints the lines of `say`."""
     _speakers.append(speaker)
     try:
         yield
@@ -183,7 +183,7 @@ def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
 
 
 def spare(inputs: Iterable[str], output: str | None) -> None:
-    """Refuse an output that would overwrite an input.
+    """Raise an error if the output would overwrite an input.
 
     Raises
     ------
@@ -192,7 +192,7 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
     if output is None or is_stream(output):
         return
     for file in inputs:
-        with contextlib.suppress(OSError, ValueError, AttributeError):  # not all are files
+        with contextlib.suppress(OSError, ValueError, AttributeError):  # not all inputs are files
             read = sys.stdin.fileno() if file == STDIN else file
             if os.path.samestat(os.stat(read), os.stat(output)):  # noqa: PTH116
                 message = f"{output} is what is read, and would be overwritten"
@@ -200,7 +200,7 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
 
 
 def refuse_existing(output: str) -> None:
-    """Refuse to overwrite a file, which may have been edited; streams are allowed.
+    """Raise an error if the output is an existing file, which may contain edits of the user.
 
     Raises
     ------
@@ -229,14 +229,14 @@ def write_data(data: bytes, output: str | None) -> None:
 
 
 def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = False) -> None:
-    """Write the pages of a picture to a file each, or the only page to a stream.
+    """Write each page of a picture to a file, or a single page to a stream.
 
-    Unless `quiet`, the names of further files are printed.
+    The names of further files are printed, unless `quiet` is True.
 
     Raises
     ------
     ReadError
-        If a page cannot be written, or would overwrite a file of another origin.
+        If a page cannot be written, or would overwrite a file that is not a page of a picture.
     """
     if output is None or is_stream(output):
         [data] = pages
@@ -254,7 +254,7 @@ def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = Fal
 
 
 def write_coloured(text: str) -> None:
-    """Write a text of `SafeConsole`, which is already escaped, to stdout.
+    """Write a text of `SafeConsole`, which is escaped already, to stdout.
 
     Raises
     ------
@@ -269,9 +269,10 @@ def write_coloured(text: str) -> None:
 def stream(
     output: str | None, *, coloured: bool = False, folder: StateFolder | None = None
 ) -> Iterator[Write]:
-    """Yield a function that writes piece by piece, to stdout, a device or a file.
+    """Yield a function that writes data in pieces to stdout, a device or a file.
 
-    A file appears at the end; until then its content is in `folder`, or in the folder of the file.
+    A file gets its name at the end of the block; until then its content is in a temporary file in
+    `folder` or in the folder of the output.
 
     Raises
     ------
@@ -289,13 +290,13 @@ def stream(
             with way as write:
                 yield write
     except BrokenPipeError:
-        raise  # the reader of a pipe has left; click ends quietly
+        raise  # the pipe is closed; click ends quietly
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
 
 
 def encoded(text: str, *, as_is: bool = False) -> bytes:
-    r"""Encode a text in UTF-8, escaped for a terminal unless `as_is`.
+    r"""Return a text in UTF-8; control characters are escaped unless `as_is` is True.
 
     >>> encoded("\x1b[2J"), encoded("\x1b[2J", as_is=True)
     (b'\\u001b[2J', b'\x1b[2J')
@@ -304,7 +305,7 @@ def encoded(text: str, *, as_is: bool = False) -> bytes:
 
 
 def read_names(file: str) -> list[str]:
-    r"""Read the names in a list of files, a line each, or ended by NUL (`find -print0`).
+    r"""Return the names in a list of files, one per line or each ended by NUL (`find -print0`).
 
     Blanks around a line are removed; empty lines and lines that begin with # are ignored.
 
@@ -326,7 +327,7 @@ def read_names(file: str) -> list[str]:
 
 
 def _print(data: bytes | memoryview, *, coloured: bool) -> None:
-    """Write to stdout at once; at a terminal, uncoloured data are escaped."""
+    """Write to stdout without buffering; data for a terminal are escaped unless coloured."""
     if sys.stdout is None:
         raise OSError(CLOSED)
     if sys.stdout.isatty() and not coloured:

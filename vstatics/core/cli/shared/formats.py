@@ -1,4 +1,4 @@
-"""Output file and format of a command, chosen by -f and the suffix of -o."""
+"""Output file and format of a command, determined by -f and the suffix of -o."""
 
 from __future__ import annotations
 
@@ -20,24 +20,24 @@ from vstatics.core.texts import Language
 TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
 """Formats of a command with tables."""
 READ_BY_PEOPLE = ("text", "listing", "markdown", "latex", "html")
-"""Formats with words in the chosen language."""
+"""Formats for people, with words in the chosen language."""
 FULL = ("json", "jsonl", "csv", "parquet")
 """Formats with all digits of a number."""
 STREAMS = ("jsonl", "parquet")
-"""Formats that hold all cases in one file, which allows --resume."""
+"""Formats with all cases in one file, for which --resume is possible."""
 
 
 class TextStyle(NamedTuple):
     """Style of texts."""
 
     lang: Language | Literal["source"] = "en"
-    """Language of the words; `run` resolves "source", an alias of a format."""
+    """Language of the words; "source", an alias of a format, is resolved by `run`."""
     digits: int | None = None
-    """Number of decimals; by default a number of digits that suits each value."""
+    """Number of decimals; None for a number of digits that suits each value."""
     raw: bool = False
-    """True if CSV texts have no apostrophe in front that prevents their use as a formula."""
+    """True to omit the apostrophe that keeps spreadsheets from taking a text for a formula."""
     own_tables: bool = False
-    """True if tables that are not part of the published listing follow the listing."""
+    """True if a published listing is followed by the tables that only this program has."""
 
 
 class Destination(NamedTuple):
@@ -50,7 +50,7 @@ class Destination(NamedTuple):
 
     @property
     def suffix(self) -> str:
-        """Suffix of the files of the format in a directory."""
+        """Suffix of files in this format."""
         return SUFFIXES[self.form][0]
 
     @property
@@ -77,16 +77,16 @@ class OutputOptions(NamedTuple):
     def destination(
         self, inputs: Sequence[str], *, several: bool = False, together: bool = False
     ) -> Destination:
-        """Return output and format, checked before any calculation.
+        """Return the output and its format, checked before any calculation.
 
         Parameters
         ----------
         inputs : sequence of str
             Input files, which no output may overwrite.
         several : bool
-            Whether there are several cases, for which a name without suffix is a directory.
+            True if there are several cases; a name without suffix is then a directory.
         together : bool
-            Whether several cases share one text, unless the output is a directory.
+            True if several cases share one text (unless the output is a directory).
 
         Raises
         ------
@@ -180,17 +180,17 @@ digits = under(
     ),
 )
 WHOLE_OUTPUT = "Output file, written completely or not at all."
-"""Help of an option for a file that is replaced only when the new content is complete."""
+"""Help text of an option for an output file."""
 OF_SEVERAL_CASES = (
     f"{WHOLE_OUTPUT} With several cases: a directory, or one file if the name has a suffix."
 )
-"""Help of the option -o of commands that take several cases."""
+"""Help text of the option -o of commands for several cases."""
 
 
 def options(
     *formats: str, says: str = "Format of the output", output_help: str = WHOLE_OUTPUT
 ) -> Callable[[Command], Command]:
-    """Return the decorator of -f, -o, --digits and --raw; the command gets `wanted`."""
+    """Return a decorator that adds -f, -o, --digits and --raw to a command, as `wanted`."""
     return gathered(
         "wanted",
         partial(OutputOptions, formats),

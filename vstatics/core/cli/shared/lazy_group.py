@@ -22,19 +22,19 @@ class LazyGroup(click.Group):
     modules: ClassVar[Modules] = {}
 
     def listed(self) -> Modules:
-        """Return the commands in the order of use."""
+        """Return the modules and summaries of all commands, in the order of use."""
         return self.modules
 
     def module(self, name: str) -> str:
-        """Return the module of a command, or an empty string."""
+        """Return the module of a command; empty if the command does not exist."""
         return self.listed().get(name, ("", ""))[0]
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        """Return all names in the order of use."""
+        """Return the names of all commands, in the order of use."""
         return list(self.listed())
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
-        """Import and return the command of a name."""
+        """Return the command with a name, after importing its module."""
         module = self.module(cmd_name)
         if not module:
             return None
@@ -44,7 +44,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Resolve a command; the error for an unknown name suggests the nearest command."""
+        """Resolve a command; the error for an unknown name suggests the most similar command."""
         name = args[0]
         if name.startswith("-") or self.module(name):
             return super().resolve_command(ctx, args)
@@ -54,6 +54,6 @@ class LazyGroup(click.Group):
         raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """List the commands without importing any."""
+        """Write the list of commands without importing their modules."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, summary) for name, (_, summary) in self.listed().items()])

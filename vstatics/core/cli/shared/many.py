@@ -1,4 +1,4 @@
-"""Runs of several cases, with the outputs in files of a directory or in one stream."""
+"""Runs of several cases, whose outputs are written to files in a directory or to a stream."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from vstatics.core.jobs.workers import workers
 
 
 class _HaltedError(Exception):
-    """Signal that no further case can be written."""
+    """Signal that the outputs of further cases cannot be written."""
 
 
 class _Count:
@@ -49,7 +49,7 @@ class _Count:
 
     @property
     def status(self) -> int:
-        """Exit status of the run."""
+        """Exit status of the command."""
         return FAILED if self.failures else DONE
 
     def summary(self, telling: Telling) -> None:
@@ -69,7 +69,7 @@ class _Count:
 
 
 def _failure(done: Done) -> str:
-    """Describe a failed case by the first error or warning and the number of further ones."""
+    """Return a phrase for a failed case: its first error or warning, and the number of others."""
     causes = [problem for problem in done.problems if problem.severity == "error"]
     causes = causes or [problem for problem in done.problems if problem.severity == "warning"]
     first = str(causes[0]) if causes else "failed"
@@ -122,7 +122,7 @@ def to_directory(
 
 
 def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
-    """Report results in the directory that belong to no case of this run."""
+    """Report results in the directory that do not belong to any case of this run."""
     expected = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
     present = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
     if others := sorted(present - expected):
@@ -161,7 +161,7 @@ def _begun(
 
 @contextmanager
 def _other_options_as_wrong_use() -> Iterator[None]:
-    """Report the error about an earlier run with other options as wrong use of --resume."""
+    """Run the block; report an earlier run with other options as wrong use of --resume."""
     try:
         yield
     except ReadError as error:
@@ -234,12 +234,12 @@ def _in_order(
 ) -> Iterator[texts.Part]:
     for file in cases:
         yield parts.part(file) if file in done else next(coming)
-    yield from coming  # yields nothing, but runs the generator to its end
+    yield from coming  # runs the generator to its end; yields nothing
 
 
 @contextmanager
 def _results(job: Job, todo: Sequence[CaseTask], jobs: int) -> Iterator[Iterator[Done]]:
-    """Yield an iterator of the outcomes of cases, in order, from `jobs` processes."""
+    """Yield an iterator of the outcomes of cases, in order, calculated by `jobs` processes."""
     with workers(job, str, jobs=min(jobs, len(todo)), rules=RULES_OF_CASES) as called:
         yield (done for _, done in called.each(calculate_and_write, todo, ordered=True))
 
@@ -253,7 +253,7 @@ def _follow(
     beside_stdout: bool = False,
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
-    """Report and count the outcome of each case; store its part, and yield the part."""
+    """Report and count the outcome of each case; store and yield its part of the output."""
     quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.finished_before)
@@ -275,7 +275,7 @@ def _follow(
 
 @contextmanager
 def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[None]:
-    """End the command if the output cannot be written, with a message that names the stored work.
+    """Run the block; if the output cannot be written, report the stored work and exit.
 
     Raises
     ------
@@ -292,7 +292,7 @@ def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[N
 
 @contextmanager
 def _until_stopped(count: _Count, remains: str, *, resumable: bool = False) -> Iterator[Stop]:
-    """Report progress and exit after Ctrl-C, SIGTERM or a full disk.
+    """Run the block; after Ctrl-C, SIGTERM or a full disk, report the finished work and exit.
 
     Parameters
     ----------
@@ -318,7 +318,7 @@ def _until_stopped(count: _Count, remains: str, *, resumable: bool = False) -> I
 
 
 def _depends(job: Job) -> dict[str, object]:
-    """Return the options on which results depend, and which a resumed run must repeat."""
+    """Return the options on which results depend, so that a resumed run must have equal values."""
     style = job.to.style
     return {
         "command": job.command,

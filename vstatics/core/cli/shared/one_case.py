@@ -1,4 +1,4 @@
-"""Parts of commands that take one case: its reading, the places of problems, and the output."""
+"""Common parts of commands for a single case: reading, places of problems, output."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from vstatics.core.tables.grid import Grid
 
 @contextmanager
 def problems_of(reading: Reading) -> Iterator[None]:
-    """Add the places in the file to all problems of a case that are raised in the block.
+    """Run the block; add the places in the file to the problems of a case raised in it.
 
     Raises
     ------
@@ -41,7 +41,7 @@ def problems_of(reading: Reading) -> Iterator[None]:
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
-    """Return a problem with its place in the file; a problem without a path gets the file only."""
+    """Return a problem with its place in the file; without a path, the place is the whole file."""
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located
@@ -49,32 +49,32 @@ def _placed(problem: Problem, reading: Reading) -> Problem:
 
 
 class CaseAnswer(NamedTuple):
-    """Answer of a command about a single case; `grids` creates the tables only when called."""
+    """Answer of a command about a case; the function `grids` creates the tables when needed."""
 
     grids: Callable[[], Iterable[Grid]]
     answer: Answer
     """Record written as JSON."""
     problems: Sequence[Problem] = ()
     failed: bool = False
-    """True if the command fails even without errors among the problems."""
+    """True if the command fails although no problem is an error."""
     write: Callable[[], bool] | None = None
-    """Function that writes a further file and returns whether the file is complete."""
+    """Function that writes a further file, and returns whether it could be written completely."""
 
 
 class OneCase(NamedTuple):
-    """Case and output options of a command with a single case."""
+    """Case and output options of a command for a single case."""
 
     case: str
     wanted: OutputOptions
     input_format: readers.Format | None
     telling: Telling
     coast: bool | None = None
-    """True if power enters at the output; None for the direction of power in the case."""
+    """True if power enters at the output; None to use the direction given by the case."""
     static_torque: float | None = None
-    """Torque at the input; None for the torque in the case. [N*m]"""
+    """Torque at the input; None to use the torque given by the case. [N*m]"""
 
     def destination(self, *others: str) -> Destination:
-        """Return the destination of the output; refuse to overwrite the case or another input.
+        """Return the destination of the output, which must not be the case or another input.
 
         Raises
         ------
@@ -106,11 +106,12 @@ class OneCase(NamedTuple):
         Parameters
         ----------
         calculate : callable
-            Function that returns the answer; problems that it raises get their places in the file.
+            Function that returns the answer; problems that it raises are located in the file.
         to : Destination, optional
             Output, if the command has determined it already.
         extra : str
-            Package that the command needs, and name of the command.
+            Name of the optional package that the command needs, which is also the name of the
+            command.
         *given : tuple of (bytes, str)
             Text of the case and name of its file, if it has been read already.
 
@@ -144,13 +145,13 @@ def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> I
 
 
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
-"""Options that every command with a single case has: output, input format and messages."""
+"""Options of every command for a single case: output, input format and messages."""
 one_case = gathered("request", OneCase, click.argument("case", type=click.Path()), *of_case)
-"""Case and options of a command with a single case, passed to the command as `request`."""
+"""Decorator that passes the case and these options to a command, as argument `request`."""
 
 
 def show(file: str, to: Destination, title: str, answer: CaseAnswer) -> None:
-    """Write the answer about a case in the chosen format."""
+    """Write an answer about a case in the chosen format."""
     name = file_name(file)
     shown = texts.CaseOutput([title or name], {}, answer.grids, lambda: answer.answer)
     files.write_pages(texts.alone(name, shown, to), to.output)
@@ -162,12 +163,12 @@ def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
 
 
 def warnings_of(identity: str, messages: Iterable[str], file: str) -> list[Problem]:
-    """Return warnings about a file as a whole."""
+    """Return warnings that concern a file as a whole."""
     return [of_file(identity, file, message) for message in messages]
 
 
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
-    """Return the destination of a command for one case; refuse a directory as output."""
+    """Return the destination of a command for a single case, which must not be a directory."""
     to = wanted.destination(inputs)
     if to.is_folder:
         raise click.UsageError(f"one case gives one text: expected -o FILE, not {to.output}")

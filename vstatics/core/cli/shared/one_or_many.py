@@ -1,4 +1,4 @@
-"""Carry out a command for one case, or for several by the module `many`."""
+"""Run of a command for a single case, or for several cases through the module `many`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Options of commands: headings in the help, former names, several options as one argument."""
+"""Options of commands: headings in the help text, former names, combination into arguments."""
 
 from __future__ import annotations
 
@@ -27,25 +27,25 @@ PROCESSING = "Processing"
 MESSAGES = "Messages"
 HELP = "Help"
 _LAST = (CALCULATION, OUTPUT, PROCESSING, MESSAGES, HELP)
-"""Headings that follow the input and the headings of the command, in this order."""
+"""Headings that follow the input options and the headings of a command, in this order."""
 _FEW = 7
-"""Largest number of options that are listed under the single heading "Options"."""
+"""Largest number of options that are listed together under the heading "Options"."""
 _HEADING = "heading"
-"""Attribute of an option with the heading of the option in the help text."""
+"""Attribute of an option that contains its heading in the help text."""
 _PARAMETERS = "__click_params__"
-"""Attribute of a function to which decorators of click append options."""
+"""Attribute of a function in which decorators of click collect options."""
 _WIDTH = 28
-"""Largest width of the column of options, in characters; longer options get a line of their own."""
+"""Largest width of the column of options, in characters; longer options are on separate lines."""
 
 
 def needs(extra: str, purpose: str) -> None:
-    """Raise an error if the package `extra`, which a purpose needs, is not installed."""
+    """Raise an error if the optional package `extra` is not installed."""
     if message := missing(extra, purpose):
         raise ReadError("E014", message)
 
 
 def provided(name: str) -> Callable[[Command], Command]:
-    """Return the decorator that adds options of an annex; without the annex, it adds none."""
+    """Return a decorator that adds options of an annex, or nothing without the annex."""
     return higher(name) if module_of_method(name) else lambda command: command
 
 
@@ -61,7 +61,8 @@ def gathered(
     build : callable
         Function that returns the argument; its parameters have the names of the options.
     *options : callable
-        Options in the order of the help. The command receives options that `build` does not take.
+        Options in the order of the help text. Options that `build` does not accept are passed to
+        the command.
 
     Examples
     --------
@@ -97,9 +98,9 @@ def gathered(
 def completing(
     names: Callable[[], Iterable[str]],
 ) -> Callable[[Any, Any, str], list[CompletionItem]]:
-    """Return a completion of option values by names; names are listed only if a shell asks.
+    """Return a function that completes option values; names are listed only when a shell asks.
 
-    Of comma-separated names the last is completed.
+    Of several comma-separated names, the last is completed.
 
     >>> complete = completing(lambda: ["zf-8hp70", "simpson"])
     >>> [item.value for begun in ("zf", "a,s") for item in complete(None, None, begun)]
@@ -107,7 +108,7 @@ def completing(
     """
 
     def complete(_context: Any, _option: Any, begun: str) -> list[CompletionItem]:
-        from click.shell_completion import CompletionItem  # only a shell asks for it
+        from click.shell_completion import CompletionItem  # needed only for completion
 
         known = names()
         before, comma, begun = begun.rpartition(",")
@@ -122,7 +123,7 @@ def completing(
 
 
 def refuse(*rules: tuple[object, str]) -> None:
-    """Raise the first error in combinations of options.
+    """Raise an error for the first rule that the options violate.
 
     Parameters
     ----------
@@ -139,19 +140,19 @@ def refuse(*rules: tuple[object, str]) -> None:
 
 
 def _place(heading: str) -> int:
-    """Return the sort key of a heading; headings of a command are between input and calculation."""
+    """Return the sort key of a heading; headings of a command follow the input options."""
     return -1 if heading == INPUT else heading in _LAST and _LAST.index(heading) + 1
 
 
 class RenamedOption(click.Option):
-    """Option with former names, which are accepted, but neither listed nor completed."""
+    """Option with former names that are still accepted, but neither listed nor completed."""
 
     def __init__(self, *names: Any, former: Sequence[str] = (), **named: Any) -> None:
         super().__init__(*names, **named)
         self.former = tuple(former)
 
     def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
-        """Add the option to the parser by all of its names."""
+        """Add the option to the parser under all of its names."""
         names = self.opts
         self.opts = [*names, *self.former]
         super().add_to_parser(parser, ctx)
@@ -159,10 +160,10 @@ class RenamedOption(click.Option):
 
 
 class HeadedCommand(click.Command):
-    """Command whose help lists the options under headings if it has more than a few options."""
+    """Command whose help text lists options under headings, if it has more than a few."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the options, by heading, in the order of declaration."""
+        """Write the options by heading, in the order of their declaration."""
         listed: dict[str, list[tuple[str, str]]] = {}
         for option in self.get_params(ctx):
             if isinstance(option, click.Option) and (record := option.get_help_record(ctx)):
@@ -180,9 +181,10 @@ class HeadedCommand(click.Command):
 
 
 def command(function: Callable[..., Any]) -> click.Command:
-    """Return the command of a function `NAME_command`, whose docstring is the help text.
+    """Return the command for a function `NAME_command`; its docstring is the help text.
 
-    The suffix distinguishes the command from a function of the Python interface, such as `sweep`.
+    The suffix `_command` distinguishes the function from a function of the Python interface, such
+    as `sweep`.
     """
     return click.command(cls=HeadedCommand)(function)
 

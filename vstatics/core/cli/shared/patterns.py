@@ -10,16 +10,16 @@ import click
 from vstatics.core.errors import quoted
 
 WILDCARDS, SIGNS = "*?", "*?["
-"""Characters that make a name a pattern, and all special characters of patterns.
+"""Characters that turn a name into a pattern, and all special characters of patterns.
 
-A bracket alone can belong to a file name.
+A bracket does not turn a name into a pattern, because it can belong to a file name.
 """
 
 
 def expanded(names: Iterable[str]) -> list[str]:
-    """Expand names and patterns to files; `**` matches any folders, but follows no links.
+    """Return the files given by names and patterns; `**` matches any folders except links.
 
-    A file is listed once, however many patterns and names match it.
+    A file is listed once, even if several patterns and names match it.
 
     Raises
     ------
@@ -51,7 +51,7 @@ def expanded(names: Iterable[str]) -> list[str]:
 def _matching(pattern: str) -> Iterator[str]:
     """Yield the paths that match a pattern with any number of `**`.
 
-    `glob` alone would follow links, and never end in a loop of links.
+    `glob` itself would follow links, and would not terminate in a loop of links.
     """
     from glob import escape  # costs start-up time
 
@@ -69,7 +69,7 @@ def _matching(pattern: str) -> Iterator[str]:
 
 
 def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
-    """Yield the paths below some folders that match, without links back to a parent folder."""
+    """Yield the matching paths below folders, without links to a parent folder."""
     from glob import escape, glob, has_magic  # costs start-up time
 
     for top in tops:

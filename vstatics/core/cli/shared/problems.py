@@ -12,20 +12,20 @@ class Telling(NamedTuple):
     """Treatment of warnings and notes; errors are always printed and make the command fail."""
 
     allow: Sequence[str] = ()
-    """Ids of suppressed messages, in addition to the key `allow` of the case."""
+    """Ids of messages to suppress, in addition to the key `allow` of the case."""
     quiet: bool = False
-    """True if only errors are printed, without progress."""
+    """True if only errors are printed, and no progress."""
     strict: bool = False
     """True if warnings make the command fail."""
     notes: bool = False
     """True if notes are reported, as `vstatics check` does."""
     on_page: bool = False
-    """True if notes appear on a page only and are not printed."""
+    """True if notes are shown only on a page, not printed."""
     each_gear: bool = False
-    """True if a message about several gears is repeated at each gear."""
+    """True if a message about several gears is repeated for each gear."""
 
     def told(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Return the problems to report, notes last."""
+        """Return the problems to report; notes are last."""
         notes: list[Problem] = []
         warnings_and_errors: list[Problem] = []
         for problem in dict.fromkeys(problems):
@@ -33,14 +33,14 @@ class Telling(NamedTuple):
         return warnings_and_errors + notes * self.notes
 
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Return the problems to print, without messages held back by -q or for a page."""
+        """Return the problems to print, without messages suppressed by -q or shown on a page."""
         reported = self.told(problems)
         if self.quiet:
             return [problem for problem in reported if problem.severity == "error"]
         return [problem for problem in reported if not self.on_page or problem.severity != "note"]
 
     def quiet_failure(self, problems: Iterable[Problem], file: str) -> Iterator[Problem]:
-        """Yield a problem if a case fails because of warnings that are not printed."""
+        """Yield a problem if a case fails only because of warnings that are not printed."""
         all_problems = list(problems)
         if self.quiet and self.fails(all_problems) and not self.printed(all_problems):
             ids = [problem.id for problem in all_problems if problem.severity == "warning"]

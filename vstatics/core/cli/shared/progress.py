@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from rich.progress import Progress
 
 Advance = Callable[[int], None]
-"""Function that advances the bar by a number of units."""
+"""Function that advances the progress bar by a number of units."""
 
 PERIOD = 0.1
-"""Shortest time between two drawings of the bar [s]."""
+"""Shortest time between two updates of the bar. [s]"""
 BAR_COLUMNS = 24
-"""Width of the bar, in columns; with numbers of eight digits the line fits 80 columns."""
+"""Width of the bar, in characters; a line with numbers of eight digits then fits 80 characters."""
 FIRST_WORD, LONGEST_SILENCE = 5.0, 600.0
-"""Time until the first line, and longest time between lines, which doubles each time [s]."""
+"""Time until the first line, and longest time between lines; the time doubles each time. [s]"""
 
 
 @contextmanager
@@ -35,7 +35,7 @@ def telling(said: Callable[[], str]) -> Iterator[None]:
     Parameters
     ----------
     said : callable
-        Function that returns a line, or an empty string.
+        Function that returns a line about the progress, or an empty string.
     """
     ended = threading.Event()
 
@@ -54,7 +54,7 @@ def telling(said: Callable[[], str]) -> Iterator[None]:
 
 
 def done_text(part: float, seconds: float) -> str:
-    """Describe progress by the finished part and the remaining time, which is extrapolated.
+    """Return a phrase with the finished share, the elapsed time and the extrapolated time left.
 
     >>> done_text(0.25, 30)
     '25 % after 30 s, about 1.5 minutes left'
@@ -71,7 +71,7 @@ def progress(
 ) -> Iterator[Advance]:
     """Show the number of finished units by a bar, or by lines if stderr is not a terminal.
 
-    Messages (`files.say`) appear above the bar. It is drawn only when it advances, without a
+    Messages (`files.say`) appear above the bar. The bar is drawn only when it advances. It needs no
     thread, so that processes can be started while it is shown.
 
     Parameters
@@ -79,11 +79,11 @@ def progress(
     total : int, optional
         Number of all units, if known.
     unit : str
-        Name of the units, in the plural: "variants".
+        Name of the units in the plural, such as "variants".
     beside_stdout : bool
-        True if results go to stdout meanwhile, which allows no bar on the same terminal.
+        True if results are written to stdout at the same time; the same terminal then shows no bar.
     quiet : bool
-        True if nothing is to be shown.
+        True to show nothing.
 
     Examples
     --------
@@ -119,7 +119,7 @@ def progress(
 
 @contextmanager
 def _lines(total: int | None, unit: str) -> Iterator[Advance]:
-    """Print lines instead of a bar, if the total is known."""
+    """Print lines about the progress instead of a bar, if the total is known."""
     began, done = time.monotonic(), 0
 
     def advance(count: int) -> None:
@@ -138,14 +138,14 @@ def _is_terminal(stream: TextIO | None) -> bool:
 
 
 def _bar(unit: str) -> Progress:
-    """Build a bar that vanishes when closed."""
+    """Return a progress bar that disappears when closed."""
     from rich import progress as parts
     from rich.text import Text
 
     from vstatics.core.cli.shared.console import SafeConsole
 
     class Rate(parts.ProgressColumn):
-        """Column of the bar with units per second; the preceding column names the unit."""
+        """Column of the progress bar with units per second; the column before it names the unit."""
 
         def render(self, task: parts.Task) -> Text:
             speed = task.finished_speed or task.speed

@@ -1,4 +1,4 @@
-"""Distribution of the work of a command over processes, and resumption after a stop."""
+"""Distribution of a command's work over processes, and its resumption after a stop."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Sharing(NamedTuple):
         return 1 if self.scheduler else self.jobs or cores()
 
     def check(self, output: str | None, expected: str = "a file to go on with: -o FILE") -> None:
-        """Refuse contradictory options, and --resume without a file.
+        """Raise an error for contradictory options, and for --resume without an output file.
 
         Raises
         ------
@@ -66,12 +66,12 @@ class Sharing(NamedTuple):
         *,
         quiet: bool,
     ) -> None:
-        """Open the store of pieces: begin anew, or resume with the stored pieces if possible.
+        """Open the store of finished pieces, for a new run or to resume an earlier run if possible.
 
         Parameters
         ----------
         done : str
-            Rest of a message after the word "every", such as "piece is searched".
+            Words of a message after "every", such as "piece is searched".
 
         Raises
         ------
@@ -90,7 +90,7 @@ class Sharing(NamedTuple):
 def going_on_later(
     output: str, store: FinishedPieces, remains: Callable[[], str]
 ) -> Iterator[None]:
-    """If the command is stopped or cannot write, print how much work is stored, and exit.
+    """Run the block; if it is stopped or cannot write, report the stored work and exit.
 
     Raises
     ------
@@ -116,13 +116,13 @@ def going_on_later(
 
 
 def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -> str:
-    """Describe the finished pieces that an interrupted command can resume with.
+    """Return a sentence about the finished pieces with which a stopped command can be resumed.
 
     Parameters
     ----------
     finished : int
     whole : str
-        Total amount of work: "64 variants".
+        Total amount of work, such as "64 variants".
     """
     if not finished:
         return "nothing was finished"
@@ -135,14 +135,14 @@ def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -
 
 
 def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Command], Command]:
-    """Return the decorator of the options of `Sharing`; the command gets `sharing`.
+    """Return a decorator that adds the options of `Sharing` to a command, as argument `sharing`.
 
     Parameters
     ----------
     resumed : str
-        Name of the work that --resume continues, for the help.
+        Name, for the help text, of the work that --resume continues.
     *between : callable
-        Options listed before --resume.
+        Options that the help text lists before --resume.
     jobs : callable
     """
     return gathered(

@@ -1,7 +1,7 @@
-"""Output of a command for each case, as text in each format: alone or among several cases.
+"""Output of a command for each case in any format, for a single case or several cases.
 
-A command supplies a `CaseOutput`, from which this module writes every format. Writers are
-imported when they are needed.
+A command supplies a `CaseOutput`, from which this module creates the text in any format. Writers
+are imported only when needed.
 """
 
 from __future__ import annotations
@@ -24,23 +24,23 @@ if TYPE_CHECKING:
 
 
 class CaseOutput(NamedTuple):
-    """Output of a command for a case; each part is calculated on request."""
+    """Output of a command for a case; its parts are calculated only when needed."""
 
     titles: Sequence[str]
     """Titles above the tables."""
     by_format: Mapping[str, Callable[[str | None], str | bytes | Sequence[bytes]]]
     """Functions that return output other than `grids`, such as a text, by format.
 
-    The function receives the name of the file if the case is one of several in a stream. A picture
-    has pages, each of which is written to its own file.
+    The function receives the name of the case's file if several cases share a stream, else None. A
+    picture consists of pages, each written to a separate file.
     """
     grids: Callable[[], Iterable[Grid]] | None = None
     answer: Callable[[], Answer] | None = None
     """Function that returns the record written as JSON."""
     lay_out: Callable[[Any], str] | None = None
-    """Function that writes the record as JSON with special line breaks."""
+    """Function that returns the record as JSON with special line breaks."""
     problems: Sequence[Problem] = ()
-    """Problems of the output, in addition to the problems of the case."""
+    """Problems of creating the output, in addition to the problems of the case."""
 
 
 class CaseTables(NamedTuple):
@@ -52,17 +52,17 @@ class CaseTables(NamedTuple):
 
 
 Part = bytes | CaseTables
-"""Part of a stream: the text of a case, or tables that are combined with those of other cases."""
+"""Part of a stream: the text of a case, or its tables, to be combined with other cases."""
 
 
 class Frame(NamedTuple):
-    """Texts before, between and after the parts of a stream."""
+    """Texts before, between and after the parts of cases in a stream."""
 
     first: str
     between: str
     last: str
     empty: str = ""
-    """Whole text of a stream without parts."""
+    """Complete text of a stream without parts."""
 
 
 FRAMES = {
@@ -91,12 +91,12 @@ def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Seque
 def among_several(
     outcome: CalculatedCase, shown: CaseOutput | None, to: Destination, *, folders: bool = False
 ) -> Part:
-    """Return the part of a case in the output of several cases; only JSON has failed cases.
+    """Return the part of a case in the output of several cases; only JSON includes failed cases.
 
     Parameters
     ----------
     folders : bool
-        True if JSON gives the name of the file with its folders.
+        True if JSON contains the name of the case file with its folders.
     """
     file = outcome.file
     if to.form in ("json", "jsonl"):
@@ -121,7 +121,7 @@ def among_several(
 def joined(
     parts: Iterable[Part], to: Destination, frame_of_command: Frame | None = None
 ) -> Iterator[bytes]:
-    """Yield the text of a stream from the parts of all cases, without empty parts."""
+    """Yield the text of a stream, made of the non-empty parts of all cases."""
     if to.form == "parquet":
         from vstatics.core.writers import result_parquet
 
@@ -148,7 +148,7 @@ def _tables(file: str, shown: CaseOutput, to: Destination) -> CaseTables:
 
 
 def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) -> Iterator[bytes]:
-    """Yield the tables of cases in a format that contains nothing else."""
+    """Yield the tables of cases in a format that contains only tables."""
     by_file = ((case.file, case.grids) for case in cases)
     if to.form == "xlsx":
         from vstatics.core.tables import xlsx
@@ -171,7 +171,7 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
 
 
 def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = False) -> str:
-    """Return a case in JSON, on several lines or on one, with a final line break."""
+    """Return the output of a case as JSON, on several lines or on one, with a final line break."""
     from vstatics.core.tables.answer import as_json, with_file
 
     assert shown.answer is not None  # noqa: S101 - the command has this format
@@ -182,12 +182,12 @@ def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = Fals
 
 
 def _bytes(text: str | bytes, to: Destination) -> bytes:
-    """Encode a text safely for printing; CSV, which has no escapes, stays unchanged."""
+    """Return an encoded text with unsafe characters escaped, except in CSV."""
     return text if isinstance(text, bytes) else files.encoded(text, as_is=to.form == "csv")
 
 
 class Job(NamedTuple):
-    """Command with options, as applied to each case."""
+    """Command with its options, to be applied to each case."""
 
     command: str
     """Name of the command."""
@@ -196,10 +196,10 @@ class Job(NamedTuple):
     show: Callable[[CalculatedCase, Results], CaseOutput]
     """Function that returns the output of the command for a case with results."""
     own_frame: Frame | None = None
-    """Texts around several cases, for a format of the command that has its own frame."""
+    """Texts around the parts of several cases, for a format that only this command has."""
     finished: FinishedCases | None = None
-    """Register of the output directory, if results go to a directory."""
+    """Record of finished results, if results are written to a directory."""
     marked: bool = False
-    """True if the output of each case is also stored for `--resume`, with hashes of its files."""
+    """True if the output of each case is stored for `--resume`, with the hashes of its files."""
     folders: bool = False
-    """True if JSON gives files with folders, because some names are equal."""
+    """True if JSON contains file names with folders, because some names are equal."""

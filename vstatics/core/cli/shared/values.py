@@ -1,7 +1,7 @@
 """Values of options: numbers, pairs, comma-separated lists, values by name.
 
-Each is parsed by a function that raises ValueError; `value` turns the function into a callback of
-click, which reports a wrong value as wrong use of the option.
+Each kind of value is parsed by a function that raises ValueError. `value` converts the function to
+a callback of click, which reports a wrong value as wrong use of the option.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Given = TypeVar("Given")
 
 @contextmanager
 def wrong_value(option: str | None = None) -> Iterator[None]:
-    """Report a ValueError, or a problem without a path, as wrong use of an option.
+    """Run the block; report a ValueError, or a problem without a path, as wrong use of an option.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def wrong_value(option: str | None = None) -> Iterator[None]:
     ------
     BadParameter
     CaseError
-        If a problem has a path, since it then concerns a part of the case.
+        If a problem has a path, because it then concerns a part of the case.
     """
     try:
         yield
@@ -50,7 +50,7 @@ def wrong_value(option: str | None = None) -> Iterator[None]:
 def value(
     read: Callable[[Given], Value], option: str | None = None
 ) -> Callable[[click.Context, click.Parameter, Given], Value | Given]:
-    """Return a callback that parses an option by a function; `None` remains `None`."""
+    """Return a callback that parses the value of an option by a function; None remains None."""
 
     def callback(_context: click.Context, _option: click.Parameter, given: Given) -> Value | Given:
         with wrong_value(option):
@@ -60,7 +60,7 @@ def value(
 
 
 def allowable(ids: Iterable[str]) -> tuple[str, ...]:
-    """Parse ids of warnings and notes, separate or comma-separated, in any case.
+    """Return ids of warnings and notes, given separately or with commas, in any letter case.
 
     Raises
     ------
@@ -124,7 +124,7 @@ def numbers(expected: str, least: float = 0.0) -> Callable[[str], list[float]]:
 
 
 def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
-    """Return a parser that adds the refused text to the errors of `read`.
+    """Return a parser whose error messages also quote the wrong text.
 
     >>> told(float)("x")
     Traceback (most recent call last):
@@ -245,15 +245,15 @@ def named(
 def wrong_use(
     options: Sequence[str], spelled: Mapping[str, str] = MappingProxyType({})
 ) -> Iterator[None]:
-    """Report problems whose path begins with the name of an option as wrong use.
+    """Run the block; report problems whose path begins with an option as wrong use of it.
 
-    `spelled` contains the names on the command line that differ from those names.
+    `spelled` contains the names of options on the command line that differ from the names in paths.
 
     Raises
     ------
     UsageError
     CaseError
-        If no problem belongs to an option.
+        If no problem concerns an option.
     """
     try:
         yield
@@ -272,15 +272,15 @@ def wrong_use(
 
 
 _ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
-"""Pattern of a name, the sign ``=`` and a value; a name in double quotes can contain commas."""
+"""Pattern of NAME=VALUE; a name in double quotes can contain commas."""
 
 
 _ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'
-"""Pattern of a value without a name; a value in double quotes can contain commas."""
+"""Pattern of a single value; a value in double quotes can contain commas."""
 
 
 def separated(texts: Iterable[str]) -> list[str]:
-    """Split all values of an option that can be repeated or contain commas.
+    """Return all values of an option that can be repeated or contain commas.
 
     >>> separated(["5, 7", "6"]), separated(['F1, "a, b" ,"c"d,'])
     (['5', '7', '6'], ['F1', 'a, b', '"c"d', ''])
@@ -297,12 +297,12 @@ def separated(texts: Iterable[str]) -> list[str]:
 
 
 def _unquoted(quoted: str | None) -> str:
-    """Return a name without double quotes, and with doubled quotes as single ones."""
+    """Return a name without its enclosing double quotes; doubled quotes become single quotes."""
     return (quoted or "").replace('""', '"')
 
 
 def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, str]]:
-    """Split comma-separated pairs of a name and a value.
+    """Return the names and values of comma-separated pairs NAME=VALUE.
 
     Raises
     ------

@@ -19,7 +19,7 @@ from vstatics.core.numerics.arrays import Integers
 
 
 def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
-    """Return the number of places around the axis where a train of planets fits; 0 for any.
+    """Return the number of equidistant places where a train of planets fits; 0 for any place.
 
     `common_step` explains the condition.
 
@@ -58,7 +58,7 @@ def _rows(
 
 
 def assemblable(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
-    """Yield the choices of teeth with which the planets can be assembled, all checked at once."""
+    """Yield the choices of teeth with which the planets can be assembled (checked as arrays)."""
     count = subject.element.planets or 1
     if count == 1 or not isinstance(subject, OfPlanets):
         yield from choices
@@ -102,7 +102,7 @@ def assembled(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
-    """Report bevel planets that cannot be assembled; side gears act like a sun and a ring."""
+    """Report bevel planets that cannot be assembled between the side gears."""
     count, whole = element.planets or 1, teeth["left"] + teeth["right"]
     if whole % count:
         yield Doubt(
@@ -116,9 +116,9 @@ def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
 def _sum(
     layout: AxisLayout, first: CentralWheel, second: CentralWheel
 ) -> tuple[str, int, int] | None:
-    """Return the number that two gears require to be whole: text, dividend, divisor.
+    """Return the quotient that must be a whole number for two gears: text, dividend, divisor.
 
-    The divisor does not contain the number of planets.
+    The divisor does not include the number of planets.
     """
     group = layout.group
     planets = [group.planet_of[wheel.rim] for wheel in (first, second)]

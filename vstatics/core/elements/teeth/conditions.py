@@ -1,8 +1,8 @@
 """Conditions on teeth as formulas, for one gear set or for arrays of candidates.
 
-Every check of teeth and every search for teeth uses them. Lengths are in modules; a clearance below
-0 is too small. The conditions apply to the usual profile of 20 degrees with an addendum of one
-module.
+All checks of teeth and searches for teeth use these formulas. Lengths are in modules; a clearance
+below 0 is too small. The conditions assume the usual profile with a pressure angle of 20 degrees
+and an addendum of one module.
 """
 
 from __future__ import annotations
@@ -14,24 +14,25 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 
 UNCUT, UNCUT_SHIFTED = 17, 14
-"""Least number of teeth of a gear without undercut, and with a shifted profile."""
+"""Smallest number of teeth without undercut: standard profile, and shifted profile."""
 INSIDE = 8
-"""Least difference of teeth between a ring and the gear inside."""
+"""Smallest difference of teeth between a ring and the gear inside it."""
 TEETH_BETWEEN_TIPS = 4
-"""Gap of two pitch circles, in half modules, at which the tips just touch: two addenda."""
+"""Gap between two pitch circles, in half modules, at which tips just touch: two addenda."""
 TIPS = 2
 """Sum of two addenda, in modules."""
 SHIFT = 2
 """Largest difference of teeth between coaxial gears that profile shift can compensate."""
 
 Amount = TypeVar("Amount", float, Floats)
-"""Number for a single gear set, or array for many."""
+"""Number for a single gear set, or array for many gear sets."""
 
 
 def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
     """Return the clearance between the tips of neighbouring planets [modules].
 
-    ``2 a sin(pi/n) - (z + 2)``: distance of the axes minus the tip diameter.
+    The clearance is ``2 a sin(pi/n) - (z + 2)``: distance between the planet axes minus the tip
+    diameter, for a radius a of the axes and z teeth.
 
     Parameters
     ----------
@@ -52,7 +53,7 @@ def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
 
 
 def closes(first: Amount, second: Amount, apart: Amount) -> Any:
-    """Return whether planets at two radii from the axis can be at the given distance apart.
+    """Return whether planet axes at two radii from the central axis can have a given distance.
 
     >>> bool(closes(20.0, 25.0, 20.0)), bool(closes(20.0, 45.0, 20.0))
     (True, False)
@@ -72,16 +73,16 @@ def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
 
 
 def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount) -> Amount:
-    """Return the distance between a planet and the planet that meshes with its neighbour [modules].
+    """Return the distance of a planet axis from an axis of the next pair of planets [modules].
 
     Parameters
     ----------
     first, second : float or ndarray
         Radii of the two axes. [modules]
     apart : float or ndarray
-        Distance of planets in mesh. [modules]
+        Distance between the axes of planets in mesh. [modules]
     turn : float or ndarray
-        Angle between neighbouring places, 2 pi/n for n places. [rad]
+        Angle between neighbouring pairs of planets, 2 pi/n for n pairs. [rad]
 
     Examples
     --------
@@ -95,7 +96,7 @@ def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount
 
 
 def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool) -> Amount:
-    """Return twice the clearance of a planet from a gear that it passes without mesh [modules].
+    """Return twice the clearance between a planet and a gear that it passes without mesh [modules].
 
     >>> passing_room(40, 20, 66, internal=True), passing_room(40, 20, 16, internal=False)
     (2, 0)
@@ -104,18 +105,18 @@ def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool)
 
 
 def common_step(rows: Any, planets: int) -> Any:
-    """Return the number of places around the axis where planets fit; 0 for any.
+    """Return the number of equidistant places around the axis where planets fit; 0 for any place.
 
-    At ``k/n`` turn from the first place, a central gear of z teeth is displaced by ``z k/n`` teeth
-    for the planet (a ring backward). Phases of the planets that fit all meshes exist if every
-    integer combination of meshes without a planet has a whole number of teeth. So n must divide the
-    greatest common divisor of these combinations.
+    At ``k/n`` turn from the first planet, a central gear of z teeth appears shifted by ``z k/n``
+    teeth (a ring backwards). A planet can be turned to fit all its meshes if each integer
+    combination of the meshes that eliminates the rotation of the planets gives a whole number of
+    teeth. So n must divide the greatest common divisor of these combinations.
 
     Parameters
     ----------
     rows : ndarray of int or object, shape (meshes, planets + 1, ...)
-        Teeth of each planet's rim in a mesh, then teeth of the central gear: negative for a ring, 0
-        where planets mesh. Further axes are candidates. The array is overwritten.
+        For each mesh: teeth of the rim of each planet, then teeth of the central gear (negative for
+        a ring, 0 if two planets mesh). Further axes are candidates. The array is overwritten.
     planets : int
         Number of planets of a train.
 
@@ -145,5 +146,5 @@ def common_step(rows: Any, planets: int) -> Any:
 
 
 def seated(step: Any, count: Any) -> Any:
-    """Return whether a number of planets fits at equal angles, from the result of `common_step`."""
+    """Return whether `count` planets fit at equal angles, given the result of `common_step`."""
     return step % count == 0

@@ -1,4 +1,4 @@
-"""All doubts about the teeth of gear sets, with teeth nearby that would fit."""
+"""All doubts about the teeth of gear sets, with nearby teeth that would fit."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ from vstatics.core.errors import Path, Problem
 HALF_A_TOOTH = "N311"
 """Identifier of the note about a planet that would need half a tooth."""
 TOUCHING = "N315"
-"""Identifier of the note about tips that would touch if placed side by side."""
+"""Identifier of the note about gears whose tips would touch in the same plane."""
 USUAL_PLANETS = range(3, 7)
-"""Numbers of planets of which at least one must fit if the gear set has no number."""
+"""Usual numbers of planets; at least one must fit if the gear set states no number."""
 _PAIRS = ("gear_pair", "internal_pair", "idler")
 _UNCHECKED: Mapping[str, Sequence[tuple[float, float]]] = {
     "chain": [(UNCUT, math.inf)] * 2,
     "bevel_pair": [(UNCUT, math.inf)] * 2,
     "worm": [(1, 4), (28, math.inf)],
 }
-"""Usual least and largest numbers of teeth of each gear, for kinds whose teeth are not checked."""
+"""Usual smallest and largest number of teeth of each gear, for kinds of gear set not checked."""
 
 
 def doubts(drawing: Drawing) -> Iterator[Problem]:
@@ -50,9 +50,9 @@ def doubts(drawing: Drawing) -> Iterator[Problem]:
 
     Notes
     -----
-    Coaxiality, assembly, neighbouring planets and undercut follow the synthesis of planetary gears
-    (after Willis; Ravigneaux sets after Simionescu). Gear sets with fractional teeth are left out;
-    so are belts, worms and bevel pairs.
+    The conditions for coaxiality, assembly, neighbouring planets and undercut are taken from the
+    synthesis of planetary gears (Willis; for Ravigneaux sets Simionescu). Gear sets with fractional
+    teeth are not checked, nor are belts, chains, worms and bevel pairs.
 
     Examples
     --------
@@ -100,7 +100,7 @@ def _doubts(element: Element) -> Iterator[Doubt]:
 
 
 def _subject(element: Element) -> Subject | None:
-    """Return the teeth of a gear set for the checks, except for belts, worms and bevel pairs."""
+    """Return the teeth of a gear set for the checks; None if its kind or teeth are not checked."""
     if not _whole(element) or element.ratios:
         return None
     if isinstance(element.shape, Planetary):
@@ -114,7 +114,7 @@ def _whole(element: Element) -> bool:
 
 
 def _place(element: Element, about: Key | None) -> Path:
-    """Return the path within a gear set of the teeth that a doubt is about."""
+    """Return the path, within a gear set, of the teeth to which a doubt refers."""
     if about is None:
         return ("planets",)
     if isinstance(about, int) and element.rims:
@@ -130,8 +130,9 @@ def _place(element: Element, about: Key | None) -> Path:
 def fitting(element: Element, random: Random) -> Iterator[Teeth]:
     """Yield teeth near the given teeth with which a gear set can be assembled, in random order.
 
-    The number of planets is that of the gear set or, if missing, 3 to 6. For chains, worms and
-    bevel pairs no gear has fewer teeth than usual, or than given. Nothing is yielded without teeth.
+    The number of planets is given by the gear set or, if missing, 3 to 6. For chains, worms and
+    bevel pairs the teeth stay within the usual range, or at least do not leave it further than the
+    given teeth. Gear sets without teeth yield nothing.
 
     >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 24, "ring": 72}
     >>> found = list(fitting(Element("P", "planetary", members, teeth, planets=5), Random(1)))
@@ -168,9 +169,10 @@ def _usual_teeth(element: Element, random: Random) -> Iterator[Teeth]:
 
 
 def _rule(subject: Subject) -> Callable[[Teeth], bool]:
-    """Return a function that accepts teeth which leave nothing to cure and cause no new note.
+    """Return a function that accepts teeth without curable doubts and without new notes.
 
-    A new note is a gear that newly needs a profile shift, or tips that newly touch.
+    A note is new if the given teeth do not have it: a gear that needs a profile shift, or tips that
+    touch.
     """
     least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
     touching = any(doubt.id == TOUCHING for doubt in _wrong(subject))
@@ -178,7 +180,7 @@ def _rule(subject: Subject) -> Callable[[Teeth], bool]:
     def is_right(teeth: Teeth) -> bool:
         return (
             min(teeth.values()) >= min(least, UNCUT)
-            and 1 not in subject.ratios(teeth)  # a ratio of 1 would lock up the gear set
+            and 1 not in subject.ratios(teeth)  # a basic ratio of 1 would lock up the gear set
             and not any(
                 doubt.has_cure or (doubt.id == TOUCHING and not touching)
                 for doubt in _wrong(subject, teeth)
@@ -214,7 +216,7 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
 
 
 def _wrong(subject: Subject, teeth: Teeth | None = None) -> Iterator[Doubt]:
-    """Yield the doubts about the given or other teeth of a gear set, except about wear."""
+    """Yield all doubts except about wear, for the given or other teeth of a gear set."""
     if isinstance(subject, OfPlanets):
         yield from of_planets(subject.layout(teeth))
     if subject.element.kind == "bevel":

@@ -1,6 +1,6 @@
 """Layout of planets around an axis with their teeth, and doubts about it.
 
-In this package a key identifies a gear with teeth, and a doubt is about a key.
+In this package a key identifies a toothed gear, and each doubt refers to a key.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from vstatics.core.elements.element import CentralWheel, Element
 from vstatics.core.elements.group import PlanetGroup
 
 Key = str | int
-"""Name of a rim or gear, or position of a central gear in the group."""
+"""Key of a toothed gear: its name, or the index of a central gear in its group."""
 
 Teeth = Mapping[Key, int]
 """Number of teeth by key."""
 
 
 class Doubt(NamedTuple):
-    """Doubt about a gear of a gear set, or about the number of planets."""
+    """Warning or note about a toothed gear, or about the number of planets."""
 
     id: str
     message: str
@@ -32,13 +32,13 @@ class Doubt(NamedTuple):
 
 @dataclass(frozen=True)
 class AxisLayout:
-    """Planets around an axis: a gear set, and a group with given or other teeth."""
+    """Planets around an axis: gear set, and its group of planets with given or other teeth."""
 
     element: Element
     group: PlanetGroup
 
     def teeth(self, rim: str) -> Fraction | None:
-        """Return the teeth of a rim, None if unknown."""
+        """Return the number of teeth of a rim; None if unknown."""
         return self.group.planets[self.group.planet_of[rim]][rim]
 
     def around(self, rim: str) -> list[CentralWheel]:
@@ -46,7 +46,7 @@ class AxisLayout:
         return [wheel for wheel in self.group.wheels if wheel.rim == rim]
 
     def label(self, body: CentralWheel | str) -> str:
-        """Return the name of a gear or a rim in messages."""
+        """Return the name of a gear or a rim for messages."""
         if isinstance(body, str):
             return f"rim `{body}`" if self.element.rims else body
         if self.element.rims:
@@ -54,7 +54,7 @@ class AxisLayout:
         return body.member
 
     def key(self, wheel: CentralWheel) -> Key:
-        """Return the key of a central gear for doubts."""
+        """Return the key of a central gear."""
         return list(self.group.wheels).index(wheel)
 
     def span(self, wheel: CentralWheel) -> Fraction | None:
@@ -65,9 +65,9 @@ class AxisLayout:
         return wheel.teeth - teeth if wheel.internal else wheel.teeth + teeth
 
     def axis(self, rim: str) -> tuple[Fraction, CentralWheel] | None:
-        """Return twice the distance of a rim from the axis, in modules, and the defining gear.
+        """Return twice the distance of a rim from the axis, in modules, and the gear that sets it.
 
-        A rim that only meshes with planets has the module of the planet's other rims.
+        A rim that meshes only with planets takes the distance from the other rims of its planet.
         """
         alike = [rim, *self.group.planets[self.group.planet_of[rim]]]
         for wheel in (wheel for coaxial in alike for wheel in self.around(coaxial)):
@@ -78,7 +78,7 @@ class AxisLayout:
 
 
 def with_teeth(group: PlanetGroup, teeth: Teeth) -> PlanetGroup:
-    """Return a group with other teeth."""
+    """Return the group with other teeth."""
     wheels = [wheel._replace(teeth=teeth[place]) for place, wheel in enumerate(group.wheels)]
     planets = {
         planet: {rim: Fraction(teeth[rim]) if rim in teeth else None for rim in rims}
@@ -88,7 +88,7 @@ def with_teeth(group: PlanetGroup, teeth: Teeth) -> PlanetGroup:
 
 
 def ratio_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Yield each central gear of a train with the last gear of the train, for the ratios."""
+    """Yield each central gear of a train with the last central gear, as pairs for ratios."""
     for train in group.trains:
         *others, last = group.wheels_of(train)
         yield from ((other, last) for other in others)

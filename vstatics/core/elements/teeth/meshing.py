@@ -1,6 +1,7 @@
 """Gears in mesh: undercut, interference in a ring, wear of the same teeth.
 
-The conditions apply to the usual profile of 20 degrees with an addendum of one module.
+The conditions assume the usual profile with a pressure angle of 20 degrees and an addendum of one
+module.
 """
 
 from __future__ import annotations
@@ -27,14 +28,14 @@ class Toothed(NamedTuple):
 
 
 class Mesh(NamedTuple):
-    """Two gears in mesh; the first is the ring of an internal mesh."""
+    """Two gears in mesh; in an internal mesh the first gear is the ring."""
 
     first: Toothed
     second: Toothed
 
     @property
     def divisor(self) -> int:
-        """Greatest common divisor of both numbers of teeth.
+        """Greatest common divisor of the numbers of teeth.
 
         >>> Mesh(Toothed("first", 20, "first"), Toothed("second", 42, "second")).divisor
         2
@@ -60,7 +61,7 @@ def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
 
 
 def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
-    """Report tips that interfere in a ring that is hardly larger than the gear inside."""
+    """Report interference of tips in a ring that is hardly larger than the gear inside it."""
     for ring, wheel in meshes:
         more = ring.teeth - wheel.teeth
         if ring.internal and more <= 0:
@@ -77,13 +78,13 @@ def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
 def hunting(meshes: Sequence[Mesh], against: str) -> Iterator[Doubt]:
     """Note meshes in which each tooth meets only some teeth of the mating gear.
 
-    A damaged tooth then wears the same teeth again and again.
+    A damaged tooth then always meets the same teeth and wears them.
 
     Parameters
     ----------
     meshes : sequence of Mesh
     against : str
-        Part relative to which the text counts turns; the housing if empty.
+        Part relative to which the text counts turns; empty for the housing.
     """
     common = sorted(
         (mesh for mesh in meshes if mesh.divisor > 1), key=lambda mesh: mesh.divisor, reverse=True

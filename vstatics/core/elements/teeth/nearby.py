@@ -1,9 +1,9 @@
-"""Search for numbers of teeth near those of a gear set.
+"""Search for numbers of teeth near the given teeth of a gear set.
 
-The central gears around a planet cannot change their teeth one by one, as their axes would no
-longer coincide. So a step of the search changes a rim together with the gears in mesh with it (a
-tooth more on the planet: one less on the sun, one more on the ring), or moves the axis of a planet
-(all gears around it). Coaxial gears remain coaxial, with unchanged modules.
+The teeth of a single central gear cannot change alone, because it would no longer be coaxial with
+the others. So a move of the search either changes a planet rim together with the gears in mesh with
+it (one tooth more on the planet: one less on the sun, one more on the ring), or shifts the axis of
+a planet (all gears around it change). All central gears remain coaxial, with unchanged modules.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ FARTHEST_RATIO = 0.3
 REACH = {1: 14, 2: 14, 3: 6, 4: 4, 5: 3, 6: 3}
 """Largest sum of steps, by the number of independent moves.
 
-The limits lead to about 400 candidates at most, which take a few milliseconds.
+The limits result in at most about 400 candidates, which take a few milliseconds.
 """
 
 WIDER = 2
@@ -52,9 +52,9 @@ class Space(NamedTuple):
     Attributes
     ----------
     given : mapping of key to teeth
-        Given teeth, from which changes are counted.
+        Given teeth, the reference for the number of changed teeth.
     start : mapping of key to teeth
-        Nearest coaxial teeth.
+        Teeth near the given teeth for which all gears are coaxial.
     moves : sequence of mappings of key to a change of teeth
         Changes that keep all gears coaxial.
     ratios : sequence of mappings of key to exponent
@@ -68,7 +68,7 @@ class Space(NamedTuple):
 
 
 def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
-    """Return an iterator over teeth near the given teeth, the smallest changes first.
+    """Return an iterator over sets of teeth near the given teeth, smallest changes first.
 
     The distance is the number of teeth changed, plus the percentage by which each ratio changes.
 
@@ -100,7 +100,7 @@ def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
 
 
 def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
-    """Return the distance of teeth from the given teeth, infinite if a ratio changes too much."""
+    """Return the distance of teeth from the given teeth; infinite if a ratio changes too much."""
     changed = [key for key, count in space.given.items() if teeth[key] != count]
     total = float(sum(abs(teeth[key] - space.given[key]) for key in changed))
     apart = {key: math.log(teeth[key]) - logs[key] for key in changed}
@@ -112,7 +112,7 @@ def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
 
 @lru_cache
 def _steps(moves: int, times: int) -> list[tuple[int, ...]]:
-    """Return all steps along the moves whose magnitudes add up to the reach or less."""
+    """Return all combinations of steps, one per move, whose magnitudes sum to the reach at most."""
     reach = times * REACH.get(moves, 2 if moves <= FAR_MOVES else 1)
     partial: list[tuple[tuple[int, ...], int]] = [((), reach)]
     for _ in range(moves):
@@ -169,10 +169,10 @@ def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
 
 
 def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
-    """Return the steps of each rim when an axis moves away from the centre.
+    """Return by how many units each rim of a planet moves when its axis moves outwards.
 
-    Rims of equal modules move together, also if they need profile shift. Rims of different modules
-    keep the ratio of modules if its numbers are small.
+    Rims of equal modules (within profile shift) move by 1 each. Rims of different modules keep the
+    ratio of their modules, if it is a ratio of small whole numbers.
     """
     if not spans or max(spans.values()) - min(spans.values()) <= SHIFT:
         return dict.fromkeys(spans, 1)
@@ -187,7 +187,7 @@ def _around(group: PlanetGroup, rim: str) -> list[tuple[int, CentralWheel]]:
 
 
 def ratio_powers(group: PlanetGroup, first: CentralWheel, last: CentralWheel) -> dict[Key, int]:
-    """Return the ratio of two gears of a train as powers of teeth, without the sign."""
+    """Return the exponents of the teeth in the ratio of two gears of a train, without the sign."""
     wheels = list(group.wheels)
     powers: dict[Key, int] = {wheels.index(first): -1, wheels.index(last): 1}
     way = _way(group, first.rim, last.rim)
@@ -198,7 +198,7 @@ def ratio_powers(group: PlanetGroup, first: CentralWheel, last: CentralWheel) ->
 
 
 def _way(group: PlanetGroup, first: str, last: str) -> list[str]:
-    """Return the rims between two planets: where each planet is left and entered."""
+    """Return the rims along the path of meshes between two rims: entry and exit of each planet."""
     here, way = group.planet_of[first], [first]
     for pair in group.path(here, group.planet_of[last]):
         near, far = pair if group.planet_of[pair[0]] == here else pair[::-1]

@@ -1,4 +1,4 @@
-"""Positions of planets: coaxial with the central gears, clear of them and of each other."""
+"""Checks of planet positions: coaxial central gears, clearance from gears and other planets."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ PASSING = {
     "double_planet": (("inner", "ring"), ("outer", "sun")),
     "ravigneaux": (("long", "small_sun"),),
 }
-"""Pairs of a planet rim and a central gear that are close but do not mesh, by kind of gear set."""
+"""Pairs of a planet rim and a central gear that pass closely without mesh, by kind of gear set."""
 
 
 def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
-    """Yield the doubts about the positions of planets, condition by condition."""
+    """Yield the doubts about the positions of planets, one condition after the other."""
     hopeless = [
         Doubt(
             "W311",
@@ -140,8 +140,8 @@ def _sides(layout: AxisLayout, rim: str, partner: str) -> tuple[float, float, fl
 def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
     """Report planets that touch a central gear although they do not mesh with it.
 
-    A Ravigneaux ring is next to the short planets, over the large sun, and long planets can end
-    before the small sun; that only deserves a note.
+    In a Ravigneaux set the ring is next to the short planets, above the large sun, and long planets
+    can end before the small sun. Contact with the small sun is therefore only a note.
     """
     for rim, member in PASSING.get(layout.element.kind, ()):
         axis = layout.axis(rim) if rim in layout.group.planet_of else None
@@ -165,7 +165,7 @@ def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
 def _touching_neighbours(layout: AxisLayout, count: int) -> Iterator[Doubt]:
     sine = math.sin(math.pi / count)
     for rims in layout.group.planets.values():
-        gaps = [  # clearance between the tips of neighbours, in modules
+        gaps = [  # tip clearance of neighbouring planets, in modules
             (neighbours_room(float(axis[0]), float(teeth), sine), rim, axis)
             for rim, teeth in rims.items()
             if teeth is not None and (axis := layout.axis(rim))
@@ -187,7 +187,7 @@ def _touching_neighbours(layout: AxisLayout, count: int) -> Iterator[Doubt]:
 
 
 def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterator[Doubt]:
-    """Report a planet that touches the mating planet of the neighbouring pair."""
+    """Report a planet that touches a planet of the neighbouring pair of meshing planets."""
     sides = _sides(layout, rim, partner)
     if sides is None or not closes(*sides):
         return
@@ -204,7 +204,7 @@ def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterato
 
 
 def counts(subject: Subject) -> str:
-    """Return a phrase with the nearest numbers of planets that fit."""
+    """Return a phrase with the numbers of planets, closest to the given number, that fit."""
     count = subject.element.planets or 1
     if not isinstance(subject, OfPlanets):
         return ""
@@ -214,7 +214,7 @@ def counts(subject: Subject) -> str:
 
 
 def fitting_numbers(layout: AxisLayout, numbers: Iterable[int]) -> list[int]:
-    """Return the given numbers of planets that can be assembled without contact."""
+    """Return those numbers of planets that can be assembled without contact."""
     trains = [placements(layout.group, train) for train in layout.group.trains]
     return [
         number

@@ -24,53 +24,53 @@ from vstatics.core.elements.teeth.nearby import FEW_WHEELS, Space, space_of
 
 @dataclass(frozen=True)
 class Subject(ABC):
-    """Teeth of a gear set, given or replaced."""
+    """Teeth of a gear set for checks; methods accept other teeth instead of the given teeth."""
 
     element: Element
 
     against: ClassVar = ""
-    """Part relative to which messages count turns; the housing if empty."""
+    """Name of the part relative to which messages count turns; empty for the housing."""
 
     @property
     @abstractmethod
     def space(self) -> Space:
-        """Space for the search of nearby teeth."""
+        """Search space for nearby teeth."""
 
     @property
     @abstractmethod
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """Pairs in mesh, a ring before the gear inside."""
+        """Pairs of keys of gears in mesh; a ring comes before its mating gear."""
 
     @abstractmethod
     def known(self) -> Teeth:
-        """Return the known whole numbers of teeth."""
+        """Return the known numbers of teeth, by key."""
 
     @abstractmethod
     def ratios(self, teeth: Teeth) -> list[Fraction]:
-        """Return the ratios with other teeth."""
+        """Return the ratios of the gear set with the given teeth."""
 
     @abstractmethod
     def is_internal(self, key: Key) -> bool:
         """Return whether a gear is internal."""
 
     def label(self, key: Key) -> str:
-        """Return the name of a gear or rim in messages."""
+        """Return the name of a gear or rim for messages."""
         return str(key)
 
     def wheels(self, teeth: Teeth | None = None) -> dict[Key, Toothed]:
-        """Return all gears with known teeth."""
+        """Return all gears whose numbers of teeth are known."""
         return {
             key: Toothed(self.label(key), count, key, self.is_internal(key))
             for key, count in (teeth or self.known()).items()
         }
 
     def meshes(self, teeth: Teeth | None = None) -> list[Mesh]:
-        """Return all meshes with known teeth."""
+        """Return all meshes whose numbers of teeth are known."""
         wheels = self.wheels(teeth)
         return [Mesh(wheels[a], wheels[b]) for a, b in self.pairs if a in wheels and b in wheels]
 
     def is_hunting(self, teeth: Teeth) -> bool:
-        """Return whether every tooth meets every tooth of the other gear."""
+        """Return whether every tooth meets every tooth of its mating gears, in all meshes."""
         return all(
             math.gcd(teeth[a], teeth[b]) == 1 for a, b in self.pairs if a in teeth and b in teeth
         )
@@ -83,29 +83,29 @@ class OfPlanets(Subject):
 
     @cached_property
     def given(self) -> AxisLayout:
-        """Layout with the given teeth."""
+        """Layout of the planets with the given teeth."""
         return AxisLayout(self.element, group_of(self.element))
 
     @cached_property
     def space(self) -> Space:
-        """Search space in which all gears remain coaxial."""
+        """Search space of teeth for which all central gears remain coaxial."""
         group, element = self.given.group, self.element
         return space_of(group, [r for r in group.planet_of if element.rims or r in element.teeth])
 
     @cached_property
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """Central gears with rims, then rims of planets in mesh."""
+        """Meshes of central gears with rims, then of rims of two planets."""
         group = self.given.group
         return [*((place, wheel.rim) for place, wheel in enumerate(group.wheels)), *group.meshes]
 
     def layout(self, teeth: Teeth | None = None) -> AxisLayout:
-        """Return the layout with the given or other teeth."""
+        """Return the layout of the planets with the given or other teeth."""
         if teeth is None:
             return self.given
         return AxisLayout(self.element, with_teeth(self.given.group, teeth))
 
     def known(self) -> Teeth:
-        """Return the teeth of central gears, and of rims if known."""
+        """Return the teeth of central gears, and of rims if they are known."""
         group = self.given.group
         known: dict[Key, int] = {place: wheel.teeth for place, wheel in enumerate(group.wheels)}
         for rim in group.planet_of:
@@ -119,7 +119,7 @@ class OfPlanets(Subject):
         return isinstance(key, int) and self.given.group.wheels[key].internal
 
     def label(self, key: Key) -> str:
-        """Return the member, or the type and name."""
+        """Return the name of a central gear, or the type and name of a planet rim."""
         return self.given.label(key if isinstance(key, str) else self.given.group.wheels[key])
 
     def ratios(self, teeth: Teeth) -> list[Fraction]:
@@ -141,12 +141,12 @@ class OfWheels(Subject):
 
     @cached_property
     def names(self) -> list[str]:
-        """Gears with teeth, in the order of the meshes."""
+        """Names of gears with given teeth, in the order of the meshes."""
         return [name for name in self.shape.toothed if name in self.element.teeth]
 
     @cached_property
     def space(self) -> Space:
-        """Search space in which each number of teeth changes by itself."""
+        """Search space in which each number of teeth changes independently."""
         given: Teeth = {name: int(self.element.teeth[name]) for name in self.names}
         ratio: Teeth = {self.names[0]: -1, self.names[-1]: 1}
         return Space(given, given, [{name: 1} for name in given], [ratio])
@@ -155,7 +155,7 @@ class OfWheels(Subject):
     def pairs(self) -> Sequence[tuple[Key, Key]]:
         """Pairs of consecutive gears; empty if an idler's teeth are missing.
 
-        Pairs of a bevel differential are left out, as they hardly turn.
+        Pairs of a bevel differential are omitted, because they hardly turn relative to each other.
         """
         if self.element.kind == "bevel":
             return []
@@ -177,7 +177,7 @@ class OfWheels(Subject):
 
 
 def suggested(subject: Subject, suggestions: Iterator[Teeth], what: str) -> str:
-    """Return the first two suggestions in words: ``; nearest that fit: ...``, or nothing."""
+    """Return the first two suggestions as a clause ``; nearest that fit: ...``; else ""."""
     texts = []
     for teeth in islice(suggestions, 2):
         given = subject.space.given

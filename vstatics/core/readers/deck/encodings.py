@@ -1,6 +1,7 @@
 """Detection of the encoding of a Russian text.
 
-A score of letters, pairs of letters, capitals and signs is calculated for each encoding.
+Each encoding gets a score from the letters, pairs of letters, capitals and signs of the decoded
+text.
 """
 
 from __future__ import annotations
@@ -10,18 +11,18 @@ from functools import lru_cache
 from itertools import pairwise
 
 ENCODINGS = ("cp1251", "cp866", "koi8-r")
-"""Encodings of Windows, DOS and Unix, the most likely first if the scores are equal."""
+"""Encodings of Windows, DOS and Unix; if scores are equal, the first is chosen."""
 
 _FOLLOWERS = (
     "абвгежзйклмнпстчя беоы ваеиклносхы гио даеилноу егджзйклмнпрстхч жеим завм ибезйлмнрстя йл "
     "каеилосту лаеиоьюя маеио надеинотуы обвгдежзйклмнпрстчщ пеор раеиосуь секлоптя таеиорсыь "
     "удрю фа хо це чаеинт шаеи ще ыех эт"
 )
-"""Frequent pairs of Russian letters: first letters, each with the letters that often follow."""
+"""Frequent pairs of Russian letters: each first letter with the letters that often follow."""
 _PAIRS = frozenset(word[0] + letter for word in _FOLLOWERS.split() for letter in word[1:])
 _RUSSIAN = frozenset("абвгдежзийклмнопрстуфхцчшщъыьэюя" + "ё")
 _OTHERS = frozenset("іїєґў")
-"""Letters of Ukrainian and Belarusian."""
+"""Letters of Ukrainian and Belarusian that Russian does not have."""
 _SOUNDED = frozenset("аеёиоуыэюя")
 _SIGNS = "«»“”„–—…№°±·²×µ\xa0"
 _BOXES = frozenset(map(chr, range(0x2500, 0x25A0)))
@@ -31,7 +32,7 @@ _WORD = re.compile(r"[^\x00-\x7f]+")
 
 
 def in_each_encoding(data: bytes) -> list[str]:
-    """Decode a text that is not UTF-8 in all possible encodings, the most likely first.
+    """Return a text that is not UTF-8, decoded by each possible encoding, most likely first.
 
     >>> in_each_encoding("Коробка МЗКТ".encode("cp866"))[0]
     'Коробка МЗКТ'
@@ -42,7 +43,7 @@ def in_each_encoding(data: bytes) -> list[str]:
     for encoding in ENCODINGS:
         try:
             candidates.append(data.decode(encoding))
-        except UnicodeDecodeError:  # one byte is undefined in CP1251
+        except UnicodeDecodeError:  # a byte is undefined in CP1251
             continue
     return sorted(
         candidates,
@@ -53,7 +54,7 @@ def in_each_encoding(data: bytes) -> list[str]:
 
 @lru_cache(maxsize=20000)
 def _word_score(word: str) -> float:
-    """Return the score of a word, which is larger for a more likely word."""
+    """Return the score of a word; more likely words have larger scores."""
     small = word.lower()
     letters = [letter in _RUSSIAN or letter in _OTHERS for letter in small]
     if not any(letters):
@@ -64,7 +65,7 @@ def _word_score(word: str) -> float:
         if first in _RUSSIAN and second in _RUSSIAN:
             score += 1.5 if first + second in _PAIRS else -1.0
     score -= 3.0 * len(_THRICE.findall(core))
-    # capitals are first letters, or follow capitals
+    # In Russian, capitals occur only at the beginning of a word or after other capitals.
     score -= 1.5 * sum(a.islower() and b.isupper() for a, b in pairwise(word))
     if word.islower() and not _SOUNDED.intersection(small):
         score -= 1.5  # every Russian word has a vowel; acronyms such as МЗКТ are in capitals

@@ -22,7 +22,7 @@ from vstatics.core.suggestions import nearest
 
 
 class Fields:
-    """Reader of fields, which collects errors, places and stand-ins."""
+    """Reader of fields that collects errors, places and stand-ins."""
 
     def __init__(self, scan: Scan, capacity: int) -> None:
         """Start with the fields of a scanned deck; `capacity` is the length of its text."""
@@ -36,7 +36,7 @@ class Fields:
         """Labels of values that are stand-ins."""
 
     def error(self, label: str, message: str) -> None:
-        """Add an error at a value that was read."""
+        """Add an error, located at a value that was read."""
         self.scan.error(f"{label}: {message}", *self.places.spots[label])
 
     def size(self, key: str, what: str, lowest: int) -> int | None:
@@ -51,7 +51,7 @@ class Fields:
         return size if size is not None and self._fits(key, size) else None
 
     def or_guess(self, size: int | None, key: str, part: str) -> int:
-        """Return a size or, if unknown, the number of values in a list of this size."""
+        """Return a size; if unknown, the number of values found in a list of this size."""
         if size is not None:
             return size
         guess = min(loose_count(self.scan, key), self.capacity)
@@ -74,7 +74,7 @@ class Fields:
         return self._list(key, need, why, parse).numbers
 
     def counts(self, key: str, gears: int, *, required: bool) -> list[int]:
-        """Read the number of values that each gear has in a field; -1 for an unreadable number."""
+        """Return the number of values that each gear has in a field; -1 if unreadable."""
         if key not in self.scan.fields and not required:
             message = f"{key} is missing and read as 0; a file that was cut off looks the same"
             place = self.scan.source.place(*self._end())
@@ -97,7 +97,7 @@ class Fields:
     def rows(
         self, key: str, counts: Sequence[int], counted: str, parse: Parse[Number]
     ) -> tuple[list[list[Number]], set[int]]:
-        """Read the values of each gear, and list the gears that contain stand-ins."""
+        """Return the values of each gear, and the indices of gears that contain stand-ins."""
         gears = len(counts)
         if min(counts, default=0) < 0:
             return [[] for _ in counts], set(range(1, gears + 1))
@@ -146,7 +146,7 @@ class Fields:
         return None if values.unreadable else values.numbers[0]
 
     def _fits(self, label: str, size: int) -> bool:
-        """Check that the file is long enough to contain `size` values."""
+        """Return whether the file is long enough to contain `size` values."""
         if size > self.capacity:
             cannot = f"the file has {self.capacity} characters and cannot hold as many values"
             self.error(label, f"read {size}, expected a smaller number: {cannot}")
@@ -155,7 +155,7 @@ class Fields:
     def _missing(self, key: str, expected: str) -> None:
         name, hint = key.partition("(")[0], ""
         if name in self.scan.broken:
-            return  # the field exists, and the error in it was reported
+            return  # an error in the existing field has been reported
         for word, line in self.scan.unknown.items():
             if nearest(word, [name]):
                 hint = f"; line {line} starts with `{word}`, which is not a field"

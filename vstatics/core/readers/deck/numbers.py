@@ -16,10 +16,11 @@ Number = TypeVar("Number", int, float)
 Parse = Callable[[str], Number]
 """Function that reads a number from a text, or raises NotANumberError."""
 Spot = tuple[int, int]
-"""Line and column, from 1."""
+"""Line and column in the text, from 1."""
 _WRITTEN = r"[-+]?\.?[0-9][-+.0-9EDQЕ*]*(?=[\s,:%]|\Z)"
 TOKEN = re.compile(
-    # blanks around the sign only where no word follows, as the sign could begin a comment
+    # Blanks around the sign are permitted only if no word follows, because the sign could begin a
+    # comment.
     rf"{_WRITTEN}\s*(?::\s*{_WRITTEN}|%)(?=\s*(?:,\s*)?(?:\Z|{_WRITTEN}))|[^\s,]+|,",
     re.IGNORECASE,
 )
@@ -30,7 +31,7 @@ REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)
 _RELATED = re.compile(r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)")
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST_DECK_NUMBER = 1000
-"""Maximum number of characters of a number; longer numbers carry no more information."""
+"""Maximum number of characters of a number; more characters add no information."""
 
 
 class Token(NamedTuple):
@@ -47,7 +48,7 @@ class Token(NamedTuple):
 
     @property
     def after(self) -> int:
-        """Column behind the token."""
+        """Column after the token."""
         return self.column + len(self.text)
 
 
@@ -94,7 +95,7 @@ def real(text: str) -> float:
 
 
 def worked_out(calculation: str) -> float:
-    """Return the result of a calculation, as written in other formats of cases.
+    """Return the value of a calculation as permitted in YAML and JSON.
 
     Raises
     ------
@@ -120,7 +121,7 @@ def _fortran_number(text: str) -> float:
 
 
 def value_lines(scan: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]:
-    """Yield number, text, start and end of each line of a field's values, to the next field."""
+    """Yield number, text, start and end of each line of a field's values, up to the next field."""
     following = bisect_right(scan.stops, field.line)
     last = scan.stops[following] - 1 if following < len(scan.stops) else scan.last
     lines = scan.source.lines
@@ -142,7 +143,7 @@ def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
 
 
 def plain_numbers(text: str, parse: Parse[Number]) -> tuple[Number, ...] | None:
-    """Return the numbers of a text, separated by blanks; `None` if the text contains words."""
+    """Return the blank-separated numbers of a text; None if it contains anything else."""
     try:
         return tuple(map(parse, text.split()))
     except NotANumberError:
@@ -166,12 +167,12 @@ def repeated(token: Token, parse: Parse[Number]) -> tuple[int, Number]:
 
 
 def numbers_alone(tokens: Sequence[Token]) -> bool:
-    """Check whether a line contains only numbers and commas."""
+    """Return whether a line contains only numbers and commas."""
     return all(token.text == "," or is_number(token) for token in tokens)
 
 
 def leading_numbers(tokens: Sequence[Token]) -> int:
-    """Return how many numbers precede the first token that is not a number."""
+    """Return the count of numbers before the first token that is not a number."""
     total = 0
     for token in tokens:
         if token.text != ",":
@@ -183,18 +184,18 @@ def leading_numbers(tokens: Sequence[Token]) -> int:
 
 
 def is_number(token: Token) -> bool:
-    """Check whether a token is a number, possibly with a repeat count."""
+    """Return whether a token is a number, possibly with a repeat count."""
     return leading_numbers([token]) > 0
 
 
 def is_attempt(token: Token) -> bool:
-    """Check whether a token is a number or a mistyped number, not a word of prose."""
+    """Return whether a token is a number or a mistyped number, not a word of prose."""
     word = token.text.lstrip("+-").upper()
     return word in ("NAN", "INF", "INFINITY") or any(sign in "0123456789" for sign in word)
 
 
 def starts_values(tokens: Sequence[Token]) -> bool:
-    """Check whether a line starts with a number or a mistyped number, and so is not prose."""
+    """Return whether a line starts with a number or a mistyped number, so is not prose."""
     words = (token for token in tokens if token.text != ",")
     return any(is_attempt(token) for token in islice(words, 1))
 

@@ -1,4 +1,4 @@
-"""Fields of a deck that give the parts of a model, for the places of problems."""
+"""Places of problems: relation between parts of the model and fields of a deck."""
 
 from __future__ import annotations
 
@@ -44,14 +44,14 @@ class Places:
 
     @property
     def spots(self) -> dict[str, Spot]:
-        """Place of each value by label."""
+        """Place of each value, by label such as ``NZF(1,2)``."""
         for names, places in self.named:
             self._spots.update(zip(names, places(), strict=True))
         self.named.clear()
         return self._spots
 
     def locate(self, problem: Problem) -> Problem:
-        """Add the place and the field name to a problem of the model."""
+        """Return a problem of the model with its place and the name of the field."""
         if problem.place is not None or not problem.path:
             return problem
         spots = self.spots

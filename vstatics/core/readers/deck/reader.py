@@ -3,9 +3,9 @@
 `text` finds the fields, `values` reads their values and `fields` checks their number. This module
 builds the transmission.
 
-The last deck without errors and warnings is remembered. If the next deck differs only in the
-numbers of mechanisms, only the changed lines are read, and only these numbers are checked.
-In all other cases, for example after an error, a deck is read in full.
+The last deck without errors and warnings is stored. If the next deck differs from it only in
+numbers of mechanisms, only the changed lines are read, and only these numbers are checked. In all
+other cases a deck is read in full.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ NO_SPRINGS = "0: a deck has no springs; take the YAML or JSON of this case"
 NAMED = {"J": "link", "F": "shift element", "D": "mechanism", "P": "gear", "T": "title"}
 
 LONGEST_REMEMBERED_DECK = 20_000
-"""Maximum number of characters of a remembered deck, to limit memory."""
+"""Maximum number of characters of a stored deck, to limit memory."""
 
 
 def read(data: bytes, file: str) -> Reading:
@@ -40,7 +40,7 @@ def read(data: bytes, file: str) -> Reading:
     Parameters
     ----------
     data : bytes
-        The text in UTF-8, Windows-1251, CP866 or KOI8-R.
+        Content of the file in UTF-8, Windows-1251, CP866 or KOI8-R.
     file : str
         Name of the file, for messages.
 
@@ -101,14 +101,14 @@ def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
     fields = Fields(deck, len(text))
     reading = finish(_parts(fields), deck.problems, fields.hidden, fields.places.locate)
     if not reading.warnings:
-        # without repeat counts the number of values is at most the number of characters
+        # Without repeat counts, a deck has at most as many values as characters.
         is_remembered = len(text) <= LONGEST_REMEMBERED_DECK and "*" not in text
         _known = KnownDeck(deck, reading.case, fields.places.planet) if is_remembered else None
     return reading
 
 
 def _parts(fields: Fields) -> dict[str, Any]:
-    """Read the arguments of `Transmission`, with stand-ins for unreadable values."""
+    """Return the arguments of `Transmission`, with stand-ins for unreadable values."""
     sizes = {
         "J": fields.size("KJG", "links (input and output)", 2),
         "F": fields.size("KL", "shift elements", 0),
@@ -116,7 +116,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "P": fields.size("NP", "gears", 1),
     }
     if fields.optional(SPRINGS, 0, range(1), NO_SPRINGS) is None:
-        fields.hidden.append(("links",))  # without their springs, links can appear unconnected
+        fields.hidden.append(("links",))  # links that only springs connect would be reported
     names = _names(fields, sizes)
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")
@@ -151,7 +151,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
 
 
 def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> list[dict[str, Any]]:
-    """Read the members of some parts from the lists of a deck and the lines of names."""
+    """Return the attributes of all parts of a kind, from the lists and the lines of names."""
     members: list[dict[str, Any]] = [
         {"name": names.get(f"{KINDS[part]}{number}", "")} for number in range(1, count + 1)
     ]
@@ -166,7 +166,7 @@ def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> li
 
 
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
-    """Return the planet ratio of each non-standard mechanism by number."""
+    """Return the planet ratios listed in the deck for non-standard mechanisms, by number."""
     count = fields.optional("KNM", 0, range(mechanisms + 1), f"0 to {mechanisms} (KG)")
     every: list[Path] = [("mechanisms", number) for number in range(1, mechanisms + 1)]
     if count is None:
@@ -209,7 +209,7 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
 def _given(
     fields: Fields, gears: int, part: str, keys: tuple[str, str, str]
 ) -> list[dict[int, float]]:
-    """Return the extra speeds or torques of each gear, by links."""
+    """Return the given further speeds or torques of each gear, by link."""
     counted, name, amount = keys
     counts = fields.counts(counted, gears, required=False)
     links, unreadable = fields.rows(name, counts, counted, integer)
@@ -237,7 +237,7 @@ def _port(fields: Fields, key: str, default: int) -> int:
 
 
 def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
-    """Read the names, by kind and number; ``T`` is the title."""
+    """Return the names by kind and number, such as ``F3``; ``T`` is the title."""
     names = {}
     for kind, number, name, *spot in fields.scan.names:
         label = f"{kind}{int(number) if number else ''}"
@@ -265,7 +265,7 @@ def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
 
 
 def _links_above_all(parts: dict[str, Any]) -> int:
-    """Return a number of links above every link number, for a deck whose KJG is unreadable."""
+    """Return a number of links that exceeds all link numbers, for a deck with an unreadable KJG."""
     links: list[int] = [2, parts["input"], parts["output"]]
     for element in parts["shift_elements"]:
         links += [element.first, element.second]
@@ -280,14 +280,14 @@ class KnownDeck:
     """Deck without errors and warnings, whose variants are read faster."""
 
     def __init__(self, scan: Scan, case: Transmission, planets: Iterable[int]) -> None:
-        """Remember the lines; `planets` are the numbers of the mechanisms in UAQ, in order."""
+        """Store the lines; `planets` are the numbers of the mechanisms in the field UAQ."""
         self.scan = scan
         self.case = case
         self.planets = [number - 1 for number in planets]
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """Attribute and indices of mechanisms by line, for lines of plain numbers."""
+        """Attribute and indices of mechanisms for each line that contains only their numbers."""
         every = range(len(self.case.mechanisms))
         known = {}
         for key, part, owners in (
@@ -306,9 +306,9 @@ class KnownDeck:
         return known
 
     def variant(self, lines: Sequence[str]) -> Transmission | None:
-        """Return the case of a deck with these lines, or `None`.
+        """Return the case of a deck with the given lines; None if it must be read in full.
 
-        None means that the deck must be read in full, as other lines differ or there are warnings.
+        The deck must be read in full if other lines differ or if there are warnings.
         """
         before = self.scan.source.lines
         if len(lines) != len(before):

@@ -1,4 +1,4 @@
-"""Lists of a deck with a value for each part of a kind, used by the reader and the writer."""
+"""Declaration of a deck's lists with a value for each part, for the reader and the writer."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ from typing import NamedTuple
 
 
 class DeckList(NamedTuple):
-    """List of a deck with a value for each part of a kind.
+    """List of a deck that contains a value for each part of a kind.
 
     >>> FIELDS["IAB"].part, FIELDS["IAB"].member, FIELDS["IAB"].size
     ('mechanisms', 'ratio', 'KG')
     """
 
     part: str
-    """Name of the parts in the model: ``mechanisms``, ``shift_elements`` or ``gears``."""
+    """Attribute of the model with the parts: ``mechanisms``, ``shift_elements`` or ``gears``."""
     member: str
-    """Attribute of each part that has its values in the list, such as ``ratio``."""
+    """Attribute of a part whose values are in the list, such as ``ratio``."""
     size: str
-    """Field that gives the number of values."""
+    """Name of the field that prescribes the number of values."""
     heading: str
     """Line above the list in a written deck."""
     kind: type[float] = int

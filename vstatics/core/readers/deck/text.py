@@ -1,7 +1,7 @@
 """Text of a deck: the encoding, and the places of the fields.
 
-A field is recognised only at the start of a line, before ``(`` or ``=``. Blanks inside its name
-and Cyrillic letters that look like Latin letters are accepted. All other text is prose.
+A field is recognised only at the start of a line, by a name before ``(`` or ``=``. The name may
+contain blanks, and Cyrillic letters that look like Latin letters. All other text is prose.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from vstatics.core.readers.signs import with_plain_blanks
 from vstatics.core.tables.quantities import PRINTED
 
 SPRINGS = "KSPR"
-"""Field with the number of springs, written only in listings, as a deck cannot contain springs."""
+"""Field with the number of springs, which occurs only in listings; a deck cannot have springs."""
 SPRING = "SPRING "
-"""First word of the line of each spring, below `SPRINGS`."""
+"""Beginning of the line of each spring, below the field `SPRINGS`."""
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST", SPRINGS}
-"""Fields of a single value, without an index list; several can share a line."""
+"""Fields with a single value and without an index list; a line can contain several."""
 
 LISTS = {
     *("NZF", "NZD", "IAB", "ETAI", "NNM", "UAQ", "KFRI", "NFRI"),
     *("KWZ", "NWZ", "WZ", "KMZ", "NMZ", "AMZ"),
 }
 GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
-"""Lists with the name of a scalar, recognised only with an index list."""
+"""Lists with the name of a scalar field, recognised only with an index list."""
 
 PARTS = {"NZF": ("1", "2"), "NZD": ("1", "2", "3")}
 """Fields that consist of several lists, distinguished by the second index."""
@@ -45,7 +45,7 @@ WORD = re.compile(r"[^\s,;()]+")
 
 
 class Field(NamedTuple):
-    """Field of a deck, and the place of the values."""
+    """Field of a deck, and the place of its values."""
 
     key: str
     line: int
@@ -53,14 +53,14 @@ class Field(NamedTuple):
     value: int
     """Offset of the first value in the line."""
     end: int | None = None
-    """Offset of the end of the values if a second field follows on the line."""
+    """Offset of the end of the values, if a second field follows on the line."""
 
 
 class Scan:
-    """Fields and names found in a text, in order, with the errors."""
+    """Fields and names found in a text, in order, with errors."""
 
     def __init__(self, source: Source, last: int) -> None:
-        """Start an empty scan; `last` is the number of the last line of the input."""
+        """Create an empty scan; `last` is the number of the last line of the input."""
         self.source = source
         self.last = last
         self.fields: dict[str, Field] = {}
@@ -114,7 +114,7 @@ def _unreadable(file: str, message: str) -> ReadError:
 
 
 def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
-    """Decode the text as damaged UTF-8, so that a cut file does not become gibberish."""
+    """Return the text decoded as damaged UTF-8, so that a truncated file stays readable."""
     before = Source(file, data[:start].decode("utf-8-sig")).lines
     text = data.decode("utf-8-sig", errors="replace")
     message = f"byte 0x{data[start]:02X} is not UTF-8 here: the file is damaged or cut off"
@@ -124,7 +124,7 @@ def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
 
 
 def decode(data: bytes, file: str) -> str:
-    """Decode a deck or a report, by the encoding in which most lines start with a field.
+    """Return the text of a deck or report, in the encoding in which most lines start with a field.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def decode(data: bytes, file: str) -> str:
 
 
 def holds_deck(data: bytes) -> bool:
-    """Check whether any line of a file starts with the name of a field of a deck."""
+    """Return whether any line of a file starts with the name of a field of a deck."""
     try:
         return any(scan(Source("", text)).fields for text, _ in texts(data, ""))
     except ReadError:
@@ -147,7 +147,7 @@ def holds_deck(data: bytes) -> bool:
 
 
 def head(line: str) -> str:
-    """Return the name of the field or result that a line starts with, or an empty text.
+    """Return the name of the field or result at the start of a line; empty for other lines.
 
     >>> head("N ZD(I,1),I=1,K G : 1 1 4"), head("WSAT(K,I) ..."), head("W = 3"), head("number")
     ('NZD', 'WSAT', '', '')
@@ -157,7 +157,7 @@ def head(line: str) -> str:
 
 
 def scan(source: Source) -> Scan:
-    """Find the fields and the names of a deck."""
+    """Return the fields and the names of a deck."""
     result = Scan(source, len(source.lines))
     for number, line in enumerate(source.lines, 1):
         kind, what = _meaning(line) if len(line) <= KEPT_CHARACTERS else _read_line(line)
@@ -185,11 +185,11 @@ def scan(source: Source) -> Scan:
 
 
 def _read_line(line: str) -> tuple[str, Any]:
-    """Return the kind and the contents of a line, which depend on no other line.
+    """Return the kind and the content of a line; neither depends on other lines.
 
-    The kinds are ``result``; ``fields``, each with its key, column, and offsets of its values; a
-    ``broken`` field with its name, column and message; a ``name`` with its kind, number, text and
-    column; an unknown ``word`` at the place of a field; and an empty text for other lines.
+    The kinds and their contents are: ``result``; ``fields`` (key, column, and offsets of the values
+    of each); a ``broken`` field (name, column, message); a ``name`` (kind, number, text, column);
+    an unknown ``word`` in the position of a field; and an empty text for other lines.
     """
     kind, word, start = _opening(line)
     if kind == "result":
@@ -218,7 +218,7 @@ def _only_report(result: Scan, first: int) -> None:
 
 
 def _opening(line: str) -> tuple[str, str, int]:
-    """Return the kind of a line, the first word, and the offset of the sign behind the word.
+    """Return the kind of a line, its first word, and the offset of the sign after this word.
 
     The kinds are ``scalar``, ``list``, ``result`` and an empty text.
     """
@@ -261,7 +261,7 @@ def _add(result: Scan, new: Field) -> None:
 
 
 def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
-    """Find all fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
+    """Return all fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
     heads = []
     before = 0
     for equals in re.finditer("=", line):
@@ -302,7 +302,7 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
 
 
 def _name_line(line: str) -> tuple[str, str, str] | None:
-    """Return kind, number and name of a line such as ``NAME F3: C1``, or `None`."""
+    """Return kind, number and name of a line such as ``NAME F3: C1``; None for other lines."""
     before, colon, name = line.partition(":")
     short = colon and len(before) < 40 and before.lstrip()[:1] in ("N", "n")
     match = re.fullmatch(NAME_LINE, latin(before)) if short else None

@@ -1,4 +1,4 @@
-"""Reading of the values in a field of a deck: their number is checked, and each has a place."""
+"""Readers of the values in a field of a deck; they check the number of values and their places."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from vstatics.core.readers.deck.numbers import (
 from vstatics.core.readers.deck.text import KEPT_CHARACTERS, Field, Scan
 
 _CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
-"""Signs that can continue a number as a calculation, with the equal operators of YAML and JSON."""
+"""Signs that continue a number as a calculation, with the corresponding operators of YAML."""
 _DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"
-"""Text that replaces an unreadable value; -1 is the number of no link and no other part."""
+"""Text that replaces an unreadable value; no link or other part has the number -1."""
 
 
 class Values(NamedTuple, Generic[Number]):
@@ -43,20 +43,20 @@ class Values(NamedTuple, Generic[Number]):
 
     numbers: list[Number]
     spots: Callable[[], list[Spot]]
-    """Function that returns the place of each value; few places are ever needed."""
+    """Function that returns the place of each value, called only if a place is needed."""
     unreadable: set[int]
-    """Positions, from 0, of values that are missing, unreadable, or in a field with too many."""
+    """Positions (from 0) of values that are missing, unreadable or in a field with too many."""
 
 
 class Wanted(NamedTuple):
-    """Values that a field must contain."""
+    """Number and description of the values that a field must contain."""
 
     name: str
     label: Callable[[int], str]
-    """Function that returns the label of a value, such as ``IAB(1)``, by position from 0."""
+    """Function that returns the label of a value, such as ``IAB(1)``, given its position from 0."""
     need: int
     why: str
-    """Field that gives the number of values, such as ``KG``."""
+    """Name of the field that prescribes the number of values, such as ``KG``."""
 
 
 def take(scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]) -> Values[Number]:
@@ -68,7 +68,7 @@ def take(scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]) -> Valu
 def _take_with_care(
     scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]
 ) -> Values[Number]:
-    """Read a field with faults or repeat counts token by token."""
+    """Read a field token by token, because it has faults or repeat counts."""
     ending = partial(_ending, scan, field)
     taker = _ValueReader(scan, (field.line, field.value + 1), wanted, parse, ending)
     return taker.take(token_lines(scan, field))
@@ -121,7 +121,7 @@ def row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
 
 
 def stand_ins(field: Field | None, need: int, parse: Parse[Number]) -> Values[Number]:
-    """Return stand-ins for a missing or unreadable field."""
+    """Return stand-ins for the values of a missing or unreadable field."""
     spot = (field.line, field.column) if field else (0, 0)
     return Values([parse(STAND_IN)] * need, lambda: [spot] * need, set(range(need)))
 
@@ -132,10 +132,10 @@ _cached_plain_numbers = lru_cache(maxsize=2000)(plain_numbers)
 def _plain(
     scan: Scan, field: Field, need: int, parse: Parse[Number]
 ) -> tuple[Values[Number], list[int]] | None:
-    """Read a field of plain numbers quickly, and return how many numbers each line has.
+    """Read a field of plain numbers quickly; return its values and the number of values per line.
 
-    Return None unless the field contains exactly `need` plain numbers, followed only by prose on
-    later lines; then each token must be checked.
+    The result is None unless the field contains exactly `need` plain numbers, followed only by
+    prose on later lines. Otherwise each token must be checked.
     """
     numbers: list[Number] = []
     counts = []
@@ -166,7 +166,7 @@ def _plain(
 
 
 def _rows(scan: Scan, field: Field, expected: int) -> list[list[Token]]:
-    """Return the lines of numbers of a field, up to the first line of prose."""
+    """Return the tokens of a field's lines of numbers, up to the first line of prose."""
     rows: list[list[Token]] = []
     for tokens in token_lines(scan, field):
         if not numbers_alone(tokens) and (len(rows) >= expected or not starts_values(tokens)):
@@ -176,7 +176,7 @@ def _rows(scan: Scan, field: Field, expected: int) -> list[list[Token]]:
 
 
 def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
-    """Return the description of the values of a gear whose values are on a separate line."""
+    """Return the description of a gear's values, which are on a separate line."""
 
     def label(position: int) -> str:
         return f"{key}({position + 1},{gear})"
@@ -185,7 +185,7 @@ def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
 
 
 def _ending(scan: Scan, field: Field, line: int) -> str:
-    """Describe the text behind the values from a line on: prose, a field, or the end."""
+    """Return a phrase for the text after the values: prose, a field, or the end."""
     lines = scan.source.lines
     if field.end is not None:
         return f"'{lines[field.line - 1][field.end - 1 :].strip()[:30]}'"
@@ -222,7 +222,7 @@ class _ValueReader(Generic[Number]):
         """Line on which the field is complete, if mistyped values are counted."""
 
     def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
-        """Read all values, and check the number of values."""
+        """Read all values, and check their number."""
         for tokens in lines:
             later = tokens[0].line > self.start[0]
             if later and self.total >= self.need and not numbers_alone(tokens):
@@ -238,7 +238,7 @@ class _ValueReader(Generic[Number]):
         return Values(self.numbers, lambda: self.spots, self.unreadable)
 
     def _line(self, tokens: list[Token]) -> bool:
-        """Read the values of a line; return whether more can follow below."""
+        """Read the values of a line; return whether further values can follow on the next line."""
         for position, token in enumerate(tokens):
             if token.text == ",":
                 if not self._comma(token):
@@ -250,7 +250,7 @@ class _ValueReader(Generic[Number]):
             except NotANumberError as error:
                 if self.total >= self.need and not is_number(token):
                     self._check_behind(tokens[:position], tokens[position:])
-                    return False  # prose behind the last value
+                    return False  # prose after the last value
                 if self.total < self.need and not self._wrong(token, error, tokens[position:]):
                     return False
                 count, number = 1, self.parse(STAND_IN)
@@ -264,7 +264,7 @@ class _ValueReader(Generic[Number]):
         return True
 
     def _check_behind(self, before: list[Token], behind: list[Token]) -> None:
-        """Report an operator behind the last value, which would otherwise pass for prose."""
+        """Report an operator after the last value, which would otherwise be read as prose."""
         if self.parse is not real or not before or before[-1].text == ",":
             return
         sign = behind[0].text[0]
@@ -290,7 +290,7 @@ class _ValueReader(Generic[Number]):
         return True
 
     def _wrong(self, token: Token, error: NotANumberError, unread: list[Token]) -> bool:
-        """Report a token that is not a number; return whether the next tokens are values."""
+        """Report a token that is not a number; return whether values can follow."""
         hint = self._hint(token.line) if token.text in "+-" else ""
         label = self.wanted.label(self.total)
         self._fail(f"{label}: read '{token.text[:30]}', {error}{hint}", token)
@@ -325,7 +325,7 @@ class _ValueReader(Generic[Number]):
             self.unreadable.update(range(self.need))
 
     def _hint(self, last: int) -> str:
-        """Return a hint on decimal commas if the lines contain any."""
+        """Return a hint about decimal commas, if the lines contain any."""
         first, column = self.start
         lines = self.scan.source.lines[first - 1 : last]
         lines[0] = lines[0][column - 1 :]

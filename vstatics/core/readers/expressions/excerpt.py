@@ -1,4 +1,4 @@
-"""Excerpt of a text that contains a formula, with places in the excerpt."""
+"""Excerpt of a text that contains a formula, to locate errors in the full text."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.core.errors import Place, ReadError
 
 
 class Excerpt(NamedTuple):
-    """Part of a text that was given to an option."""
+    """Part of a text, such as the text given to an option."""
 
     text: str
     option: str
@@ -28,18 +28,18 @@ class Excerpt(NamedTuple):
         return self.text[self.start : self.end]
 
     def end_of(self, pattern: re.Pattern[str], at: int) -> int:
-        """Return the offset behind a match of a pattern at `at`, or `at` without a match."""
+        """Return the offset after a match of a pattern at `at`; `at` itself without a match."""
         match = pattern.match(self.text, at, self.end)
         return match.end() if match else at
 
     def has(self, sign: str, at: int) -> bool:
-        """Check whether the part continues with a sign at an offset."""
+        """Return whether the part continues with the given characters at an offset."""
         return self.text.startswith(sign, at, self.end)
 
     def error(self, message: str, at: int) -> ReadError:
-        """Return an error at an offset into the text, from 0."""
+        """Return an error located at an offset in the text, from 0."""
         return ReadError("E105", message, place=self.place(at))
 
     def place(self, at: int) -> Place:
-        """Return the place of an offset into the text."""
+        """Return the place (line and column) of an offset in the text."""
         return Place(self.option, 1, at + 1, self.text)

@@ -1,12 +1,12 @@
 """Grammar of formulas: parses a text into a tree, without resolving names.
 
-Operators from the weakest to the strongest binding::
+Operators, from the lowest to the highest precedence::
 
     or | and | not x | < <= > >= == != | + - | * / | -x +x | ** (^)
 
 An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser uses
-precedence climbing: it reads an operand, then all operators behind it that bind at least as
-strongly as required, each with the stronger operations to its right.
+precedence climbing: it reads an operand, then all following operators of at least the required
+precedence, each with its right operand, which includes all operations of higher precedence.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ MOST_FORMULA_CHARACTERS = 2000
 MOST_FORMULA_BRACKETS = 50
 """Maximum number of brackets that can be open at once."""
 MOST_DEPTH = 100
-"""Maximum number of nested operations, since trees are walked by recursion."""
+"""Maximum number of nested operations, because trees are evaluated by recursion."""
 MOST_TREE_PARTS = 10_000
-"""Maximum number of parts of a tree; the middle operands of a chain of comparisons count twice."""
+"""Maximum number of parts of a tree; in a chain `a < b < c` the middle operand counts twice."""
 
 _LOGIC = ("or", "and")
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
@@ -44,7 +44,7 @@ _POWERS = ("**", "^")
 _LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), _POWERS)
 _BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
 _PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
-"""Signs that can precede an operand, each with the operator that binds as strongly."""
+"""Signs that can precede an operand, each with the operator that gives its precedence."""
 _BINARY = _BINDS.keys() - set(_PREFIXES.values())
 _WORD_SIGNS = (*_LOGIC, "not")
 _SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
@@ -54,12 +54,12 @@ _INSIDE = re.compile(r"[^)]*")
 
 
 class Applied(NamedTuple):
-    """Operator or function with the operands."""
+    """Node of a formula's tree: an operator or function applied to operands."""
 
     name: str
-    """Sign, `and`, `or`, `not`, `-x`, or the name of a function."""
+    """Symbol of an operator, `and`, `or`, `not`, `-x`, or name of a function."""
     operands: tuple[Any, ...]
-    """Trees; when names are resolved, the meanings of the names."""
+    """Trees of the operands; leaves are names, or their meanings once they are resolved."""
     at: int
     depth: int
     """Number of nested levels."""
@@ -71,22 +71,22 @@ Tree: TypeAlias = Constant | TableName | DottedName | Applied
 
 
 class Language(NamedTuple):
-    """Functions and operands that a formula can have, described for messages.
+    """Functions and operands that formulas for one purpose can contain, described for messages.
 
     Parameters
     ----------
     functions : collection of str
         Names of functions.
     operands : str
-        Description of an operand: ``a number, or the time t``.
+        Description of an operand, such as ``a number, or the time t``.
     example : str
-        An operand: ``t``.
+        Example of an operand, such as ``t``.
     instead : str
-        Hint after an unknown function that resembles no known function.
+        Hint for an unknown function that does not resemble any known function.
     caret : bool
-        Whether ``x^2`` is a power, too; otherwise the message suggests ``x**2``.
+        True if ``x^2`` means ``x**2``; otherwise a message suggests ``x**2``.
     of_names : collection of str
-        Functions of a quoted name: ``speed('out')``.
+        Functions whose argument is a quoted name, such as ``speed('out')``.
     """
 
     functions: Collection[str]
@@ -96,7 +96,7 @@ class Language(NamedTuple):
     caret: bool = False
     of_names: Collection[str] = ()
     quantity: Callable[[str, int], Constant | None] = lambda _text, _at: None
-    """Function that reads a number with a unit, such as ``20 km/h``, from a text and an offset."""
+    """Function that returns a number with a unit, such as ``20 km/h``; None if not possible."""
 
 
 def parse(source: Excerpt, language: Language) -> Tree:
@@ -110,8 +110,8 @@ def parse(source: Excerpt, language: Language) -> Tree:
     Returns
     -------
     Tree
-        A chain ``a < b < c`` has become ``a < b and b < c``, with one tree for both `b`;
-        ``x^2`` has become ``x**2``.
+        Tree of the formula. A chain ``a < b < c`` is returned as ``a < b and b < c`` (with a single
+        tree for both `b`), ``x^2`` as ``x**2``.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def parse(source: Excerpt, language: Language) -> Tree:
 
 
 class _Parser:
-    """Recursive parser, which reads a text from left to right."""
+    """Recursive parser, reading a text from left to right."""
 
     def __init__(self, source: Excerpt, language: Language) -> None:
         self.source = source
@@ -144,16 +144,16 @@ class _Parser:
         self.take("", source.start)
 
     def take(self, read: str, end: int) -> None:
-        """Move behind a text and the blanks after the text."""
+        """Advance beyond a text and the blanks after it."""
         self.before, self.end_of_before = read, end
         self.at = self.source.end_of(_BLANK, end)
 
     def matched(self, pattern: re.Pattern[str]) -> str:
-        """Return the match of a pattern at the current offset, or an empty text."""
+        """Return the text that matches a pattern at the current offset; empty without a match."""
         return self.source.text[self.at : self.source.end_of(pattern, self.at)]
 
     def expression(self, least: int = 0, depth: int = 1) -> Tree:
-        """Read operands and operators that bind at least by `least`."""
+        """Read operands and operators of at least the precedence `least`."""
         left = self.operand(least, depth)
         while (level := _BINDS.get(self.operator(), -1)) >= least:
             operands: list[Tree] = [left]
@@ -167,7 +167,7 @@ class _Parser:
         return left
 
     def joined(self, operands: Sequence[Tree], signs: Sequence[tuple[str, int]]) -> Tree:
-        """Combine operands and the operators of a single level."""
+        """Return the tree of operands and operators of equal precedence."""
         first, at = signs[0]
         if first in _LOGIC:
             return self.operation(first, operands, at)
@@ -198,7 +198,7 @@ class _Parser:
             )
 
     def operator(self) -> str:
-        """Read an operator, `)` or `,` behind an operand; return an empty text at the end."""
+        """Return the operator, `)` or `,` after an operand; empty at the end of the text."""
         sign = self.matched(NAME) or self.matched(_SIGN)
         if sign == ",":
             known = bool(self.calls) and self.calls[-1]
@@ -209,7 +209,7 @@ class _Parser:
         raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
 
     def operand(self, least: int, depth: int) -> Tree:
-        """Read an operand with the preceding signs."""
+        """Read an operand with its preceding signs."""
         self.check_depth(depth, self.at)
         name = self.matched(NAME)
         sign = name if name in _WORD_SIGNS else self.matched(_SIGN)
@@ -231,13 +231,13 @@ class _Parser:
         return tree
 
     def quantity(self) -> tuple[Constant, int] | None:
-        """Read a number with a unit, if the language knows the unit, with the offset behind it."""
+        """Return a number with a unit and the offset after it; None if the unit is unknown."""
         end = quantity_end(self.source, self.at)
         known = self.language.quantity(self.source.text[self.at : end], self.at)
         return None if known is None else (known, end)
 
     def prefixed(self, sign: str, least: int, depth: int) -> Tree:
-        """Read an operand behind a sign."""
+        """Read an operand after a sign."""
         at, name = self.at, _PREFIXES[sign]
         if sign == "not" and _BINDS[sign] < least:
             raise self.source.error(
@@ -248,7 +248,7 @@ class _Parser:
         return operand if sign == "+" else self.operation(name, [operand], at)
 
     def bracketed(self, depth: int, *, call: bool) -> list[Tree]:
-        """Read the contents of brackets, which are several operands in a call."""
+        """Read the content of brackets: in a call, several operands."""
         self.calls.append(call)
         if len(self.calls) > MOST_FORMULA_BRACKETS:
             raise self.source.error(f"more than {MOST_FORMULA_BRACKETS} brackets are open", self.at)
@@ -297,7 +297,7 @@ class _Parser:
         return TableName(name, subscripts, at)
 
     def of_name(self, word: str, at: int, bracket: int) -> TableName:
-        """Read a function of a quoted name."""
+        """Read a call of a function whose argument is a quoted name."""
         begin = self.source.end_of(_BLANK, bracket + 1)
         end = self.source.end_of(_QUOTED, begin)
         close = self.source.end_of(_BLANK, end)
@@ -329,13 +329,13 @@ ELSEWHERE = {
     "·": "*",
     "÷": "/",
 }
-"""Operators of other languages, and the operators that formulas use instead."""
+"""Operators of other languages, each with the operator that formulas use."""
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
-"""Keywords of Python that formulas do not have."""
+"""Keywords of Python that formulas do not support."""
 
 
 def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
-    """Return the message for a text that was read instead of an operator.
+    """Return the message about a text that stands where an operator was expected.
 
     >>> no_operator(Excerpt("1 & 2", "--where"), 2, "&", "1")
     'read `&`, expected `and`'
@@ -356,7 +356,7 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
 
 
 def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) -> str:
-    """Return the message for a text that was read instead of an operand.
+    """Return the message about a text that stands where an operand was expected.
 
     >>> no_operand(Excerpt("1 + * 2", "--where"), 4, "*", "+", "a number")
     'read `*` after `+`, expected a number'

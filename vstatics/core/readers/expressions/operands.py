@@ -1,7 +1,7 @@
 """Operands of a formula as written: numbers, and names with subscripts or a point.
 
-Names are matched character by character, so that they can be Cyrillic or coincide with keywords of
-other languages. Their meaning is resolved elsewhere.
+Names can contain any letters, such as Cyrillic, and coincide with keywords of Python. Their meaning
+is resolved elsewhere.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _QUANTITY = re.compile(rf"{_NUMBER.pattern} *[^\W\d_]+(?: */ *[^\W\d_]+)?(?!\w)"
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
 _MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
-"""Parts of a name behind the first point: `.ratio`, `.*.torques.x`."""
+"""Pattern of the parts of a name from its first point on: `.ratio`, `.*.torques.x`."""
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
 _SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
@@ -33,14 +33,14 @@ class Constant(NamedTuple):
 
 
 class Velocity(Constant):
-    """Speed of a vehicle [m/s], which becomes the speed of a link once the link is known."""
+    """Speed of a vehicle [m/s], to be converted once the link is known to which it applies."""
 
     at: int = 0
     written: str = ""
 
     @classmethod
     def of(cls, value: float, written: str, at: int) -> Velocity:
-        """Return a speed [m/s] with the text and the offset in the formula.
+        """Return a vehicle speed [m/s], with its text and its offset in the formula.
 
         >>> Velocity.of(5.0, "18 km/h", 3).written
         '18 km/h'
@@ -51,7 +51,7 @@ class Velocity(Constant):
 
 
 class Subscript(NamedTuple):
-    """Selection of rows or gears: a name, a number, `#` and a number, or `:` for all."""
+    """Selection of rows or gears: a name, a number, `#` followed by a number, or `:` for all."""
 
     written: str
     """Text of the subscript, including quotes."""
@@ -59,7 +59,7 @@ class Subscript(NamedTuple):
 
 
 class TableName(NamedTuple):
-    """Name with optional subscripts."""
+    """Name of a table or quantity, with optional subscripts."""
 
     name: str
     subscripts: tuple[Subscript, ...]
@@ -74,7 +74,7 @@ class DottedName(NamedTuple):
 
 
 def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
-    """Read an unsigned number; return the number and the offset behind.
+    """Return an unsigned number and the offset after it; None without a number.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
 
 
 def quantity_end(source: Excerpt, at: int) -> int:
-    """Return the offset behind a number with a unit, or `at` without such a number.
+    """Return the offset after a number with a unit; `at` itself without such a number.
 
     >>> quantity_end(Excerpt("36 km/h and t > 2", "when"), 0)
     7
@@ -115,7 +115,7 @@ def quantity_end(source: Excerpt, at: int) -> int:
 
 
 def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
-    """Read a name with a point; return the name and the offset behind.
+    """Return a name that contains a point, and the offset after it; None for other texts.
 
     Raises
     ------
@@ -147,12 +147,12 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
 
 
 def read_subscripts(source: Excerpt, bracket: int) -> tuple[tuple[Subscript, ...], int]:
-    """Read the subscripts in brackets behind a name; return the subscripts and the offset behind.
+    """Return the subscripts in brackets after a name, and the offset after the brackets.
 
     Raises
     ------
     ReadError
-        At the first text that is not a subscript, or an open bracket.
+        At the first text that is not a subscript, or if the bracket is not closed.
 
     Examples
     --------
@@ -175,7 +175,7 @@ def read_subscripts(source: Excerpt, bracket: int) -> tuple[tuple[Subscript, ...
 
 
 def _no_subscript(written: str, text: str) -> str:
-    """Return the message for a text in brackets that is not a subscript."""
+    """Return the message about a text in brackets that is not a subscript."""
     if not written and text.startswith(_QUOTES):
         return f"the quote {text[0]} is not closed"
     expected = "expected a name, a number such as #2, or `:` for all"

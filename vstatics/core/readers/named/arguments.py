@@ -1,6 +1,7 @@
-"""Arguments of `Transmission` from the values of a document, with numbers relative to the input.
+"""Arguments of `Transmission` from the values of a document, with relative numbers.
 
-Speeds are divided by the input speed of the operating point, torques and drag by its torque.
+Speeds with a unit are divided by the input speed of the operating point, torques and drag with a
+unit by its torque.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ _ATTRIBUTES = (*(key.name for key in CASE.keys), *KEYS)
 
 def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     """Return the arguments of `Transmission`."""
-    if values.get("output") == HOUSING:  # the model takes 0 as a missing output
+    if values.get("output") == HOUSING:  # for the model 0 means a missing output
         walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
     parts = {
         part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
@@ -36,7 +37,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     if not parts["gears"] and (given or not parts["shift_elements"]):
         parts["gears"] = [Gear()]
     load = values.get("load", Load())
-    # in a case with inertias, capacities and drag with a unit need no operating point
+    # In a case with inertias, capacities and drag in N*m need no operating point.
     moves = values.get("inertias") or values.get("masses")
     common = Common(load, load.torque_size or (math.inf if moves else 0.0))
     elements, gears, drag = in_gears(
@@ -55,29 +56,30 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
 
 
 def _or_none(load: Load | None) -> Load | None:
-    """Return a load, or `None` for a load without values."""
+    """Return a load; None for a load without values."""
     return None if load == Load() else load
 
 
 def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
-    """Return the paths at which problems of the model would be caused by stand-ins.
+    """Return the paths at which stand-ins would cause problems of the model.
 
-    Unreadable components hide the number of links, which is checked against the components.
+    If components are unreadable, the number of links is included, because it is compared with the
+    number of components.
     """
     devices = {("shift_elements",), ("mechanisms",), ("springs",)}
     return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable
 
 
 _ByPart = dict[int, tuple[float, Path]]
-"""Number and path in the document, by link or shift element."""
+"""Value and its path in the document, by number of the link or shift element."""
 
 
 class Common(NamedTuple):
-    """Operating point of the case, to which numbers with a unit are related."""
+    """Operating point of the case, the reference of numbers with a unit."""
 
     load: Load
     whole: float
-    """Torque of the load; without a load, infinity if units suffice and 0 otherwise."""
+    """Reference torque; without a load, infinity if none is needed, else 0 (an error)."""
 
 
 def in_gears(
@@ -87,15 +89,15 @@ def in_gears(
     common: Common,
     spots: Spots,
 ) -> tuple[list[ShiftElement], list[Gear], dict[int, float]]:
-    """Return shift elements, gears and drag of the case with relative numbers.
+    """Return shift elements, gears and drag of the case with numbers relative to the input.
 
-    Capacity and drag of shift elements, and the drag of the case, are related to the operating
-    point of the case. Each gear relates drags to its own operating point.
+    Capacity and drag of shift elements, and the drag of the case, refer to the operating point of
+    the case. The numbers of a gear refer to its own operating point.
 
     Parameters
     ----------
     elements, gears, drag
-        Parts of a document, with their numbers as written.
+        Parts of the document, with numbers as written.
     common : Common
         Operating point of the case.
     spots : Spots
@@ -124,7 +126,7 @@ def _located(numbers: Mapping[int, float], path: Path) -> _ByPart:
 
 
 def _by_load(torque: float, load: Load) -> float:
-    """Divide a torque with a unit by the torque of a load, infinite without a load."""
+    """Return a torque with a unit, divided by the torque of a load (infinite without a load)."""
     whole = load.torque_size or math.inf
     return OfLoad(float(torque), whole) if isinstance(torque, WithUnit) else torque
 
@@ -163,9 +165,9 @@ def _gear(gear: Gear, number: int, common: Common, spots: Spots) -> Gear:
 
 
 def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
-    """Return numbers relative to an input quantity `whole`, which is 0 if unknown.
+    """Return numbers relative to the input quantity `whole`, which is 0 if unknown.
 
-    Numbers that cannot be related are reported and omitted.
+    If `whole` is unknown, numbers with a unit are reported and omitted.
     """
     relative = {}
     no_load = any(path[-1] == "load" for path in spots.unreadable)

@@ -1,6 +1,6 @@
-"""Arithmetic in front of a unit or a name: `-96/39`, `1.3*400 Nm`, `(2+3)*100 rpm`, `1.05*FL`.
+"""Arithmetic before a unit or name: `-96/39`, `1.3*400 Nm`, `(2+3)*100 rpm`, `1.05*FL`.
 
-The text behind the number, such as a unit or the name of a link, is left to the caller.
+The caller interprets the text after the number, such as a unit or the name of a link.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ MOST_ARITHMETIC_BRACKETS = 20
 
 _FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
 ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"
-"""Calculation, as a pattern for a JSON Schema, which cannot count brackets."""
+"""Calculation, as a regular expression for JSON Schema; brackets are not counted."""
 
 DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
-"""Calculation, percentage or ratio of two numbers, as a pattern for a JSON Schema."""
+"""Calculation, percentage or ratio of two numbers, as a regular expression for JSON Schema."""
 
 _GROUPED = re.compile(r"(?<![0-9.])[1-9][0-9]{0,2}( [0-9]{3})+(?![0-9])")
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
@@ -31,25 +31,25 @@ _NUMBER = re.compile(rf" *{_FIGURE} *")
 _SIGN = re.compile(r" *([-+])")
 _OPEN, _CLOSED = re.compile(r" *\("), re.compile(r" *\) *")
 _BINDING = tuple(
-    # an operator must precede a number, not a unit or a name as in 2000/min and 1.05*FL
+    # An operator must be followed by a number, not by a unit or name as in 2000/min or 1.05*FL.
     re.compile(rf" *([{signs}])(?= *[-+]? *[.0-9(])")
     for signs in ("-+", "*/")
 )
 
 
 class UnitError(ValueError):
-    """Error of the unit of a number that can be read."""
+    """Error in the unit of a number; the number itself can be read."""
 
 
 class LeadingNumber(NamedTuple):
-    """Number with the text behind it, without surrounding blanks: `Nm`, `/min`, `*FL`."""
+    """Number, and the text after it without surrounding blanks: `Nm`, `/min`, `*FL`."""
 
     value: float
     behind: str
 
 
 def calculated(text: str) -> LeadingNumber:
-    """Calculate the number at the beginning of a text, with `+ - * /` and brackets.
+    """Return the number at the beginning of a text, a calculation with `+ - * /` and brackets.
 
     Raises
     ------
@@ -72,7 +72,7 @@ def calculated(text: str) -> LeadingNumber:
 
 
 def dimensionless(text: str) -> float:
-    """Calculate a number without a unit, a percentage, or a ratio of two numbers.
+    """Return the value of a calculation, a percentage, or a ratio of two numbers.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def expected(text: str) -> str:
 
 
 def slip_or_percent(text: str) -> str:
-    """Return a hint as `slip` does, also for a percentage in words."""
+    """Return the hint of `slip`, or a hint for a percentage written as a word."""
     return slip(text) or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
 
 
@@ -126,20 +126,20 @@ def slip(text: str) -> str:
 
 
 class _Calculation:
-    """Recursive parser of a calculation, which reads from left to right."""
+    """Recursive parser of a calculation, reading from left to right."""
 
     def __init__(self, text: str) -> None:
         self.text = text
         self.at = 0
 
     def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Match a pattern at the current position, and move behind the match."""
+        """Match a pattern at the current position, and advance beyond the match."""
         match = pattern.match(self.text, self.at)
         self.at = match.end() if match else self.at
         return match
 
     def joined(self, level: int, brackets: int) -> float:
-        """Read a sum at level 0, a product at level 1, an operand at level 2."""
+        """Return the value of a sum (level 0), a product (level 1) or an operand (level 2)."""
         if level == len(_BINDING):
             return self.operand(brackets)
         value = self.joined(level + 1, brackets)

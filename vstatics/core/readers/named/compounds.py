@@ -32,17 +32,17 @@ from vstatics.core.readers.named.references import UnknownNameError
 NO_MERGE = "the merge key `<<` is not accepted, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
 _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
-"""Key that YAML reads after a decimal comma within braces, such as `5 rpm` of `2000,5 rpm`."""
+"""Pattern of a key that YAML reads after a decimal comma in braces: `5 rpm` of `2000,5 rpm`."""
 _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
 }
-"""Keys that engineers expect, with the key of a case for each."""
+"""Keys that users might expect, and the corresponding keys of a case."""
 _MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}
 
 
 def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
-    """Yield the valid entries of the mapping at a spot, and report the invalid entries."""
+    """Yield the valid entries of a mapping, and report invalid entries."""
     assert isinstance(spot.node, Mapping)  # noqa: S101 (for mypy)
     seen: dict[str, Scalar] = {}
     for key, value in spot.node.entries:
@@ -60,9 +60,9 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
 
 
 def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[str, Node]:
-    """Return the values of declared keys; an empty optional key counts as missing.
+    """Return the nodes of declared keys; an optional key without a value counts as missing.
 
-    A mistyped key is read as the suggested key, so that one mistake causes one message.
+    A mistyped key is read as the key it probably means, so that it causes only one message.
     """
     known = {key.name: key for key in keys}
     given = {}
@@ -80,14 +80,14 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
 
 
 def meant_key(document: DocumentText, key: str, known: Iterable[str]) -> str:
-    """Return a hint with the known key that an unknown key probably means; empty without one."""
+    """Return a hint with the known key that an unknown key probably means; empty if unknown."""
     names = [*known]
     synonym = _SYNONYMS.get(key.casefold())
     return f"; did you mean `{synonym}`?" if synonym in names else document.hint(key, names)
 
 
 def _advice(key: str, known: Collection[str]) -> str:
-    """Return advice on a typical mistake that an unknown key shows; empty for other keys.
+    """Return advice if an unknown key reveals a typical mistake, else an empty text.
 
     >>> _advice("5 rpm", ["speed"])
     '; write a decimal point, not a decimal comma'
@@ -111,12 +111,12 @@ def _advice(key: str, known: Collection[str]) -> str:
 
 
 def is_merge(key: Scalar) -> bool:
-    """Check whether a key is `<<`, by which YAML merges mappings."""
+    """Return whether a key is `<<`, the YAML key for merging mappings."""
     return key.plain and key.text == "<<"
 
 
 def id_of(error: ValueError) -> str:
-    """Return the id of the error of a single value.
+    """Return the message id for an error in a single value.
 
     >>> id_of(UnknownNameError()), id_of(UnitError()), id_of(ValueError())
     ('E126', 'E124', 'E125')
@@ -127,12 +127,12 @@ def id_of(error: ValueError) -> str:
 
 
 class ReadsShapes(Protocol):
-    """Methods of `Walk` that the readers of compound values need."""
+    """Interface of `Walk` for the readers of compound values."""
 
     spots: Spots
 
     def read(self, spot: Spot, shape: Shape) -> Any:
-        """Read the value at a spot, or return a stand-in after an error."""
+        """Read the value at a spot; after an error, return a stand-in (a harmless value)."""
 
     def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
         """Read the items of a list of a single shape."""
@@ -155,7 +155,7 @@ def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
 
 
 def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
-    """Read rows of points, a number as a point at 0, or a mapping."""
+    """Read a curve: rows of points, a number (a point at 0), or a mapping."""
     node, leaf = spot.node, shape.row.items[-1]
     if isinstance(node, Listing):
         if not node.items:
@@ -169,7 +169,7 @@ def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
 
 
 def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
-    """Read a text with the parser of the shape."""
+    """Read a text with the parser declared by its shape."""
     node = spot.node
     if not isinstance(node, Scalar) or is_null(node):
         return walk.refuse(spot, shape, f"expected {shape.expected}")
@@ -187,7 +187,7 @@ def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
 
 
 def _moved_by(walk: ReadsShapes, node: Scalar, offset: int) -> Scalar:
-    """Move a scalar by an offset into the text, if the text is on a single line."""
+    """Return a scalar whose place is moved by an offset, if the text is on a single line."""
     line = walk.spots.document.source.place(node.line).text
     begin = node.column - 1 + (line[node.column - 1 : node.column] in ("'", '"'))
     as_written = line.startswith(node.text, begin)
@@ -206,7 +206,7 @@ def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
 
 
 def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
-    """Read a list of items; a single item becomes a list."""
+    """Read a list of items; a single item is read as a list of one item."""
     node = spot.node
     if not isinstance(node, Listing) or all(
         isinstance(row, Listing) and all(isinstance(item, Scalar) for item in row.items)

@@ -19,7 +19,7 @@ _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
 _COMMA_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2},\d{3}(?![.,\deE])")
 _FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
 _SEPARATOR_LINE = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
-"""Line that prescribes the separator to a spreadsheet; here the headings decide."""
+"""Line `sep=;`, which prescribes the separator to spreadsheets; here the headings decide."""
 
 
 def separator_of(head: str) -> str:
@@ -38,11 +38,11 @@ def separator_of(head: str) -> str:
 
 
 class Decimals:
-    """Numbers of a table, with decimal points instead of the commas between semicolons or tabs.
+    """Converter of the numbers in a table with semicolons or tabs to decimal points.
 
-    A point can be a decimal point, or separate thousands as in `1.200`. The other numbers decide:
-    it is a decimal point if a number such as `0.5` can have no other meaning, and no number has a
-    comma. The rule also holds for a comma between tabs, as in `1,200`.
+    In such tables a point can be a decimal point or separate thousands, as in `1.200`. The other
+    numbers decide: it is a decimal point if some number, such as `0.5`, allows no other meaning,
+    and no number contains a comma. The same rule applies to a comma between tabs, as in `1,200`.
 
     >>> german = Decimals(";")
     >>> [german.with_points(cell, 2) for cell in ("-36,5", "-78,5/30", "1.200", "a,b")]
@@ -53,7 +53,7 @@ class Decimals:
     Attributes
     ----------
     are_commas : bool
-        Whether a number had a comma.
+        True if a number with a decimal comma was read.
     """
 
     def __init__(self, separator: str) -> None:
@@ -64,7 +64,7 @@ class Decimals:
         """First line and number in doubt, by the sign that may separate thousands."""
 
     def with_points(self, cell: str, line: int) -> str:
-        """Return a cell with decimal points, if the cell is a number between semicolons or tabs."""
+        """Return a cell with a decimal point if it is a number with a comma; else unchanged."""
         if self._separator == "," or not _CALCULATION.fullmatch(cell):
             return cell
         if self._separator == "\t" and (thousands := _COMMA_THOUSANDS.search(cell)):
@@ -79,7 +79,7 @@ class Decimals:
 
     @property
     def doubt(self) -> tuple[int, str] | None:
-        """Line of the first ambiguous number, with a message; `None` without ambiguity."""
+        """Line and message of the first ambiguous number; None if all numbers are clear."""
         if "," in self._doubts and (self._are_points or not self.are_commas):
             line, text = self._doubts[","]
             whole, point = text.replace(",", ""), text.replace(",", ".")
@@ -94,7 +94,7 @@ class Decimals:
 
 
 def has_cells(line: str) -> bool:
-    """Check whether any cell of a line has content.
+    """Return whether any cell of a line has content.
 
     >>> has_cells(" ;;"), has_cells("0;"), has_cells("sep=;")
     (False, True, False)
@@ -175,7 +175,7 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
 
 
 def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
-    """Yield the rows of a table that are not empty, each with the number of the last line.
+    """Yield the non-empty rows of a table, each with the number of its last line.
 
     The first row contains the headings, and no other row is longer. Numbers have decimal points.
 

@@ -1,8 +1,8 @@
 """Headings of tables of numbers: names with units, as in published files.
 
-A unit is in brackets, in parentheses, after `_`, or after a comma that does not separate cells.
-Lines before the headings are titles, even lines of numbers. Upper case and comment signs before
-the headings are ignored. Units can also be on a separate line below the names.
+A unit can be in brackets, in parentheses, after `_`, or after a comma that does not separate cells.
+Units can also be on a separate line below the names. Lines above the headings are titles, even if
+they contain numbers. Upper case and comment signs in headings are ignored.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from vstatics.core.readers.named.si_units import measured
 from vstatics.core.suggestions import nearest
 
 MOST_TITLE_LINES = 100
-"""Number of lines that are searched for headings."""
+"""Largest number of lines in which headings are searched for."""
 MOST_QUOTED = 76
 """Maximum number of characters of a line quoted in a message."""
 LEAST_LIKENESS = 0.75
-"""Least similarity, from 0 to 1, at which a heading counts as a mistyped name."""
+"""Smallest similarity (0 to 1) at which a heading counts as a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
-"""Signs at the beginning of a comment."""
+"""Characters that begin a comment."""
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
 """Measures whose units can be written in upper or lower case."""
 _UNIT_BEHIND = re.compile(
@@ -42,7 +42,7 @@ NumberedLine = tuple[int, str]
 
 
 class TableColumn(NamedTuple):
-    """Column that a table can have."""
+    """Declaration of a column that a table can have."""
 
     name: str
     measure: Measure | None = None
@@ -50,13 +50,13 @@ class TableColumn(NamedTuple):
     is_text: bool = False
     optional: bool = False
     may_be_bare: bool = False
-    """Whether a heading without a unit means the SI unit."""
+    """True if a heading without a unit implies the SI unit."""
     meaning: str = ""
-    """Hint at the end of the message about a wrong unit."""
+    """Hint that ends the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None
-    """Sizes of the allowed units if the column has no measure."""
+    """Permitted units and their factors to SI, for a column without a measure."""
     aliases: Mapping[str, str] = MappingProxyType({})
-    """Aliases in lower case, each with an implied unit or an empty text."""
+    """Alternative names in lower case, each with the unit it implies (or an empty text)."""
 
     @property
     def heading(self) -> str:
@@ -71,7 +71,7 @@ class TableColumn(NamedTuple):
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
     def size(self, unit: str | None) -> float:
-        """Return the size of a unit in SI; `None` stands for a heading without a unit.
+        """Return the factor from a unit to SI; None means a heading without a unit.
 
         Raises
         ------
@@ -96,7 +96,7 @@ class TableColumn(NamedTuple):
 
 
 def _size_of(unit: str, measure: Measure) -> float:
-    """Return the size of a unit in SI; times and vehicle speeds accept any case.
+    """Return the factor from a unit to SI; units of time and vehicle speed can be in any case.
 
     Raises
     ------
@@ -125,11 +125,11 @@ class Heading(NamedTuple):
     place: int
     """Index of the column in a row."""
     unit: str | None
-    """Unit in the heading, or `None`."""
+    """Unit in the heading; None without a unit."""
 
     @property
     def size(self) -> float:
-        """Size of the unit in SI."""
+        """Factor from the unit to SI."""
         return self.column.size(self.unit)
 
 
@@ -149,7 +149,7 @@ class HeadingError(ValueError):
     """Error in the headings, with the line number."""
 
     def __init__(self, message: str, line: int) -> None:
-        """Store the line number."""
+        """Create the error with its message and line number."""
         super().__init__(message)
         self.line = line
 
@@ -176,18 +176,18 @@ def read_headings(
     *,
     skips: bool,
 ) -> HeadingLine:
-    """Find the headings of a table.
+    """Return the line of headings of a table.
 
     Parameters
     ----------
     lines : iterable of (int, str)
-        First lines that are not empty, with their numbers.
+        First non-empty lines of the file, with their line numbers.
     what : str
         Kind of the table, in words: ``a duty cycle``.
     columns : sequence of TableColumn
         Columns that the table can have, in any order.
     skips : bool
-        Whether columns with other names are skipped.
+        True if columns with other names are skipped, not reported.
 
     Raises
     ------
@@ -206,7 +206,7 @@ def read_headings(
 
 
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
-    """Return the lines of a table with empty lines instead of the titles.
+    """Yield the lines of a table, with titles replaced by empty lines.
 
     Examples
     --------
@@ -219,14 +219,14 @@ def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> I
 
 
 class _ExpectedTable(NamedTuple):
-    """Description of a table before the headings are read."""
+    """Expected table, by which a line of headings is recognised."""
 
     what: str
     columns: Sequence[TableColumn]
     skips: bool
 
     def headings(self, lines: Sequence[NumberedLine]) -> HeadingLine:
-        """Return the first line with all required columns, or report the best line."""
+        """Return the first line with all required columns; else report the best line."""
         if not lines:
             raise HeadingError(f"read nothing, expected {self.what}", 1)
         candidates = []
@@ -236,19 +236,19 @@ class _ExpectedTable(NamedTuple):
             if known >= required:
                 return self.checked(lines, at, separator, cells)
             candidates.append((len(known), at, separator, cells))
-        most, at, separator, cells = max(candidates, key=itemgetter(0))  # the first of equal ones
+        most, at, separator, cells = max(candidates, key=itemgetter(0))  # the first of equal lines
         if not most:
             at = _above_numbers([line for _, line in lines])
             separator, cells = next(_split(lines[at][1]))
         return self.checked(lines, at, separator, cells)
 
     def understood(self, cells: Sequence[str]) -> list[Heading]:
-        """Return the known headings in order."""
+        """Return the known headings among cells, in order."""
         headings = (self.heading(cell, place) for place, cell in enumerate(cells))
         return [heading for heading in headings if heading]
 
     def heading(self, cell: str, place: int) -> Heading | None:
-        """Return the heading in a cell, or `None` for an unknown name."""
+        """Return the heading in a cell; None for an unknown name."""
         name, unit = with_unit(cell)
         known = self.named(name)
         if known is None and unit is None and "_" in name:
@@ -260,7 +260,7 @@ class _ExpectedTable(NamedTuple):
         return Heading(column, place, implied or None if unit is None else unit)
 
     def named(self, name: str) -> tuple[TableColumn, str] | None:
-        """Return the column of a name, with the unit that this name implies."""
+        """Return the column with a name or alias, and the unit implied by the alias."""
         name = _folded(name)
         for column in self.columns:
             if name == column.name:
@@ -272,7 +272,7 @@ class _ExpectedTable(NamedTuple):
     def checked(
         self, lines: Sequence[NumberedLine], at: int, separator: str, cells: Sequence[str]
     ) -> HeadingLine:
-        """Return the headings of a line.
+        """Return the headings of a line after checking names and units.
 
         Raises
         ------
@@ -340,7 +340,7 @@ def _check_units(headings: Sequence[Heading]) -> None:
 def _with_units_below(
     headings: Sequence[Heading], separator: str, below: Sequence[NumberedLine]
 ) -> list[Heading]:
-    """Add the units on the line below the headings; return an empty list for other lines."""
+    """Return headings with the units from the line below; empty if that line has no units."""
     for _, line in below:
         cells = [cell.strip("[]() ") for cell in cells_of(line, separator)]
         if len(cells) > max(heading.place for heading in headings):
@@ -355,7 +355,7 @@ def _with_units_below(
 
 
 def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]:
-    """Yield the index, separator and cells of each line, once for each likely separator."""
+    """Yield the index, separator and cells of each line, for each likely separator."""
     for at, line in enumerate(lines):
         for separator, cells in _split(line):
             yield at, separator, cells
@@ -374,7 +374,7 @@ def _is_row_of_numbers(line: str) -> bool:
 
 
 def _above_numbers(lines: Sequence[str]) -> int:
-    """Return the index of the first line above the longest row of numbers, or 0."""
+    """Return the index of the line above the first of the longest rows of numbers, or 0."""
     above = [
         at
         for at, (line, below) in enumerate(pairwise(lines))

@@ -40,7 +40,7 @@ _HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name in BODIES
 
 
 _HOUSINGS = {"ground", "frame", "case", "casing", "gehäuse", "fixed", "earth", "chassis", "корпус"}
-"""Names by which engineers may mean the housing."""
+"""Names, in lower case, by which a user probably means the housing."""
 
 
 def _is_housing(name: str) -> bool:
@@ -49,15 +49,15 @@ def _is_housing(name: str) -> bool:
 
 
 def is_listed(root: nodes.Mapping) -> bool:
-    """Check whether a document has a list or number of links; only the first key counts."""
+    """Return whether a document contains the key `links`, a list or number of links."""
     first = next((value for key, value in root.entries if key.text == "links"), None)
     return first is not None and not is_null(first)
 
 
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
-    """Collect the links in the order of the components, and set the names of the references.
+    """Return the names of links in the order of the components, and register them for references.
 
-    Without components, the links are those with inertias.
+    If there are no components, the links are collected from the inertias.
     """
     root = _as_meant(root, walk.spots.document)
     places = joined_links(root) or _named(_links(root, _HEAVY))
@@ -68,7 +68,7 @@ def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
 
 
 def _as_meant(root: nodes.Mapping, document: DocumentText) -> nodes.Mapping:
-    """Return a document with each mistyped key replaced by the key of a case that it means."""
+    """Return a document in which mistyped keys are replaced by the keys they probably mean."""
     known = [key.name for key in with_elements(CASE).keys]
     entries = []
     for key, value in root.entries:
@@ -89,7 +89,7 @@ def joined_links(root: nodes.Mapping) -> list[Scalar]:
 
 
 def _named(links: Iterable[Node]) -> list[Scalar]:
-    """Return the names of links without the housing."""
+    """Return the nodes of link names, without the housing."""
     named = (node for node in links if isinstance(node, Scalar))
     return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
 
@@ -105,7 +105,8 @@ def loose_links(
 
     A link that several brakes share instead of the housing is reported, too.
 
-    A carrier can rotate freely, so it is reported only if its name looks mistyped.
+    A carrier with one connection is usually intended, so it is reported only if its name looks
+    mistyped.
     """
     root = _as_meant(root, spots.document)
     places = joined_links(root)
@@ -143,7 +144,7 @@ def loose_links(
 
 
 def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 - a table
-    """Yield the nodes of links in a shape, single links before links in lists."""
+    """Yield the nodes under a node that name links; single links come before lists of links."""
     match node, shape:
         case _, Leaf("link"):
             yield node
@@ -157,7 +158,7 @@ def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 -
             known = [records[kind] for kind in kinds[:1] if kind in records]
             for record in (
                 known or records.values()
-            ):  # an unknown kind can have the members of all kinds
+            ):  # for an unknown kind, the members of all kinds are accepted
                 yield from _links(node, record)
         case nodes.Mapping(entries), ByName(_, item):
             for _, value in entries:

@@ -1,4 +1,4 @@
-"""JSON text -> tree of nodes, with the places that the standard library omits."""
+"""JSON text -> tree of nodes with their places, which the standard library omits."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class _Scanner:
         return self.document.place(self.at)
 
     def skip(self, signs: int = 0) -> None:
-        """Move behind some characters and the blanks that follow."""
+        """Advance beyond a number of characters and the blanks after them."""
         blanks = _BLANKS.match(self.text, self.at + signs)
         self.at = blanks.end() if blanks else self.at + signs
 
@@ -95,7 +95,7 @@ class _Scanner:
         return key, self.value(depth + 1)
 
     def inside(self, closing: str) -> Iterator[None]:
-        """Stop before each item between brackets, then move behind the closing bracket."""
+        """Yield before each item between brackets, then advance beyond the closing bracket."""
         self.skip(1)
         more = self.sign != closing
         while more:

@@ -20,19 +20,19 @@ from vstatics.core.readers.expressions.operands import DottedName, TableName
 from vstatics.core.suggestions import nearest
 
 SPEED, TORQUE = "w", "T"
-"""Names of a speed [rad/s] and a torque [N*m] in a formula, magnitudes unless a law has signs."""
+"""Names of speed [rad/s] and torque [N*m] in a formula; usually their magnitudes."""
 OF_SPEED: Mapping[str, str] = MappingProxyType({SPEED: "speed", "speed": "speed"})
-"""Quantities by their names in formulas of drag; in formulas of a scenario the speed has a sign."""
+"""Names in formulas of drag, with their quantity; in a scenario the speed has a sign."""
 OF_BOTH: Mapping[str, str] = MappingProxyType({**OF_SPEED, TORQUE: "torque", "torque": "torque"})
-"""Quantities by their names in formulas of efficiency."""
+"""Names in formulas of efficiency, with their quantity."""
 FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 
 
 class _LawFormula(Law):
-    """Law as a formula of speed, or of speed and torque."""
+    """Law given by a formula of speed, or of speed and torque."""
 
     quantities: ClassVar[Mapping[str, str]]
-    """Quantities by their names."""
+    """Names permitted in the formula, with their quantity."""
 
     def __new__(cls, text: str) -> Self:
         """Parse and store the text."""
@@ -52,7 +52,7 @@ class _LawFormula(Law):
         return float(values[0])
 
     def at(self, *sizes: Size) -> Size:
-        """Return the value at speed, torque or both, or of arrays; NaN if undefined."""
+        """Return the value at a speed, a torque or both (numbers or arrays); NaN if undefined."""
         names = ("speed", "torque") if self.over == "both" else (self.over,)
         arrays = np.broadcast_arrays(*(np.atleast_1d(np.asarray(size, float)) for size in sizes))
         values = _value(self.text, type(self), dict(zip(names, arrays, strict=True)))
@@ -80,7 +80,7 @@ class DragFormula(_LawFormula):
 class EfficiencyFormula(_LawFormula):
     """Efficiency [-] as a formula of the speed w [rad/s] and the torque T [N*m].
 
-    As a number it is the value at 0, or 1 if that is not an efficiency.
+    The float itself is the value at 0, or 1 if that value is not a valid efficiency.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Laws of a case: points, efficiencies versus speed or torque, points in a file."""
+"""Readers of laws in a case: points, efficiencies over speed or torque, points in a file."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
 
 
 def read_balance(walk: ReadsShapes, spot: Spot, shape: Balances) -> Any:
-    """Read the efficiencies of machines by links, and the power of the battery."""
+    """Read a battery balance: efficiencies of machines by link, and the power of the battery."""
     node = spot.node
     if not isinstance(node, Mapping):
         return walk.refuse(spot, shape, "expected a mapping: an efficiency for each link")

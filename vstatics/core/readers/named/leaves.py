@@ -29,10 +29,10 @@ from vstatics.core.model.shape import (
 from vstatics.core.readers.named import scalars, units
 from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK
 
-_MANY_LINKS = 10**9  # admits every link number; the model's complaint about it is hidden
+_MANY_LINKS = 10**9  # permits any link number; errors of the model about it are hidden
 _NO_LINKS = (NO_LINK, NO_LINK)
 _MAY_BE_0 = frozenset(("damping", "pressure", "time", "angle", "velocity", "cooling"))
-"""Measures whose stand-in is 0, as the value 0 is allowed."""
+"""Measures whose stand-in is 0, because 0 is a valid value."""
 
 
 class LeafReading(NamedTuple):
@@ -51,7 +51,7 @@ def _in_si(text: str, measure: Measure) -> float:
 
 
 def either_way(text: str, measure: Any) -> float:
-    """Read a quantity of rotation or of straight motion; the result gives its measure."""
+    """Read a quantity of rotation or of straight motion; the result states its measure."""
     from vstatics.core.readers.named.si_units import of_either  # costs start-up time
 
     return of_either(text, measure)
@@ -60,11 +60,11 @@ def either_way(text: str, measure: Any) -> float:
 _FORMULA = re.compile(
     r"\b(w|speed)\b|^(?![-+]?[\d./]+(e[-+]?\d+)?\s*[^\W\d_]).*\d.*[*/+(^-]|\(", re.IGNORECASE
 )
-"""Name of the speed, or operators without a unit behind the first number."""
+"""Pattern of a formula: the name of the speed, or operators without a unit after a number."""
 
 
 def _drag(text: str) -> float:
-    """Read a torque, or a formula of the speed."""
+    """Read a drag torque, or its formula of the speed."""
     try:
         return units.relative(text, "torque")
     except ValueError as error:
@@ -81,7 +81,7 @@ def _drag(text: str) -> float:
 
 
 _OF_BOTH = re.compile(r"\b(w|speed|T|torque)\b|\d.*[*+(^-].*[^\W\d_]")
-"""Name of the speed or the torque, or operators between a number and a name."""
+"""Pattern of a formula: the name of speed or torque, or operators between number and name."""
 
 
 def _efficiency(text: str) -> float:
@@ -160,6 +160,6 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
 
 
 def values_before(shape: ByKey) -> dict[str, Any]:
-    """Return the defaults of a record, and stand-ins for the required keys."""
+    """Return the defaults of a record's optional keys, and stand-ins for its required keys."""
     defaults = {key.name: key.default for key in shape.keys if key.default is not None}
     return {key.name: stand_in(key.shape) for key in shape.keys if key.required} | defaults

@@ -1,4 +1,4 @@
-"""Numbers in the nodes of a document: found, read and replaced by paths of keys."""
+"""Numbers in the nodes of a document, which are found, read and replaced by paths."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ MOST_KNOWN = 12
 _CALL = re.compile(r"[^\W\d]\w*\s*\(")
 _VARIABLES = ("t", "speed", "angle")
 _SIGNS = ("*", "+", "-", "^")
-"""Signs at the beginning of a formula, which begin no unit."""
+"""Signs after a number that continue a formula and cannot begin a unit."""
 
 
 def keys_of(node: Node) -> list[str]:
-    """Return the possible next parts of a path: names of keys, or numbers of items."""
+    """Return the keys, or numbers of items, with which a path can continue below a node."""
     match node:
         case Mapping():
             return list(dict.fromkeys(key.text for key, _ in node.entries))
@@ -32,7 +32,7 @@ def keys_of(node: Node) -> list[str]:
 
 
 def child(node: Node, key: str) -> Node | None:
-    """Return the value of a key or an item, or `None` if missing."""
+    """Return the node under a key or item number; None if missing."""
     match node:
         case Mapping():
             return next((value for name, value in node.entries if name.text == key), None)
@@ -43,7 +43,7 @@ def child(node: Node, key: str) -> Node | None:
 
 
 def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
-    """Find the node at a path; return `None` if only the last key, of a mapping, is missing.
+    """Return the node at a path; None if only the last key of the path is missing.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
 
 
 def _missing(node: Node, name: str, before: str) -> str:
-    """Return the message for a path that cannot be followed."""
+    """Return the message about a path that cannot be followed."""
     known = keys_of(node)
     of = f" in {quoted(before)}" if before else ""
     match node:
@@ -79,7 +79,7 @@ def _missing(node: Node, name: str, before: str) -> str:
 
 
 class WrittenNumber(NamedTuple):
-    """Number as written in a document, with a unit or an empty text."""
+    """Number as written in a document, with its unit; empty without a unit."""
 
     value: float
     unit: str
@@ -125,7 +125,7 @@ def number_text(value: float, unit: str = "") -> str:
 
 
 def replaced(node: Node, keys: Sequence[str], text: str) -> Node:
-    """Return a tree with a new text at a path; a missing last key is appended.
+    """Return a copy of a tree with a new text at a path; a missing last key is appended.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ def points_of(name: str) -> list[tuple[float, ...]]:
 
 
 def map_of(name: str, values: Values) -> MapLaw:
-    """Read a map from a file, whose rows have the points of a full grid in any order.
+    """Read a map from a file whose rows are the points of a full grid, in any order.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def _points(rows: _Rows) -> list[tuple[float, ...]]:
 
 
 def _map(rows: _Rows, values: Values) -> MapLaw:
-    """Build a map from the rows of a file.
+    """Return the map given by the rows of a file.
 
     Examples
     --------
@@ -134,7 +134,7 @@ def _plain(unit: str) -> str:
 
 
 def _reading(heading: str, values: str) -> _Reading:
-    """Return the function that reads the numbers of a column, in SI units."""
+    """Return a function that reads the numbers of a column in SI units."""
     name, unit = _name(heading), with_unit(heading)[1] or ""
     if name in _MEASURES:
         if not unit:
@@ -160,7 +160,7 @@ def _percent(cell: str) -> float:
 
 
 def _numbers(rows: _Rows, readings: Sequence[_Reading]) -> Iterator[tuple[int, tuple[float, ...]]]:
-    """Yield the line and the numbers of each row."""
+    """Yield the line number and the numbers of each row."""
     if not rows:
         raise ValueError("expected a point at least, below the head")
     for line, row in rows:

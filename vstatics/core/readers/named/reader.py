@@ -1,4 +1,4 @@
-"""Reader of cases in YAML and JSON, and of other documents in YAML: bytes -> nodes -> values."""
+"""Readers of cases in YAML and JSON, and of other YAML documents: bytes -> nodes -> values."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def read_yaml(data: bytes, file: str) -> Reading:
     Parameters
     ----------
     data : bytes
-        UTF-8, or another Unicode encoding with its byte order mark.
+        Text in UTF-8, or in another Unicode encoding with its byte order mark.
     file : str
         Name of the file, for messages.
 
@@ -73,7 +73,7 @@ def read_json(data: bytes, file: str) -> Reading:
 
 
 def _tree(document: DocumentText, form: Format) -> Node:
-    """Return the tree of a text; the parsers cost start-up time."""
+    """Return the tree of nodes of a text; the parser is imported only when needed."""
     if form == "json":
         from vstatics.core.readers.named.json_nodes import json_tree
 
@@ -102,7 +102,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     ----------
     root : Node
     document : DocumentText
-        Text of the tree, with the problems found before.
+        Text of the tree, with the problems already found.
 
     Raises
     ------
@@ -146,10 +146,11 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
 
 
 def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey]:
-    """Return the document without missing annexes, and the shape of a case with annexes.
+    """Return the document without keys of missing annexes, and the shape with keys of annexes.
 
-    Keys of annexes that are not installed are omitted with a warning. Annexes are imported only for
-    their keys, or for an unknown key, whose hint needs the names of all keys.
+    Keys of annexes that are not installed are omitted with a warning. Annexes are imported only if
+    the document contains their keys, or an unknown key, because its hint needs the names of all
+    keys.
     """
     unknown = {key.text for key, _ in root.entries}.difference(_CORE_KEYS)
     if not unknown:
@@ -173,7 +174,7 @@ def _mapping(root: Node, document: DocumentText, expected: str) -> Mapping:
 
 
 def _case(root: Mapping) -> Mapping:
-    """Return the case, also from a JSON result or solution, so that both can be run again."""
+    """Return the case itself; a JSON result or solution contains it under a key."""
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
     return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
@@ -189,7 +190,7 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     file : str
         Name of the file, for messages.
     shape : ByKey
-        Declared shape of the document, whose `make` builds the result.
+        Declared shape of the document; its `make` creates the result.
     expected : str
         Kind of the document, for messages.
 

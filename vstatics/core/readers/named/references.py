@@ -1,4 +1,4 @@
-"""Numbers of links, shift elements and other components by the names of a document."""
+"""Numbers of links, shift elements and other components, by their names in a document."""
 
 from __future__ import annotations
 
@@ -22,18 +22,17 @@ _HOUSING = ("0", "housing")
 
 
 class UnknownNameError(ValueError):
-    """Error of a name or number of a link or component that a document does not have."""
+    """Error for the name or number of a link or component that does not exist in the document."""
 
 
 class References:
-    """Numbers of links and shift elements by the names in a document.
+    """Numbers of links and components, by their names in a document.
 
     Attributes
     ----------
     link_names : list of str
-        Names of the links; empty if the links have only numbers.
-        links_known, elements_known : bool
-        Whether the names could be read; if not, errors about names are suppressed.
+        Names of the links; empty if the links have only numbers. links_known, elements_known : bool
+        True if the names could be read; otherwise errors about names are suppressed.
     """
 
     def __init__(self, document: DocumentText) -> None:
@@ -65,7 +64,7 @@ class References:
         self._numbers[kind] = _numbered(names)
 
     def add_converters(self, names: Iterable[str]) -> None:
-        """Append names of converters to those of mechanisms; both have speed ratios."""
+        """Append the names of converters to the mechanisms; both can have speed ratios."""
         self.set_numbers("mechanism", [*self._numbers["mechanism"], *names])
 
     def other(self, kind: str, text: str) -> int:
@@ -83,7 +82,7 @@ class References:
         raise UnknownNameError(f"expected the name of {article} {kind}{self._known(text, numbers)}")
 
     def link(self, text: str) -> int:
-        """Return the number of a link: 0 for the housing, `NO_LINK` if no links are known.
+        """Return the number of a link; 0 for the housing, `NO_LINK` if the links could not be read.
 
         Raises
         ------
@@ -106,12 +105,12 @@ class References:
         raise UnknownNameError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
 
     def speed_of(self, text: str) -> SpeedOf | None:
-        """Return the speed of a link, as `FL`, `1.05*FL` or `1.05*link 3`, or `None`.
+        """Return a speed such as `FL`, `1.05*FL` or `1.05*link 3`; None for other texts.
 
         Raises
         ------
         ValueError
-            If the link is unknown, or the factor is behind the link.
+            If the link is unknown, or the factor is after the link.
         """
         for factor, link in ((1.0, text), (-1.0, text.removeprefix("-").strip())):
             number = self._number(link)
@@ -134,7 +133,7 @@ class References:
         return None
 
     def _number(self, link: str) -> int | None:
-        """Return the number of a link named alone or behind the word `link`, or `None`."""
+        """Return the number of a link, given alone or after the word `link`; None if unknown."""
         name = link.removeprefix("link ").strip()
         if self.link_names:
             return self._link_numbers.get(name if name in self._link_numbers else link)
@@ -142,7 +141,7 @@ class References:
         return number if number and number <= self._links else None
 
     def element(self, text: str) -> int:
-        """Return the number of a shift element, or `NO_ELEMENT` if no names are known.
+        """Return the number of a shift element; `NO_ELEMENT` if the names could not be read.
 
         Raises
         ------
@@ -166,7 +165,7 @@ class References:
 
 
 def _behind(text: str) -> str:
-    """Return the text behind a number, or an empty text."""
+    """Return the text after a number; empty without a number."""
     try:
         return calculated(text).behind
     except ValueError:

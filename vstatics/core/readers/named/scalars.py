@@ -1,6 +1,7 @@
 """Single values: numbers, link numbers, switches.
 
-Python's own conversions accept texts (`1_000`, `nan`, `٣`) that a case must not contain.
+Python's conversions are not used directly, because they accept texts (`1_000`, `nan`, `٣`) that a
+case must not contain.
 """
 
 from __future__ import annotations
@@ -10,13 +11,13 @@ import re
 from vstatics.core.readers.named.arithmetic import DIMENSIONLESS, dimensionless, slip_or_percent
 
 NUMBER = rf"^{DIMENSIONLESS}$"
-"""Number or calculation, as a pattern for ECMAScript."""
+"""Number or calculation, as a regular expression for JSON Schema."""
 
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
-"""Plain digits without a leading zero, as some readers of YAML take `010` for 8."""
+"""Digits without a leading zero, because some YAML readers convert `010` to 8."""
 
 INFINITE = frozenset((".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"))
-"""Infinity in the notation of YAML 1.1 and 1.2."""
+"""Spellings of infinity in YAML 1.1 and 1.2."""
 
 _LINK_NUMBER = re.compile(LINK_NUMBER.removesuffix("$") + r"\Z")
 _MOST_DIGITS = 9
@@ -52,7 +53,7 @@ def link_number(text: str) -> int | None:
 
 
 def count(text: str) -> int:
-    """Return a whole number from 1, such as a number of teeth.
+    """Return a whole number of at least 1, such as a number of teeth.
 
     Parameters
     ----------
@@ -95,7 +96,7 @@ def share(text: str) -> float:
 
 
 def flag(text: str, *, plain: bool) -> bool:
-    """Return a switch, `true` or `false` without quotes."""
+    """Return the value of a switch, `true` or `false` without quotes."""
     if not plain or text not in ("true", "false"):
         raise ValueError("expected `true` or `false`" + ("" if plain else " without quotes"))
     return text == "true"

@@ -69,7 +69,7 @@ _GEARS: tuple[Words, ...] = (
     {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
     {"properties": {"shift_elements": {"maxProperties": 0}}},
 )
-"""Conditions on the gears: any gears, or no shift elements, which implies a single gear."""
+"""Conditions on the gears: at least one gear, or no shift elements (which implies one gear)."""
 _ENOUGH: tuple[Words, ...] = (
     {"required": ["elements"], "properties": {"links": _TWO_LINKS}, "anyOf": [*_GEARS]},
     {
@@ -82,13 +82,13 @@ _ENOUGH: tuple[Words, ...] = (
         for key in ("springs", "inertias", "masses")
     ),
 )
-"""Minimal sets of keys of a case."""
+"""Smallest sets of keys that define a case."""
 
 
 def json_schema() -> Words:
     """Return the JSON Schema (draft 2020-12) of a case in YAML or JSON.
 
-    Names of links and shift elements cannot be checked by a schema.
+    A schema cannot check the names of links and shift elements.
 
     Examples
     --------
@@ -100,12 +100,12 @@ def json_schema() -> Words:
     schema = document_schema(shape, measures)
     damping = {"anyOf": [_reference("damping"), _record(DAMPING.record)]}
     several = {_DAMPING: damping, _EFFICIENCY: _of_law(EFFICIENCY)}
-    definitions = schema.pop("$defs") | several  # these are last
+    definitions = schema.pop("$defs") | several  # definitions come last
     return {**schema, "anyOf": list(_ENOUGH), "$defs": definitions}
 
 
 def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
-    """Return the JSON Schema of a document with a shape."""
+    """Return the JSON Schema of a document with the given shape."""
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(shape)}
     return {**schema, "$defs": {**_DEFINITIONS, **{name: _measure(name) for name in measures}}}
 
@@ -147,7 +147,7 @@ def _key(key: KeyShape) -> Words:
 
 
 def _optional(words: Words) -> Words:
-    """Allow null for an optional key, which then counts as missing."""
+    """Return a schema that also permits null, for an optional key that then counts as missing."""
     if "anyOf" in words:
         return {**words, "anyOf": [*words["anyOf"], {"type": "null"}]}
     if "$ref" in words:
@@ -219,7 +219,7 @@ def _sequence(shape: Links | Ends | ListOf | Pair | RowOf) -> Words:
 
 
 def _of_law(shape: Balances | ByLaw) -> Words:
-    """Return the schema of a number or a law, or of a balance of powers with a battery."""
+    """Return the schema of a number or a law, or of a battery balance."""
     if isinstance(shape, Balances):
         words = _by_name(_shape(shape.links.item))
         return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}

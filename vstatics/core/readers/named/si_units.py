@@ -1,4 +1,4 @@
-"""Units of inertia, stiffness, pressure and other measures in SI, with any exponents."""
+"""Numbers with units of inertia, stiffness, pressure and other measures, converted to SI."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from vstatics.core.readers.named.units import (
 )
 
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
-"""Number with a unit, as a pattern for ECMAScript."""
+"""Number with a unit, as a regular expression for JSON Schema."""
 
 _Dimension = tuple[int, ...]
-"""Exponents of kg, m, s, rad and K."""
+"""Dimension of a unit: exponents of kg, m, s, rad and K."""
 
 _FORMS: dict[str, tuple[str, ...]] = {
     "power": ("W",),
@@ -34,14 +34,14 @@ _FORMS: dict[str, tuple[str, ...]] = {
     "damping": ("N*m*s/rad", "N*m*s"),
     "pump_factor": ("N*m*s^2/rad^2", "N*m*s^2"),
 }
-"""Units of each measure, with the radian or without if the meaning is clear; N*m is a torque."""
+"""Units of each measure, also without the radian if unambiguous; N*m alone is a torque."""
 
 
 class _Base(NamedTuple):
     dimension: _Dimension
     above: float
     below: float = 1.0
-    """Divisor of `above`; the quotient is the size of the unit in SI."""
+    """Divisor of `above`; the quotient is the factor from the unit to SI."""
 
 
 _NOTHING: _Dimension = (99, 99, 99, 99, 99)
@@ -54,7 +54,7 @@ _BASES: dict[str, tuple[_Dimension, float]] = {
     "speed": ((0, 0, -1, 1, 0), math.pi / 30),
     "power": ((1, 2, -3, 0, 0), 1000),
 }
-"""Dimension and size in SI of the unit in which `units` counts each kind of factor."""
+"""Dimension of each kind of factor in `units`, and the factor from its base unit to SI."""
 _STANDARD_GRAVITY = 9.80665
 _GRAMS = {
     "g": _Base(_MASS, 1, 1000),
@@ -86,20 +86,20 @@ _VELOCITIES = {
     "mps": _Base((0, 1, -1, 0, 0), 1),
     **dict.fromkeys(("kph", "kmh", "kmph"), _Base((0, 1, -1, 0, 0), 10, 36)),
 }
-"""Vehicle speeds in a single word, in upper or lower case."""
+"""Units of vehicle speed in a single word; upper and lower case are equivalent."""
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
-"""Units of force in `units`, read as mass if the measure requires a mass."""
+"""Units that are a force in `units`, but a mass if the measure requires it."""
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
-"""Metre per second in `units`, read as milliseconds if the measure requires a time."""
+"""Units that are metres per second in `units`, but milliseconds if the measure is a time."""
 _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
-"""Measures that `units` knows, with more spellings of the units."""
+"""Measures for which `units` accepts further spellings of the units."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
 def measured(text: str, measure: Measure) -> float:
-    """Return a number in SI from a bare number or a number with a unit.
+    """Return the value in SI of a number with or without a unit.
 
     Raises
     ------
@@ -137,7 +137,7 @@ def measured(text: str, measure: Measure) -> float:
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
-    """Return a number in SI, bare or with a unit of any of several measures.
+    """Return the value in SI of a number, without a unit or with a unit of several measures.
 
     Raises
     ------
@@ -162,7 +162,7 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
 
 
 def of_either(text: str, measure: Measure) -> InUnit:
-    """Return a number in SI, with a measure of rotation or of the matching straight motion.
+    """Return the value in SI of a number with a unit of rotation or of straight motion.
 
     Raises
     ------
@@ -185,20 +185,21 @@ def of_either(text: str, measure: Measure) -> InUnit:
 
 @cache
 def _dimensions() -> dict[str, list[_Dimension]]:
-    """Return the dimensions of each measure; the first dimension is unique."""
+    """Return the possible dimensions of each measure; the first identifies the measure."""
     return {
         kind: [_unit(form, of_words=False)[0] for form in forms] for kind, forms in _FORMS.items()
     }
 
 
 def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
-    """Return the dimension of a unit, and the size in SI as a ratio, or `_NOTHING`.
+    """Return the dimension of a unit and its factor to SI as a quotient; `_NOTHING` if unknown.
 
     Parameters
     ----------
     text : str
     of_words : bool
-        Whether ``lb`` is a mass and ``ms`` a time, not a force and a metre per second.
+        True if ``lb`` is a mass and ``ms`` a time, False if ``lb`` is a force and ``ms`` a metre
+        per second.
     """
     total, above, below = [0] * 5, 1.0, 1.0
     try:
@@ -216,7 +217,7 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
 
 
 def _powers(text: str) -> Iterator[tuple[str, int]]:
-    """Yield the words of a unit with exponents; brackets behind `/` divide as a whole."""
+    """Yield the words of a unit with their exponents; brackets after `/` divide as a whole."""
     if len(text) > LONGEST_UNIT:
         raise ValueError
     at, signs, sign = 0, [1], 1
@@ -246,7 +247,7 @@ def _powers(text: str) -> Iterator[tuple[str, int]]:
 
 
 def _bases(word: str, *, of_words: bool) -> list[_Base]:
-    """Return the units of which a word is a product, the last first: an exponent belongs to it."""
+    """Return the units whose product is a word, last unit first: an exponent applies to it."""
     if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]
@@ -276,6 +277,6 @@ def _known(parts: Sequence[tuple[str, float, float]]) -> bool:
 def _base(factor: tuple[str, float, float]) -> _Base:
     kind, above, below = factor
     dimension, times = _BASES.get(kind, (_NOTHING, 1.0))
-    if (below / times).is_integer():  # so that rad, s and W are exactly 1
+    if (below / times).is_integer():  # so that factors such as those of rad, s and W are exactly 1
         return _Base(dimension, above, below / times)
     return _Base(dimension, above * times, below)

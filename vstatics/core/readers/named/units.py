@@ -20,9 +20,10 @@ from vstatics.core.suggestions import mixed_letters, nearest
 Quantity = Literal["speed", "torque", "power"]
 
 _Factor = tuple[str, int, float]
-"""Kind of a factor of a unit, and its size in N, m, turns, minutes or kW as a quotient."""
+"""Kind of a factor of a unit, and its size in N, m, turns, min or kW as a fraction of integers."""
 _LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
-"""Pound in kg and foot in m (International Yard and Pound, 1959), standard gravity in m/s^2
+"""Numerator and denominator of the pound in kg, the foot in m (International Yard and Pound,
+1959) and standard gravity in m/s^2
 (3rd CGPM, 1901). All values are exact."""
 _LBF = (_LB[0] * _G[0], _LB[1] * _G[1])
 
@@ -31,7 +32,7 @@ _PREFIXED: dict[str, _Factor] = {
     **dict.fromkeys(("m", "м", "meter", "meters", "metre", "metres"), ("length", 1, 1)),
     **dict.fromkeys(("W", "Вт", "watt", "watts"), ("power", 1, 1000)),
 }
-"""Units that can have a prefix, case-sensitive."""
+"""Units that can have a metric prefix; upper and lower case are distinguished."""
 _PREFIXES = {
     prefix: (above, below)
     for prefixes, above, below in (
@@ -73,7 +74,7 @@ _WORDS_OF_UNITS: dict[str, _Factor] = {
     )
     for word in words.split()
 }
-"""Units without prefixes, in upper or lower case."""
+"""Units without metric prefixes; upper and lower case are equivalent."""
 
 _KINDS: dict[str, tuple[Quantity, int]] = {
     "speed": ("speed", 1),
@@ -82,7 +83,7 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
     "power": ("power", 1),
     "/time force length": ("power", 60_000),  # N*m/min
 }
-"""Quantity and divisor of each combination of kinds of factors."""
+"""Quantity of each combination of kinds of factors, and the divisor to its base unit."""
 
 _SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
@@ -96,7 +97,8 @@ def unit(text: str) -> tuple[Quantity | None, float]:
     Parameters
     ----------
     text : str
-        Factors with `*`, `.`, `-`, a blank or nothing between them, or `/`; exponents 1 and -1.
+        Unit: factors separated by `*`, `.`, `-`, a blank, nothing or `/`; exponents can be 1 and
+        -1.
 
     Examples
     --------
@@ -147,7 +149,7 @@ def _factor(word: str) -> _Factor | None:
 
 
 QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻−¹]{{0,39}}$"
-"""Number with a unit, as a pattern for ECMAScript."""
+"""Number with a unit, as a regular expression for JSON Schema."""
 
 EXAMPLES: dict[Quantity, str] = {
     "speed": "`2100 rpm` or `220 rad/s`",
@@ -164,12 +166,12 @@ _MEANT = {
     "kgm": "kgf*m",
     "kgcm": "kgf*cm",
 }
-"""Suggestions for wrong units of speed or torque, by the letters of the unit."""
+"""Suggested spellings for wrong units of speed or torque, by the letters of the unit."""
 
 
 _MASSES = ("kg", "g", "t")
 _MEASURES = ("force", "length", "time", "angle")
-"""Kinds of factors that messages name."""
+"""Kinds of factors that messages can name as a measure."""
 
 
 def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
@@ -181,7 +183,7 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
         Number or calculation with its unit.
     kind : {"speed", "torque", "power"}
     or_else : str
-        Alternative to the quantity, for the message.
+        Phrase in the message for an alternative to the quantity.
 
     Raises
     ------
@@ -210,7 +212,7 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
 
 
 def has_digits(text: str) -> bool:
-    """Check whether a text contains an ASCII digit."""
+    """Return whether a text contains an ASCII digit."""
     return any(sign in "0123456789" for sign in text)
 
 
@@ -236,7 +238,7 @@ def usual(read: str, kind: Quantity | None) -> str:
 
 
 def _measure(text: str) -> str:
-    """Return the measure of a single unit that belongs to no quantity of a load, or nothing."""
+    """Return the measure of a unit that is not a speed, torque or power; empty if unknown."""
     if text in _MASSES:
         return "mass"
     parts = factors(text) if text else []
@@ -254,7 +256,7 @@ def with_article(kind: str) -> str:
 
 
 class WithUnit(float):
-    """Speed in rpm or torque in N*m, unlike numbers relative to the input."""
+    """Speed in rpm or torque in N*m, as distinct from a number relative to the input."""
 
     quantity: Quantity
 
@@ -291,12 +293,12 @@ def relative(text: str, kind: Quantity) -> float:
 
 
 def common_unit(text: str) -> tuple[str, str]:
-    """Split the values of `--vary` from the common unit, replaced by blanks.
+    """Return the values of `--vary` with their unit replaced by blanks, and the common unit.
 
     Raises
     ------
     ValueError
-        If there are several.
+        If the values have different units.
 
     Examples
     --------

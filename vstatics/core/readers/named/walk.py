@@ -1,7 +1,7 @@
 """Walk through a tree of nodes along the declared shape of a case.
 
-The walk returns parts of the model and plain values, stores the place of each path of the model,
-and returns a stand-in for each unreadable value.
+The walk creates parts of the model and plain values from the nodes, and stores the place of each.
+For an unreadable value it returns a stand-in, so that reading can continue.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK, Referenc
 
 _ENDS = ("first", "second")
 _SHORT: dict[type[Shape], type[Node]] = {ListOf: Listing, Leaf: Scalar}
-"""Nodes that can replace a record; for other nodes the message asks for a mapping."""
+"""Types of node for the short form of a record; for other nodes the message asks for a mapping."""
 
 
 class Walk:
@@ -98,7 +98,7 @@ class Walk:
         }
 
     def read(self, spot: Spot, shape: Shape) -> Any:
-        """Read the value at a spot, or return a stand-in after an error."""
+        """Read the value at a spot; after an error, return a stand-in."""
         self.spots.keep(spot)
         return self._readers[type(shape)](spot, shape)
 
@@ -181,13 +181,13 @@ class Walk:
             spot.item(member, number, item)
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
         ]
-        if spot.path[-1] == "links":  # the model has no part `links` within a record
+        if spot.path[-1] == "links":  # within a record, the model has no part `links`
             inner = [end._replace(path=(*spot.path[:-1], end.path[-1])) for end in inner]
         first, *second = [self.read(end, Leaf("link")) for end in inner]
         return first, *(second or [HOUSING])
 
     def _either(self, spot: Spot, shape: Either) -> Any:
-        """Read a record, or the short form of the main key.
+        """Read a record (mapping with declared keys), or its short form, the value of the main key.
 
         If the main key is unreadable, problems of the model about the record are hidden.
         """
@@ -240,7 +240,7 @@ class Walk:
         return values
 
     def _is_behind_comma(self, spot: Spot, key: Scalar, value: Node) -> bool:
-        """Report a key that is the end of a decimal number, as in `{a: 0,2 kg*m^2, b: 5}`."""
+        """Report a key that is the rest of a number with decimal comma, as in `{a: 0,2 kg*m^2}`."""
         if not (is_null(value) and key.text.partition(" ")[0].isdigit()):
             return False
         message = f"read {what(key)} without a value; in a number, {NO_COMMA}"
@@ -248,7 +248,7 @@ class Walk:
         return True
 
     def _shares(self, spot: Spot, shape: Shares) -> Any:
-        """Read shares by the names of gears, which are not checked here."""
+        """Read shares by the names of gears, which are not compared with the case."""
         if not isinstance(spot.node, Mapping):
             return self.refuse(spot, shape, "expected a share for each gear")
         shares = {}
@@ -344,7 +344,7 @@ class Walk:
 
 
 def _joined(node: Node, known: Iterable[str]) -> Node:
-    """Return a list of words as one word, if `ByKind` names any record by a list."""
+    """Return a list of words as a single word, as `ByKind` declares it (`[speed, torque]`)."""
     if not isinstance(node, Listing) or not all(isinstance(item, Scalar) for item in node.items):
         return node
     if not any(name.startswith("[") for name in known):

@@ -1,6 +1,6 @@
 """Numbers in the text of a document, which can be replaced in place.
 
-Comments, blanks, line endings and the units behind the numbers remain unchanged.
+Comments, blanks, line endings and units remain unchanged.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from vstatics.core.readers.named.nodes import Mapping as MappingNode
 
 _ENDS = re.compile(r"\r\n|\r|\n")
 _PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*\s+)*")
-"""Anchor and tag, which precede a value in YAML."""
+"""Pattern of an anchor or a tag, which can precede a value in YAML."""
 
 
 class NumberSpot(NamedTuple):
-    """Number of a document, with start and end in the text."""
+    """Number of a document, with its start and end in the text."""
 
     value: float
     unit: str
@@ -29,9 +29,9 @@ class NumberSpot(NamedTuple):
 
 
 def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
-    r"""Find the numbers of a document in the text, by paths of keys.
+    r"""Return the numbers of a document with their places in the text, by path.
 
-    Numbers that are written with escapes or over several lines are omitted.
+    Numbers that are written with escape sequences or on several lines are omitted.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
         match = _PROPERTIES.match(text, at)
         at = match.end() if match else at
         at += not node.plain and text[at : at + 1] in ("'", '"')
-        # -1 for a value with escapes
+        # The start is -1 for a value with escape sequences.
         start = at if node.text and text.startswith(node.text, at) else -1
         end = start + len(node.text.rstrip().removesuffix(unit).rstrip())
         if start >= 0:
@@ -82,7 +82,7 @@ def _scalars(node: Node, keys: Keys) -> Iterator[tuple[Keys, Scalar]]:
 def with_written(
     data: bytes, spots: Mapping[Keys, NumberSpot], values: Mapping[Keys, float]
 ) -> bytes:
-    """Return a document with new numbers in the text; unchanged values stay as written.
+    """Return the text of a document with new numbers; unchanged numbers stay as written.
 
     Parameters
     ----------
@@ -91,12 +91,12 @@ def with_written(
     spots : mapping
         Numbers of the document, from `number_spots`.
     values : mapping of Keys to float
-        New values, in the units behind the numbers.
+        New values, in the units written after the numbers.
 
     Raises
     ------
     ValueError
-        If a place would get two numbers, since an alias can give a number two paths.
+        If two different values are given for a number that has two paths through an alias.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """YAML text -> tree of nodes, from the events of the parser.
 
-Events are read one at a time, so that a document with unbounded nesting or aliases is refused
-early. Tags have no effect: only texts, lists and mappings are created.
+Parser events are read one at a time, so that unbounded nesting or aliases are rejected early. YAML
+tags have no effect: only texts, lists and mappings are created.
 """
 
 from __future__ import annotations
@@ -15,24 +15,24 @@ import yaml
 from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
 
 _BRACKETS = {"flow sequence": ("list", "]"), "flow mapping": ("mapping", "}")}
-"""Names of the parser for values in brackets, with plain names and closing brackets."""
+"""Name of a bracketed value in parser messages, with its plain name and closing bracket."""
 _BLOCKS = {
     "block mapping": ("mapping", "a key"),
     "block collection": ("list", "`- `"),
     "block sequence": ("list", "`- `"),
 }
-"""Names of the parser for values without brackets, with plain names and their entries."""
+"""Name of an unbracketed value in parser messages, with its plain name and kind of entry."""
 MOST_VALUES = 200_000
 """Maximum number of values of a document with all aliases expanded."""
 
 _READ_AHEAD = "exceeded maximum nesting depth"
-"""Message of libyaml about more than 1000 levels, which can precede all events."""
+"""Message of libyaml about more than 1000 levels, which it can raise before any event."""
 
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
-"""Text with a bracket, which YAML takes for the start of a list within a list."""
+"""Pattern of a text that contains `[`, which YAML reads as the start of an inner list."""
 _SPACED_RATIO = re.compile(r"(-?\d*\.?\d+)[ \t]+:[ \t]*(\d*\.?\d+)")
-"""Ratio with blanks around the colon, which YAML takes for the end of a key."""
+"""Pattern of a ratio with blanks around its colon, which YAML reads as the end of a key."""
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
     Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
@@ -42,7 +42,7 @@ _TAGS = {
 
 
 def yaml_tree(document: DocumentText) -> Node:
-    """Return the tree of the single YAML document in a text.
+    """Return the tree of nodes of a text that contains a single YAML document.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def yaml_tree(document: DocumentText) -> Node:
 
 
 class _Builder:
-    """Builder of nodes from events, with the sizes of anchors."""
+    """Builder of nodes from parser events; it counts the values that aliases repeat."""
 
     def __init__(self, document: DocumentText, loader: Any) -> None:
         self.document = document
@@ -86,9 +86,7 @@ class _Builder:
             event = next(self.events)
         except yaml.MarkedYAMLError as error:
             if error.problem == _READ_AHEAD:
-                _Builder(
-                    self.document, yaml.SafeLoader
-                ).root()  # raises an error at nesting level 17
+                _Builder(self.document, yaml.SafeLoader).root()  # too deep nesting raises an error
             mark = error.problem_mark or error.context_mark
             place = self.document.place(mark.index) if mark else self.last
             reason = reason_of(error, self.document.text)
@@ -109,7 +107,7 @@ class _Builder:
         return event
 
     def _spaced_ratio(self, at: int) -> str:
-        """Return how to write the ratio at a place of the text, if there is a ratio."""
+        """Return advice on how to write a ratio at a place of the text; empty without a ratio."""
         for ratio in _SPACED_RATIO.finditer(self.document.text, max(at - 40, 0), at + 40):
             if ratio.start() <= at <= ratio.end():
                 first, second = ratio.groups()
@@ -180,7 +178,7 @@ class _Builder:
 
 
 def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
-    """Return the reason of an error of the parser in a text, with advice where it is known.
+    """Return the reason for a parser error in a text, with advice if possible.
 
     >>> def reason(text):
     ...     try:
@@ -206,7 +204,7 @@ def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
 
 
 def _of_part(context: str, begin: yaml.Mark, text: str, index: int) -> str:
-    """Return the reason of an error at an index within a part of a text; empty if unknown."""
+    """Return the reason for an error inside a list, mapping or quotation; empty if unknown."""
     place = f"line {begin.line + 1}, column {begin.column + 1}"
     for kind, (name, bracket) in _BRACKETS.items():
         if kind in context:

@@ -1,4 +1,4 @@
-"""Cells of the sheets of a workbook, bounded in number for any file."""
+"""Reader of the cells in the sheets of a workbook, with limits on their number."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class ReadSheet(NamedTuple):
 
 
 def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet]:
-    """Read the cells of the wanted sheets of a workbook; other sheets have no rows.
+    """Read the cells of the requested sheets of a workbook; other sheets are returned without rows.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
 
 
 class _SheetElements:
-    """Handler of the elements of a sheet, which collects the cells."""
+    """Handler of the XML elements of a sheet that collects its cells."""
 
     def __init__(self, place: CellPlace, parts: PackedParts, problems: list[Problem]) -> None:
         self.rows: list[list[ReadCell]] = []
@@ -133,7 +133,7 @@ class _SheetElements:
             raise ValueError(f"expected at most {MOST_SHEET_CELLS} cells")
 
     def _value(self) -> str:
-        """Return the text of the current cell, empty for an empty cell.
+        """Return the text of the current cell; empty for an empty cell.
 
         Raises
         ------
@@ -165,7 +165,7 @@ class _SheetElements:
         return number
 
     def _merged(self, ref: str) -> None:
-        """Report merged cells, as all but the first would seem empty."""
+        """Report merged cells, of which all but the first would seem empty."""
         first, _, last = ref.partition(":")
         place = _PLACE.fullmatch(first)
         if place and last:
@@ -214,7 +214,7 @@ def _index(text: str) -> int:
     Raises
     ------
     LookupError
-        If the text is not an index, as the workbook is damaged.
+        If the text is not an index, because the workbook is damaged.
     """
     if not (text.isascii() and text.isdecimal() and len(text) < 10):
         raise LookupError(f"there is no text or format {quoted(text[:40])}")

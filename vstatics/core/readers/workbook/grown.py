@@ -1,4 +1,4 @@
-"""Nodes that are built value by value, from different cells."""
+"""Nodes that are built value by value, from several cells."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from vstatics.core.readers.workbook.sheets import Part
 
 
 class GrownNode:
-    """Mapping or list under construction, at the place of the first cell."""
+    """Mapping or list under construction; its place is that of its first cell."""
 
     def __init__(self, line: int, column: int) -> None:
         self.line, self.column = line, column
@@ -16,11 +16,11 @@ class GrownNode:
         """First value of each key."""
 
     def below(self, part: Part) -> GrownNode | Node | None:
-        """Return the value at a key or a number, or `None`."""
+        """Return the value under a key or item number; None if missing."""
         return self._values.get(part)
 
     def add(self, part: Part, value: GrownNode | Node) -> None:
-        """Add a value at a key or a number."""
+        """Add a value under a key or item number."""
         key = Scalar(str(part), value.line, value.column, plain=False)  # a name, never null
         self.entries.append((part, key, value))
         self._values.setdefault(part, value)
@@ -45,7 +45,7 @@ class GrownNode:
 
 
 def moved(node: Node, line: int, column: int) -> Node:
-    """Return a tree with all nodes at a single place."""
+    """Return a copy of a tree in which all nodes have the same place."""
     if isinstance(node, Scalar):
         return node._replace(line=line, column=column)
     if isinstance(node, Listing):

@@ -1,4 +1,4 @@
-"""Parts of a workbook file within bounds: sheets, shared texts and formats of dates."""
+"""Reader of the parts of a workbook file, with limits on size: sheets, texts, date formats."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOST_UNPACKED_BYTES = 10_000_000
 MOST_STYLE_BYTES = 20_000_000
 """Largest size of the part with the cell formats. [bytes]
 
-Only the numbers of the formats for dates are stored from it.
+The limit is high because only the numbers of date formats are stored.
 """
 MOST_NESTED_ELEMENTS = 100
 MOST_WORKBOOK_SHEETS = 1000
@@ -25,7 +25,7 @@ _PART_PIECE = 2**16
 _BUILT_IN_DATES = frozenset([*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)])
 """Numbers of built-in formats for dates or times."""
 _NO_DATE = re.compile(r'"[^"]*"|\[(?!hh?\]|mm?\]|ss?\])[^\]]*\]|[_\\].')
-"""Literal parts of a format: texts, colours, single letters."""
+"""Pattern of literal parts of a number format: texts, colours, single letters."""
 
 Start = Callable[[str, Mapping[str, str]], object]
 End = Callable[[str], object]
@@ -34,12 +34,12 @@ End = Callable[[str], object]
 def parse(
     stream: io.BufferedIOBase | Any, start: Start, end: End = lambda _: None, text: Any = None
 ) -> None:
-    """Parse the elements of a part, and call the handlers with names without the namespace.
+    """Parse the XML elements of a part, and call the handlers with names without namespace.
 
     Raises
     ------
     ValueError
-        If the part is nested too deeply, or has a document type, whose entities can be hostile.
+        If the part is nested too deeply, or has a document type, because entities can be hostile.
     ExpatError
         If the part is not valid XML.
     """
@@ -85,7 +85,7 @@ class PackedParts:
     """
 
     def __init__(self, data: bytes) -> None:
-        """Find the sheets."""
+        """Read the list of sheets."""
         self._packed = zipfile.ZipFile(io.BytesIO(data))
         self._left = MOST_UNPACKED_BYTES
         roots = self._relations("")
@@ -142,20 +142,20 @@ class PackedParts:
         return relations
 
     def date(self, value: str) -> str:
-        """Return the date and time after a number of days, or an invalid value unchanged."""
+        """Return the date and time for a number of days as text; an invalid value is unchanged."""
         try:
             return str(self._first_day + dt.timedelta(days=float(value)))
         except (OverflowError, ValueError):
             return value
 
     def _part(self, kind: str) -> str:
-        """Return the path of a part by kind, or an empty text."""
+        """Return the path of a part, by its kind; empty if it is missing."""
         paths = [path for of, path in self._related.values() if of == kind]
         return next((path for path in paths if path in self._packed.NameToInfo), "")
 
     @cached_property
     def texts(self) -> list[str]:
-        """Texts shared by cells, without phonetic hints."""
+        """Texts that cells share, without phonetic hints."""
         texts = []
         parts: list[str] = []
         inside = []
@@ -207,7 +207,7 @@ class PackedParts:
 
 
 def _is_date(number: str, code: str | None) -> bool:
-    """Check whether a format is for dates or times.
+    """Return whether a number format is for dates or times.
 
     >>> _is_date("14", None), _is_date("165", "[h]:mm"), _is_date("165", '0.0 "days"')
     (True, True, False)

@@ -1,7 +1,7 @@
 """Sheets of a case in a workbook, and the conversion of texts and paths to cells and back.
 
-A cell whose text begins with a bracket, a brace or a double quote is read like YAML, so that a list
-fits into a cell. Every other cell is a plain text.
+A cell whose text begins with a bracket, a brace or a double quote is read as YAML, so that a cell
+can contain a list. Every other cell is a plain text.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from vstatics.core.model.paths import PathPart, in_quotes, split, written
 from vstatics.core.model.shape import ByKey, ByKind, ByName
 
 CASE_SHEET = "case"
-"""Sheet of paths and values, for all keys without a sheet."""
+"""Name of the sheet of paths and values, for all keys without a sheet."""
 LINKS = "links"
-"""Sheet with a single column, of names."""
+"""Name of the sheet with the names of links, in a single column."""
 GEARS = "gears"
-"""Sheet whose columns can also be shift elements."""
+"""Name of the sheet of gears, whose columns can also be shift elements."""
 ENGAGED = "x"
-MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # Latin, Cyrillic, times
+MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # Latin and Cyrillic x, times
 MARKS |= dict.fromkeys(["-", "\u2013", "\u2014", "\u2212", "false"], False)
 """Whether a shift element is engaged, by the mark in a shift table."""
 LONGEST_NUMBER = 9
-"""Maximum number of digits of the number of an item."""
+"""Maximum number of digits of an item number."""
 
 Part = str | int
 """Part of a path: a key, or the number of an item from 1."""
@@ -38,15 +38,15 @@ _WORDS = frozenset({"", "~", "null", "Null", "NULL"})
 _UNSAFE = re.compile(
     r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]|_(?=x[0-9A-Fa-f]{4}_)"
 )
-"""Characters that XML, YAML or spreadsheet programs change, such as the escape `_x000a_`."""
+"""Pattern of characters that XML, YAML or spreadsheets would change, such as `_x000a_`."""
 _ITEM = re.compile(rf"(.*?)((?:\[\d{{1,{LONGEST_NUMBER}}}\])+)\Z", re.DOTALL)
 
 
 class PartSheet(NamedTuple):
-    """Sheet with a row for each part of a case, and the name of the part in the first column."""
+    """Declaration of a sheet with a row for each part; the first column contains its name."""
 
     first: dict[str, Path]
-    """Headings that always come first, with paths."""
+    """Headings that always come first, each with its path."""
     known: frozenset[str]
     """Keys with which the path of a heading can begin."""
 
@@ -73,7 +73,7 @@ SHEETS = (CASE_SHEET, LINKS, *PART_SHEETS)
 
 
 def text_cell(text: str) -> str:
-    r"""Return a text as a cell, in quotes if the plain text would be read differently.
+    r"""Return a text as a cell; in quotes, if the plain text would be read differently.
 
     >>> text_cell("sun"), text_cell("[1] a"), text_cell(" a\r")
     ('sun', '"[1] a"', '" a\\r"')
@@ -94,7 +94,7 @@ def flow_cell(value: Any) -> str:
 
 
 def is_flow(text: str) -> bool:
-    """Check whether the text of a cell is read like YAML.
+    """Return whether the text of a cell is read as YAML.
 
     >>> is_flow("[[0, 1]]"), is_flow("3000 rpm")
     (True, False)
@@ -103,7 +103,7 @@ def is_flow(text: str) -> bool:
 
 
 def can_be_path(keys: Sequence[str]) -> bool:
-    """Check whether keys can be written in a path: not empty, and with a single kind of quotes."""
+    """Return whether keys can be written in a path: not empty, and without mixed quotes."""
     return not any(not key or ('"' in key and "'" in key) for key in keys)
 
 
@@ -120,7 +120,7 @@ def path_cell(parts: Sequence[Part]) -> str:
 
 
 def quoted_path_cell(parts: Sequence[Part]) -> str:
-    """Return a path as a cell, with a quoted first key, unlike the name of a shift element.
+    """Return a path as a cell; its first key is quoted to distinguish it from a shift element.
 
     >>> quoted_path_cell(("speeds", "C1"))
     '"speeds".C1'
@@ -147,7 +147,7 @@ def path_parts(text: str) -> Path:
 
 
 def _with_items(part: PathPart, text: str) -> Path:
-    """Return the key of a part of a path, and the numbers in brackets behind the key."""
+    """Return the key of a part of a path, followed by its item numbers in brackets."""
     items = None if text[part.at] in "\"'" else _ITEM.fullmatch(part.name)
     if items is None:
         return (part.name,)

@@ -1,4 +1,4 @@
-"""Tree of nodes from the cells of sheets, like the tree of a text in YAML."""
+"""Builder of a tree of nodes from the cells of sheets, equal to the tree of a YAML text."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ from vstatics.core.readers.workbook.sheets import (
 from vstatics.core.suggestions import nearest
 
 _ROWS = MOST_ROWS + 2
-"""Difference of line numbers between two sheets; a line number of a node encodes sheet and row."""
+"""Offset between the line numbers of two sheets; the line of a node encodes sheet and row."""
 
 
 class WorkbookSource(Source):
-    """Workbook whose places are cells."""
+    """Source of a workbook, in which places are cells."""
 
     def __init__(self, file: str, sheets: Sequence[str]) -> None:
         super().__init__(file, "")
@@ -84,7 +84,7 @@ class TreeOfSheets:
         return node
 
     def _check_names(self) -> None:
-        """Check the names of sheets; unknown names are allowed unless similar to a known name."""
+        """Check the names of sheets; unknown names are an error only if similar to a known name."""
         if self.sheets.keys().isdisjoint(SHEETS):
             names = ", ".join(map(quoted, SHEETS))
             self.document.stop(f"no sheet of a case, expected some of {names}", 0, 1)
@@ -103,7 +103,7 @@ class TreeOfSheets:
         self.document.add(message, line, column, identity="E118")
 
     def _below_heading(self, name: str) -> list[list[ReadCell]]:
-        """Return the rows of a sheet below the headings, of which the first must be `name`."""
+        """Return the rows of a sheet below its headings, the first of which must be `name`."""
         rows = self.sheets[name]
         if not rows:
             return []
@@ -122,7 +122,7 @@ class TreeOfSheets:
                 grown.add(number, self._value(row[0]))
 
     def _parts(self, grown: GrownNode, name: str, rows: Sequence[list[ReadCell]]) -> None:
-        """Add parts with a row each."""
+        """Add the parts of a sheet; each row is a part."""
         elements = self._shift_elements() if name == GEARS else {}
         paths, engaged = self._headings(name, elements)
         for row in rows:
@@ -144,7 +144,7 @@ class TreeOfSheets:
                 self._refuse(row[0], f"the name {quoted(text)} is given twice")
 
     def _shift_elements(self) -> dict[str, str]:
-        """Return the names of shift elements by heading."""
+        """Return the names of shift elements that can be headings of the sheet of gears."""
         rows = self.sheets.get("shift_elements", [])[1:]
         headings = [row[0].text for row in rows if row[0].column == 1]
         for row in self.sheets.get(CASE_SHEET, [])[1:]:
@@ -164,7 +164,7 @@ class TreeOfSheets:
     def _headings(
         self, name: str, elements: Mapping[str, str]
     ) -> tuple[dict[int, Path], dict[int, str]]:
-        """Return the paths and the shift elements in the headings, by columns."""
+        """Return the paths and the shift elements given by the headings, by column."""
         paths, engaged = dict[int, Path](), dict[int, str]()
         sheet, rows = PART_SHEETS[name], self.sheets[name]
         given = set()
@@ -200,7 +200,8 @@ class TreeOfSheets:
     ) -> None:
         """Add the engaged shift elements of a gear, in the order of columns or given numbers.
 
-        A shift table of 1 and 0 is read alike: orders count from 1, and 0 is disengaged.
+        A number gives the position in the order, from 1; 0 means disengaged. So a shift table of 1
+        and 0 can be read, too.
         """
         engagements = []
         for cell in cells:
@@ -244,7 +245,7 @@ class TreeOfSheets:
             self._put(root, parts, path, self._value(values[0]))
 
     def _put(self, grown: GrownNode, parts: Sequence[Part], cell: ReadCell, value: Node) -> None:
-        """Add a value at a path; the path is empty after a refused heading."""
+        """Add a value at a path; an empty path, after a wrong heading, is ignored."""
         if not parts:
             return
         for part in parts[:-1]:

@@ -1,11 +1,12 @@
 """Results at many operating points, at which any numbers of a case vary, in SI units.
 
 `paths` finds the numbers that a path names. `parts` groups points by numbers that require a new
-case, such as tooth numbers, and `relative` by the signs of loads, and relates numbers to the loads.
-`laws` calculates drag torques, efficiencies and losses of gears (`gear_loss`) that depend on speed
-and torque. `roots` searches for an unknown number of each gear: `balance` for the torque that
-balances `machines` with a battery, `converters` for the speed ratio at which a pump takes the
-torque of its gear. `unsolved` states where there is no such solution.
+case, such as tooth numbers; `relative` groups points by the signs of loads, and divides numbers by
+the input speed or torque. `laws` calculates drag torques, efficiencies and losses of gears
+(`gear_loss`) that depend on speed and torque. `roots` searches for an unknown number of each gear:
+`balance` uses it for the torque that balances `machines` with a battery, `converters` for the speed
+ratio at which the pump takes the torque of its gear. `unsolved` reports gears without such a
+solution.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ if TYPE_CHECKING:
 
 
 CONSEQUENCES = frozenset({"W418", "W420", "W423", "W424"})
-"""Ids of messages about missing torques, omitted if W426, W427, W431 or W433 states the cause."""
+"""Ids of messages about missing torques; omitted if W426, W427, W431 or W433 gives the cause."""
 
 
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
@@ -94,8 +95,8 @@ def solve_laws(
 ) -> Results:
     """Calculate a case with laws, or variants of ratios and efficiencies.
 
-    Both arrays have the shape (variants, mechanisms). Numbers equal to those of the case are not
-    varied, so that efficiencies by laws stay laws.
+    Both arrays have the shape (variants, mechanisms). A mechanism whose numbers equal the numbers
+    of the case is not varied, so that an efficiency given by a law continues to follow the law.
     """
     columns: dict[CaseNumber, Floats] = {}
     for owner, mechanism in enumerate(case.mechanisms):
@@ -118,7 +119,7 @@ def solve_laws(
 
 
 def _with_arrays(points: Any, changed: Callable[[Any], Any]) -> OperatingPoints:
-    """Return points with a function applied to every array."""
+    """Return the operating points with a function applied to every array."""
     gears = [
         gear._replace(torques={link: changed(torque) for link, torque in gear.torques.items()})
         for gear in points.gears
@@ -130,7 +131,7 @@ def _with_arrays(points: Any, changed: Callable[[Any], Any]) -> OperatingPoints:
 
 
 def _single(case: Transmission, answer: Followed) -> Results:
-    """Return the results of a single point without the axis of points, with messages."""
+    """Return the results of a single point, without the axis of points but with messages."""
     results, points = answer.results, answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     settled = with_numbers(results.case, answer.columns)
@@ -155,7 +156,7 @@ def _single(case: Transmission, answer: Followed) -> Results:
 
 
 def _settled(gear: Gear, settled: Gear, state: int) -> Gear:
-    """Return the settled gear with NaN for a torque or speed ratio without a single solution."""
+    """Return the solved gear, with NaN for a torque or speed ratio that is not unique."""
     if state in (NO_RATIO, NO_TORQUE):
         return unknown_ratio(gear, settled)
     return unknown_torque(gear, settled) if state in (NO_BALANCE, TWO_BALANCES) else settled

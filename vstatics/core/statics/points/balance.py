@@ -1,10 +1,10 @@
 """Search for the torque on a link that balances the powers of electric machines and a battery.
 
-A link gives its machine the power ``P = -external torque x speed``; the battery receives
-``P x efficiency``, or gives ``P/efficiency`` if P is below 0. An efficiency can depend on the speed
-and the torque of its machine. The surplus is the sum over all machines minus the charging power
-that the case demands. The module `roots` finds the torques at which it vanishes, from a grid of
-torques of both signs and all sizes.
+A link gives its machine the power ``P = -external torque x speed``; the battery receives ``P x
+efficiency``, or gives ``P/efficiency`` if P is below 0. An efficiency can depend on the speed and
+the torque of its machine. The surplus is the power that the battery receives from all machines,
+minus the charging power given by the case. The module `roots` searches a grid of torques of both
+signs for the torques at which the surplus vanishes.
 """
 
 from __future__ import annotations
@@ -31,28 +31,28 @@ from vstatics.core.statics.result_arrays import Outside
 from vstatics.core.statics.results import Results
 
 GRID_SIZE = 65
-"""Number of torques in the grid."""
+"""Number of trial torques in the grid."""
 GRID_WIDTH = 100.0
 """Largest torque of the grid, relative to the torque expected from the powers of the gear. [-]"""
 GRID_REFINEMENT = 1000.0
-"""Value of sinh at the end of the grid; a larger value places more of its torques near 0. [-]"""
+"""Value of sinh at the end of the grid; a larger value places more trial torques near 0. [-]"""
 MOST_SOLUTIONS = 3
 """Largest number of sign changes searched for roots."""
 PROBE_PART = 0.37
-"""Arbitrary torque, relative to the input torque, to test if other torques are determinate. [-]"""
+"""Trial torque relative to the input torque, arbitrary, to test if torques are determinate. [-]"""
 NO_BALANCE, TWO_BALANCES = 3, 4
-"""Numbers for the states of a gear: no torque balances the battery, or several torques do."""
+"""States of a gear: no torque balances the battery, or several torques do."""
 
 
 @dataclass(frozen=True, eq=False)
 class OpenBalance:
-    """Battery balance of a gear with the unknown torque of a link."""
+    """Battery balance of a gear, with the unknown torque on a link."""
 
     gear: int
     link: int
     """Link with the unknown torque."""
     efficiencies: tuple[tuple[int, float], ...]
-    """Links and efficiencies of machines, which can be laws."""
+    """Link and efficiency of each machine; an efficiency can be a law. [-]"""
     battery: Floats
     """Charging power of the battery, shape (points,). [W]"""
 
@@ -62,7 +62,7 @@ class OpenBalance:
         return CaseNumber(self.gear, "torques", self.link)
 
     def surplus(self, results: Results) -> Floats:
-        """Return the surplus of charging power at each point [W]."""
+        """Return the power of the machines minus the given charging power, at each point [W]."""
         entering = results.port_powers_kW[:, self.gear]
         total = -self.battery
         for link, efficiency in self.efficiencies:
@@ -72,17 +72,17 @@ class OpenBalance:
         return total
 
     def size(self, results: Results) -> Floats:
-        """Return the sum of all powers at each point [W]."""
+        """Return the sum of the magnitudes of all powers at each point [W]."""
         entering = 1000 * np.abs(results.port_powers_kW[:, self.gear]).sum(axis=-1)
         powers: Floats = entering + np.abs(self.battery)
         return powers
 
     def at(self, points: Integers) -> OpenBalance:
-        """Return the balance at chosen points, by their indices."""
+        """Return the balance restricted to chosen points, given by their indices."""
         return replace(self, battery=self.battery[points])
 
     def machine(self, results: Results, link: int, power: Floats) -> tuple[Floats, Floats]:
-        """Return the magnitude of a machine's speed [rad/s], and its torque along it [N*m].
+        """Return the magnitude of a machine's speed [rad/s], and its torque along the speed [N*m].
 
         The torque follows from the power given to the machine [W]; it is 0 at rest.
         """
@@ -97,7 +97,7 @@ def balanced(
     variants: int,
     follow: Follow,
 ) -> Followed:
-    """Solve all points, with the torques that satisfy the balances.
+    """Calculate all points, with the torques that satisfy the battery balances.
 
     Parameters
     ----------
@@ -143,7 +143,7 @@ def balanced(
 
 
 def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Results) -> Outside:
-    """Return the points at which a machine is outside the map of its efficiency, by its link."""
+    """Return marks of points at which a machine is outside its efficiency map, by its link."""
     outside: dict[str, Booleans] = {}
     for balance in balances:
         for link, law in balance.efficiencies:
@@ -160,23 +160,23 @@ def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Resul
 
 
 def unknown_torque(gear: Gear, settled: Gear) -> Gear:
-    """Return the settled gear with NaN for the torque that does not have exactly one solution."""
+    """Return the solved gear, with NaN for the torque that is not unique."""
     return settled._replace(torques={**settled.torques, sought_link(gear, settled): math.nan})
 
 
 def sought_link(gear: Gear, settled: Gear) -> int:
-    """Return the link with the unknown torque: only the settled gear has a torque on this link."""
+    """Return the link with the unknown torque, on which only the solved gear has a torque."""
     return next(link for link in settled.torques if link not in gear.torques)
 
 
 def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance]]:
-    """Separate a case into a case without balances and the balances with unknown torques.
+    """Split a case into the case without balances, and the balances with unknown torques.
 
     Raises
     ------
     CaseError
-        If several links have neither speed nor torque, and a torque on a single link would not
-        determine the others by equilibrium.
+        If several links have neither a speed nor a torque, and no single torque determines the
+        others by equilibrium.
     """
     gears, balances = list(case.gears), []
     for index, gear in enumerate(case.gears):
@@ -189,10 +189,10 @@ def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance
 
 
 def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None]:
-    """Return the link with the unknown torque in a gear, and links whose torques follow.
+    """Return the link with the unknown torque in a gear, and links whose torques follow from it.
 
-    If a machine is on a separate gear train, that train determines its torque. The unknown is then
-    the torque of another machine, although its speed is given.
+    The torque of a machine on a separate gear train follows from the equilibrium of this train. The
+    unknown is then the torque of another machine, even if the speed of that machine is given.
     """
     gear = case.gears[index]
     output = case.gear_output(gear)
@@ -243,7 +243,7 @@ def _scales(
 def _with_torques(
     results: Results, balances: list[OpenBalance], columns: Columns, unknown: Any
 ) -> Results:
-    """Return results with the torques found, and NaN at points with no or several solutions."""
+    """Return results with the solved torques; NaN at points with no or several solutions."""
     changed: dict[str, Any] = {}
     points: Any = results.points
     for name in ("holding_torques", "lossy_holding_torques"):

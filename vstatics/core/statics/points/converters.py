@@ -1,9 +1,9 @@
 """Search for the speed ratio at which the pump of a converter takes the torque of its gear.
 
-The torque ``M`` that the gear gives to the pump with all losses, and the speed ``w`` of the pump,
-depend on the speed ratio i. At the working point ``M = lambda(i) w |w|``, equation (1.38) of
-Tsitovich and Algin, 1981. The module `roots` finds all such speed ratios from the first to the last
-point of the converter. Of several, the largest is used.
+The torque M that the gear (with all losses) gives to the pump, and the speed w of the pump, depend
+on the speed ratio i. At the working point ``M = lambda(i) w |w|``, equation (1.38) of Tsitovich and
+Algin, 1981. The module `roots` searches all speed ratios between the first and the last point of
+the converter. If there are several solutions, the largest speed ratio is used.
 """
 
 from __future__ import annotations
@@ -37,15 +37,15 @@ from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.results import Results
 
 LEAST_TRIALS = 65
-"""Least number of speed ratios in the grid."""
+"""Smallest number of trial speed ratios in the grid."""
 MOST_SPEED_RATIOS = 16
-"""Largest number of sign changes searched for speed ratios."""
+"""Largest number of sign changes in which a speed ratio is searched for."""
 ROUNDED = 16 * EPSILON
-"""Relative difference of the torques on a pump that comes from rounding alone."""
+"""Relative difference of the torques on a pump that is attributed to rounding. [-]"""
 LOSSY_SPEED_RATIO = 0.01
 """Speed ratio at which any real converter loses power. [-]"""
 TRIALS = 0.382, 0.618
-"""Parts of the range of speed ratios at which gears without a solution are calculated."""
+"""Two places in the range of speed ratios (0 to 1) at which gears without a solution are solved."""
 NO_RATIO, NO_TORQUE = 6, 7
 """States of a gear: no speed ratio agrees with the load, or no speed ratio gives torques."""
 OF_SPEEDS = ("speeds", "planet_speeds", "slip_speeds", "ratio", "speed_ratio")
@@ -58,10 +58,10 @@ class SoughtRatio:
 
     gear: int
     owner: int
-    """Number of the converter among the mechanisms that the case gives."""
+    """Number of the converter among the mechanisms given by the case."""
     converter: Mechanism
     rows: tuple[int, int]
-    """Rows of the converter in the arrays `torques` and `speed_ratio`."""
+    """Index of the converter on the last axis of the arrays `torques` and `speed_ratio`."""
     is_alone: bool
     """True if nothing but the converter connects the two sides, so that the speed ratio does not
     change the speed of the pump nor the torque of the gear on it."""
@@ -73,15 +73,15 @@ class SoughtRatio:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """First and last speed ratio of the points [-]."""
+        """First and last speed ratio of the converter's points [-]."""
         return self.converter.points[0][0], self.converter.points[-1][0]
 
     @property
     def grid(self) -> Floats:
-        """Trial speed ratios in descending order, which contain the points [-].
+        """Trial speed ratios in descending order, including the points of the converter [-].
 
-        Around a speed ratio at which the converter loses no power, they are close together, because
-        beyond it there are no torques.
+        They are close together near a speed ratio at which the converter loses no power, because no
+        torques exist beyond it.
         """
         by_ratio = [point[0] for point in self.converter.points]
         pieces = math.ceil((LEAST_TRIALS - 1) / max(len(by_ratio) - 1, 1))
@@ -91,13 +91,13 @@ class SoughtRatio:
         return np.unique(trials[(trials >= by_ratio[0]) & (trials <= by_ratio[-1])])[::-1]
 
     def at(self, points: Integers) -> SoughtRatio:  # noqa: ARG002 - nothing differs from point to point
-        """Return the speed ratio at chosen points."""
+        """Return the unknown speed ratio unchanged, for any selection of points."""
         return self
 
     def surplus(self, results: Results) -> Floats:
-        """Return the torque that the gear gives to the pump less the torque that it takes [N*m].
+        """Return the torque given to the pump minus the torque that the pump takes [N*m].
 
-        It is 0 where a freewheel locks up the converter.
+        The difference is 0 where a freewheel locks up the converter.
         """
         ratio = self._ratio(results)
         brought, speed = self.on_pump(results)
@@ -108,7 +108,7 @@ class SoughtRatio:
         return np.where(agrees, 0.0, left)
 
     def size(self, results: Results) -> Floats:
-        """Return the larger of the torque of the gear and the largest torque of the pump [N*m]."""
+        """Return the larger of the torque on the pump and the largest torque it can take [N*m]."""
         brought, speed = self.on_pump(results)
         most = max(abs(point[2]) for point in self.converter.points)
         size: Floats = np.maximum(np.abs(brought), most * speed**2)
@@ -116,12 +116,12 @@ class SoughtRatio:
 
     @property
     def slow(self) -> float:
-        """Speed ratio at which a driven pump loses power [-]."""
+        """Low speed ratio at which a converter driven by its pump certainly loses power [-]."""
         return min(self.ends[1], LOSSY_SPEED_RATIO)
 
     @property
     def fast(self) -> float:
-        """Speed ratio from which a converter driven by its turbine loses power [-]."""
+        """High speed ratio at which a converter driven by its turbine certainly loses power [-]."""
         last, torque_ratio = self.converter.points[-1][:2]
         return 2 * max(last, 1.0, 1 / torque_ratio if torque_ratio else 0.0)
 
@@ -135,7 +135,7 @@ class SoughtRatio:
 
 
 def _lossless(converter: Mechanism) -> list[float]:
-    """Return the speed ratios between the points at which the torque ratio is 1/i."""
+    """Return the speed ratios i between the points at which the torque ratio is 1/i: no loss."""
     ratios = []
     for (left, before, _), (right, after, _) in pairwise(converter.points):
         slope = (after - before) / (right - left)
@@ -145,12 +145,12 @@ def _lossless(converter: Mechanism) -> list[float]:
 
 
 def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, list[SoughtRatio]]:
-    """Separate a case into a case with trial speed ratios and the speed ratios that are sought.
+    """Split a case into the case with trial speed ratios, and the unknown speed ratios.
 
     Parameters
     ----------
     given : mapping
-        Varied numbers. A speed ratio among them is not sought.
+        Varied numbers. A speed ratio among them is known, so it is not searched for.
     """
     gears, sought = list(case.gears), list[SoughtRatio]()
     torques, ratios = first_rows(case), row_names(case, "converters")
@@ -170,7 +170,7 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
 
 
 def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
-    """Return whether only a converter connects the input with the other side of a gear."""
+    """Return whether only a converter connects the input, on its pump side, with its turbine."""
     bodies = list(range(case.links + 1))
     drag, freewheels = case.gear_open_drag(gear), case.freewheels
     joining: list[Iterable[int]] = [
@@ -199,14 +199,14 @@ def with_found_ratios(
     variants: int,
     follow: Follow,
 ) -> Followed:
-    """Solve all points, with the speed ratios at which the pumps take the torques of the gears.
+    """Calculate all points, with the speed ratios at which the pumps take the torques of the gears.
 
     Parameters
     ----------
     case : Transmission
         Case with trial speed ratios.
     sought : sequence of SoughtRatio
-        Speed ratios that are sought, in different gears.
+        Unknown speed ratios of different gears.
     given : mapping
         Columns of varied numbers.
     variants : int
@@ -271,10 +271,10 @@ def _roots(
 
 
 def _roots_alone(ratio: SoughtRatio, slow: Results, fast: Results) -> Roots:
-    """Return the roots of a converter that alone connects two sides, from two trials.
+    """Return the roots of a converter that alone connects its two sides, from two trial solutions.
 
-    The torque of the gear and the speed of the pump are equal at all speed ratios at which torques
-    exist, and lambda is linear between the points.
+    The torque on the pump and the speed of the pump are equal at all speed ratios at which torques
+    exist, and lambda is linear between the points, so no iteration is needed.
     """
     brought, speed = (
         np.fmax(*pair) for pair in zip(*map(ratio.on_pump, (slow, fast)), strict=True)
@@ -298,7 +298,7 @@ def _extended(grid: Floats, length: int) -> Floats:
 
 
 def _apart(found: Floats) -> Floats:
-    """Return the speed ratios below the largest, shape (points, ratios); NaN for repetitions."""
+    """Return the solutions below the largest speed ratio, (points, ratios); NaN for repetitions."""
     others = found[1:].copy()
     others[found[:-1] - found[1:] <= SAME_SOLUTION] = np.nan
     return others.T
@@ -311,10 +311,10 @@ def _mark_gaining(
     follow: Follow,
     state: Integers,
 ) -> None:
-    """Mark gears without torques for which only their converter is the cause.
+    """Set the state NO_RATIO for gears that lack torques only because of their converter.
 
-    It would gain power at every speed ratio of its points, as in a gear that coasts. At a larger
-    speed ratio it would lose power, and the gear would have torques.
+    Such a converter would gain power at every speed ratio of its points, as in a gear that coasts.
+    At a larger speed ratio it would lose power, and the gear would have torques.
     """
     if not (state == NO_TORQUE).any():
         return
@@ -328,7 +328,7 @@ def _mark_gaining(
 def _without_ratios(results: Results, other: Results, state: Integers) -> Results:
     """Return results without torques in gears whose speed ratio is unknown.
 
-    Speeds that differ between two trial speed ratios are unknown, too.
+    Speeds are unknown too if they differ between two trial speed ratios.
     """
     changed: dict[str, Any] = {}
     lacks = state != 0
@@ -347,7 +347,7 @@ def _without_ratios(results: Results, other: Results, state: Integers) -> Result
 
 
 def unknown_ratio(gear: Gear, settled: Gear) -> Gear:
-    """Return the settled gear with NaN for the speed ratio that its load does not determine."""
+    """Return the solved gear, with NaN for the speed ratio that its load does not determine."""
     owners = settled.speed_ratios.keys() - gear.speed_ratios.keys()
     unknown = dict.fromkeys(owners, math.nan)
     return settled._replace(speed_ratios={**settled.speed_ratios, **unknown})

@@ -1,4 +1,4 @@
-"""Loss of a gear that is measured as a whole, as a torque that brakes the input link."""
+"""Loss of a gear measured as a whole, represented by a torque that brakes the input link."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.tolerances import SAME_SOLUTION
 
 ROUNDING = 1e-12
-"""Relative distance up to which a solution counts as inside an interval of the map. [-]"""
+"""Relative distance outside an interval of the map up to which a solution counts as inside. [-]"""
 
 
 def brake_torque(loss: Law, speed: Floats, torque: Floats) -> Floats:
@@ -47,7 +47,7 @@ def braked_torques(loss: Law, speed: Floats, passed: Floats) -> tuple[Floats, In
     speed : ndarray
         Magnitude of the input speed. [rad/s]
     passed : ndarray
-        Torque along the speed that the input link passes on. [N*m]
+        Torque in the direction of the speed that remains after the loss. [N*m]
 
     Examples
     --------

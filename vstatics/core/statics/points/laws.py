@@ -1,11 +1,11 @@
 """Losses that depend on speed, torque or both, solved for all points at once.
 
-Speeds do not depend on losses, so they determine drag torques, efficiencies over speed, and the
-losses of gears as a whole, whose input torque is given. If drag changes the state of freewheels,
-this is repeated until the states settle. Efficiencies over torque, or over speed and torque, are
-found by fixed-point iteration, from the smallest and from the largest values. If only one
-efficiency of a gear depends on torque, all its solutions between the two results are searched for.
-A solution is accepted only if it is the only one.
+Speeds do not depend on losses. Therefore drag torques, efficiencies over speed, and the losses of
+gears as a whole (whose input torque is given) follow directly from the speeds. If drag changes the
+states of freewheels, they are recalculated until the states settle. Efficiencies over torque, or
+over speed and torque, result from fixed-point iterations that start from the smallest and the
+largest values. If the efficiencies of only one mechanism of a gear depend on torque, a scan of the
+whole range searches for further solutions. A solution is accepted only if it is unique.
 """
 
 from __future__ import annotations
@@ -30,49 +30,49 @@ from vstatics.core.statics.results import Results
 MOST_FIXED_POINT_STEPS = 100
 """Largest number of fixed-point iterations."""
 MOST_EXTRAPOLATED_STEPS = 40
-"""Largest number of further iterations, for slow or oscillating ones, with extrapolation."""
+"""Largest number of further, extrapolated iterations if the iteration is slow or oscillates."""
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
-"""Number of trial values of an efficiency that is the only unknown efficiency of a gear."""
+"""Number of trial values of an efficiency if it alone depends on torque in its gear."""
 MOST_ROOTS = 3
-"""Largest number of sign changes searched for roots."""
+"""Largest number of sign changes in which a root is searched for."""
 ROOT_BISECTIONS = 60
 """Number of bisections for a root, enough for the precision of a float."""
 LEAST_EFFICIENCY = 1e-6
-"""Efficiency in place of a smaller value of a formula, during a search. [-]"""
+"""Lower bound for efficiencies given by a formula, during a search. [-]"""
 NONE, SEVERAL, NO_EFFICIENCY = 1, 2, 5
-"""States of a gear: no solution, several solutions, or a formula that gives no efficiency."""
+"""States of a gear: no solution, several solutions, or a formula without a valid efficiency."""
 WITH_LOSSES = (
     *("lossy_torques", "lossy_holding_torques", "efficiency", "losses", "power_balance"),
     *("drag_losses", "gear_losses", "slip_losses"),
     *("lossy_mesh_torques", "mesh_losses", "power_sign"),
 )
-"""Names of arrays that are undefined if the efficiencies have no single solution."""
+"""Names of arrays that are undefined if the efficiencies have no unique solution."""
 
 Laws = Mapping[CaseNumber, Law]
 _Sizes = Mapping[CaseNumber, tuple[Floats, ...]]
-"""Magnitudes of speed [rad/s], torque [N*m] or both at which each law is read."""
+"""Magnitudes of speed [rad/s], torque [N*m] or both at which each law is evaluated."""
 
 
 class Followed(NamedTuple):
-    """Solution of a case with laws or balances at all points."""
+    """Solution at all points of a case with laws, battery balances or converters."""
 
     results: Results
     columns: Columns
-    """Varied numbers, completed with the values of laws."""
+    """Values of the varied numbers, and of the numbers that laws determine."""
     open: Integers
-    """State of each point and gear, shape (points, gears): 0 if there is a single solution."""
+    """States as in `OperatingPoints.open`, shape (points, gears): 0 for a unique solution."""
     outside: Outside
-    """Points outside the range of laws, by the name of the part."""
+    """Marks of points outside the range of a law, by the name of the part with the law."""
     wrong: Outside = NOWHERE
-    """Points at which a formula gives no efficiency, by the name of the part."""
+    """Marks of points without a valid efficiency from a formula, by the name of the part."""
     others: Mapping[int, Floats] = MappingProxyType({})
-    """Smaller speed ratios that agree with the load, by gear, shape (points, ratios)."""
+    """Smaller speed ratios of a converter that agree with the load, by gear, (points, ratios)."""
 
 
 def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
-    """Solve all points with drag torques, efficiencies and losses by laws."""
+    """Calculate all points, with drag torques, efficiencies and losses given by laws."""
     if not case.laws:
         settled = np.zeros((variants, len(case.gears)), np.int8)
         return Followed(solve_points(case, given, variants), given, settled, NOWHERE)
@@ -98,7 +98,7 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
 
 
 def laws_of(case: Transmission) -> Laws:
-    """Return all laws of a case, by the number that each determines."""
+    """Return all laws of a case, by the number that the law determines."""
     numbers: dict[CaseNumber, Any] = {}
     for index, gear in enumerate(case.gears):
         for n, torque in case.gear_open_drag(gear).items():
@@ -151,9 +151,9 @@ def _with_speeds(
     columns: dict[CaseNumber, Floats],
     variants: int,
 ) -> tuple[Results, dict[CaseNumber, tuple[Floats, ...]], Booleans]:
-    """Solve with laws over known quantities; return results, the quantities, and unsettled gears.
+    """Return results with laws over known quantities, the quantities, and marks of unsettled gears.
 
-    Drag can release or lock a freewheel, which changes the speeds.
+    Drag can release or lock a freewheel, which changes the speeds and therefore the drag.
     """
     results = solve_points(plain, columns, variants)
     loads: Any = loads_of(plain, columns, variants)
@@ -175,7 +175,7 @@ def _with_speeds(
 
 
 def _speed(case: Transmission, results: Results, columns: Columns, number: CaseNumber) -> Floats:
-    """Return the magnitude of the speed at which a law is read [rad/s]; 0 if indeterminate."""
+    """Return the magnitude of the speed at which a law is evaluated [rad/s]; 0 if indeterminate."""
     index, quantity, owner = number
     if quantity in ("drag", "loss_torques"):
         speed = results.speeds[:, index, owner - 1]
@@ -193,7 +193,7 @@ def _speed(case: Transmission, results: Results, columns: Columns, number: CaseN
 
 
 def _values(law: Law, number: CaseNumber, sizes: tuple[Floats, ...]) -> Floats:
-    """Return the drag torque, efficiency or brake torque of a law."""
+    """Return the drag torque [N*m], efficiency [-] or brake torque [N*m] that a law determines."""
     if number.quantity == "loss_torques":
         return brake_torque(law, *sizes)
     values: Floats = law.at(*sizes)
@@ -228,7 +228,7 @@ def _differ(speeds: Floats, others: Floats) -> Booleans:
 def _wrong_efficiencies(
     case: Transmission, laws: Laws, sizes: _Sizes, results: Results, settled: Booleans
 ) -> Outside:
-    """Return the points at which the formula of an efficiency in use is not above 0 and up to 1."""
+    """Return marks of points at which the formula of an efficiency in use is outside (0, 1]."""
     by_name: dict[str, Booleans] = {}
     settled = settled & results.consistent
     for number, law in laws.items():
@@ -246,7 +246,7 @@ def _is_efficiency(number: CaseNumber) -> bool:
 
 
 def _is_in_use(case: Transmission, number: CaseNumber, results: Results) -> Booleans:
-    """Return whether power flows through the mechanism in the direction of the efficiency."""
+    """Return marks of points at which power flows in the direction of the efficiency."""
     sign = results.power_sign[:, number.gear, number.owner]
     in_use: Booleans = sign > 0 if number.quantity == "efficiency" else sign < 0
     return in_use if case.mechanisms[number.owner].back_efficiency is not None else sign != 0
@@ -257,7 +257,7 @@ def _are_efficiencies(values: Floats) -> Booleans:
 
 
 class _Search:
-    """Search for efficiencies over torque, consistent with the resulting torques."""
+    """Search for efficiencies that depend on torque and agree with the resulting torques."""
 
     def __init__(self, case: Transmission, columns: Columns, laws: Laws, results: Results) -> None:
         self.case, self.columns, self.laws = case, columns, laws
@@ -270,7 +270,7 @@ class _Search:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
 
     def sizes(self, results: Results) -> dict[CaseNumber, tuple[Floats, ...]]:
-        """Return the magnitudes of speed and torque at which each law is read; NaN if undefined."""
+        """Return the magnitudes of speed and torque at which laws are evaluated, or NaN."""
         torques = results.lossy_torques_Nm
         return {
             number: law.sizes_of(
@@ -282,24 +282,25 @@ class _Search:
     def _tried(
         self, guess: Mapping[CaseNumber, Floats]
     ) -> tuple[Results, dict[CaseNumber, Floats]]:
-        """Solve with guessed efficiencies; return results and the efficiencies by the laws."""
+        """Return results for guessed efficiencies, and the efficiencies that the laws then give."""
         results = solve_points(self.case, {**self.columns, **guess}, self.variants)
         sizes = self.sizes(results)
         efficiencies = {}
         for number, law in self.laws.items():
             values: Floats = law.at(*sizes[number])
-            if law.text:  # the value of a formula is judged at the solution
+            if law.text:  # a formula is checked only at the solution
                 values = np.clip(np.nan_to_num(values, nan=LEAST_EFFICIENCY), LEAST_EFFICIENCY, 1.0)
             efficiencies[number] = np.where(np.isnan(sizes[number][-1]), np.nan, values)
         return results, efficiencies
 
     def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
-        """Iterate to a fixed point from an end of each law: `end` is min or max of efficiencies.
+        """Iterate to a fixed point, starting at an end of each law (`end` is `min` or `max`).
 
         Returns
         -------
         guess, is_fixed, is_lacking
-            Efficiencies, and flags (points, gears) of convergence and of missing torques.
+            Efficiencies, and flags of shape (points, gears) that mark convergence and missing
+            torques.
         """
         guess = {
             number: np.full(self.variants, float(end(_ends(law))))
@@ -328,7 +329,7 @@ class _Search:
         return guess, still & ~lacking, lacking
 
     def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Integers]:
-        """Return results of the single solution, all numbers, and the states of gears."""
+        """Return results, all numbers, and the state of each gear, 0 for a unique solution."""
         several = any(len(numbers) > 1 for numbers in self.of_gear.values())
         starts = [self._from(end) for end in (min, max, *[_middle] * several)]
         best, still, lacking = starts[0]
@@ -343,13 +344,13 @@ class _Search:
             state[~still & stands] = 0
             still = still | stands
         self._scan(best, state)
-        state[lacking & (state == NONE)] = 0  # other messages report missing torques
+        state[lacking & (state == NONE)] = 0  # missing torques are reported elsewhere
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
         return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
-        """Search laws for all solutions of gears in which a single mechanism has laws."""
+        """Scan the range of efficiencies for all solutions, if one mechanism of a gear has laws."""
         single = [
             number
             for numbers in self.of_gear.values()
@@ -380,7 +381,7 @@ class _Search:
         grid: Floats,
         left: Floats,
     ) -> None:
-        """Count the roots of an efficiency, unless the only sign change is the known solution."""
+        """Count the solutions for an efficiency, and update the states of gears."""
         turns = np.sign(left[1:]) * np.sign(left[:-1]) < 0
         turns |= (left[1:] == 0) & (np.arange(1, SCAN_POINTS) < SCAN_POINTS - 1)[:, None]
         gear_state, order = state[:, number.gear], np.cumsum(turns, axis=0)
@@ -406,9 +407,9 @@ class _Search:
         left: Floats,
         place: Integers,
     ) -> tuple[Floats, Booleans]:
-        """Bisect for the root after a grid point; return the root and flags of success.
+        """Return the root in the interval after a grid point, by bisection, and flags of success.
 
-        At a jump there is no root.
+        A sign change without a root is a jump of the efficiency; its flag is False.
         """
         low, high = grid[place], grid[place + 1]
         at_low = np.sign(np.take_along_axis(left, place[None], axis=0)[0])
@@ -423,14 +424,14 @@ class _Search:
 
 
 def _extrapolated(first: Floats, second: Floats, third: Floats) -> Floats:
-    """Return the limits of geometric sequences by Aitken's rule."""
+    """Return the limits of sequences, extrapolated from three terms by Aitken's rule."""
     with np.errstate(divide="ignore", invalid="ignore"):
         limit: Floats = third - (third - second) ** 2 / (third - 2 * second + first)
     return limit
 
 
 def _ends(law: Law) -> tuple[float, float]:
-    """Return the smallest and largest efficiency of a law."""
+    """Return the smallest and the largest efficiency that a law can give [-]."""
     ends: tuple[float, float] = getattr(law, "ends", (LEAST_EFFICIENCY, 1.0))
     return ends
 
@@ -440,7 +441,7 @@ def _middle(ends: Iterable[float]) -> float:
 
 
 def _without_values(results: Results, state: Integers) -> Results:
-    """Return results with undefined losses at points and gears without a single solution."""
+    """Return results with NaN for losses at points and gears without a unique solution."""
     wrong = state != 0
     if not wrong.any():
         return results

@@ -1,7 +1,7 @@
-"""Points grouped by numbers of parts, such as tooth numbers; each set of numbers needs a new case.
+"""Groups of points with equal numbers of parts, such as teeth; each group needs its own case.
 
-`elements.part_numbers` lists the numbers of parts and creates the cases, through methods of
-`Transmission`.
+`elements.part_numbers` lists the numbers of parts that can vary; the cases are created by methods
+of `Transmission`.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from vstatics.core.statics.results import Results
 
 
 class CaseOfPoints(NamedTuple):
-    """Case for the points with equal numbers of parts."""
+    """Case for all points with equal part numbers."""
 
     chosen: Integers
     """Indices of the points."""
     case: Transmission
 
     def columns(self, columns: Columns) -> Columns:
-        """Select the points of the case from columns of all points."""
+        """Return the columns restricted to the points of this case."""
         return {number: column[self.chosen] for number, column in columns.items()}
 
 

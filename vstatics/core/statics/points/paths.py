@@ -1,7 +1,8 @@
 """Paths to the numbers of a case that can vary, such as ``load.torque`` or ``gears.low.drag.out``.
 
-Paths contain the names of the case; `*` stands for all gears. Numbers are in SI units, so that the
-power of a battery is in W. Values are checked against the range of their quantity.
+Paths contain names of gears and components of the case; `*` as the name of a gear selects all
+gears. Numbers are in SI units; for example, the power of a battery is in W. Values are checked
+against the range of their quantity.
 """
 
 from __future__ import annotations
@@ -31,17 +32,17 @@ _OF_LOADS: Mapping[Keys, OfLoads] = {
 
 
 class CaseNumber(NamedTuple):
-    """Number of a case that varies, in SI units."""
+    """Identification of a number of a case that varies."""
 
     gear: int | None
     """Index of the gear; None for the operating point of the case."""
     quantity: OfLoads | OfGear | OfMechanism | Literal["battery"]
     owner: int = 0
-    """Link, shift element or mechanism, as in `GearNumber`; 0 for an operating point."""
+    """Number of the link or shift element, or index of the mechanism; 0 for an operating point."""
 
 
 RELATIVE_TO_SPEED: tuple[OfGear, ...] = ("speeds", "slip")
-"""Numbers of a gear that are relative to the speed of the input."""
+"""Quantities of a gear that are relative to the input speed."""
 FREE_RATIOS = ("variator", "converter")
 """Kinds of mechanisms whose speed ratio can differ from gear to gear."""
 Columns = Mapping[CaseNumber, Floats]
@@ -116,7 +117,7 @@ def columns_of(
 
 
 def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
-    """Return the numbers of a case by path; a path can name several.
+    """Return the numbers of a case by path; a path with `*` names the numbers of all gears.
 
     >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
@@ -140,7 +141,7 @@ def measure_of(quantity: str) -> Measure | Literal["power"] | None:
 
 
 def wrong_numbers(quantity: str, numbers: Floats) -> Booleans:
-    """Return flags of invalid numbers of a quantity in SI units."""
+    """Return flags that mark invalid numbers of a quantity in SI units."""
     return _check_quantity(quantity, numbers)[0]
 
 
@@ -178,7 +179,7 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
 
 
 def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumber]:
-    """Return the numbers that have an effect: no speed ratios of bypassed or open converters."""
+    """Return the numbers without speed ratios of converters that are bypassed or open."""
     first = case.own_mechanisms.start - 1
     return [
         number
@@ -222,7 +223,7 @@ def _of_balances(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
 def _together_and_each(
     case: Transmission, numbers: Sequence[int]
 ) -> Iterator[tuple[str, Sequence[int]]]:
-    """Yield all of some gears under the key `*`, then each under its name."""
+    """Yield the indices of gears under the key `*`, then each index under the gear's name."""
     yield "*", numbers
     for number in numbers:
         yield case.gears[number].name, [number]
@@ -244,7 +245,7 @@ def _check(case: Transmission, path: str, number: CaseNumber, column: Floats) ->
 
 
 def _check_quantity(quantity: str, column: Floats) -> tuple[Booleans, str]:
-    """Return flags of the numbers that are not valid, and the text of the expectation."""
+    """Return flags that mark invalid numbers, and a phrase for the valid numbers."""
     if quantity in ("ratio", "efficiency"):
         return matrix.impossible(quantity, column), matrix.EXPECTED[quantity]  # type: ignore[arg-type] # one of the two
     wrong = ~np.isfinite(column)

@@ -1,7 +1,8 @@
 """Solution of points with numbers in SI units, relative to an operating point that can vary.
 
-Points are solved together if their loads have equal signs and the same of their numbers are 0.
-Their equations and the directions of drag are then equal, and a single case represents them all.
+Points are solved together, as variants of a single case, if their loads have equal signs and the
+zeros among their numbers are at the same places. Their equations and the directions of drag are
+then equal.
 """
 
 from __future__ import annotations
@@ -50,13 +51,13 @@ class GearLoad(NamedTuple):
 
     @property
     def _way(self) -> Floats:
-        """Sign of the torque: along the speed, or against the speed when coasting."""
+        """Sign of the torque: that of the speed, or the opposite when coasting."""
         way: Floats = np.sign(np.ones(1) if self.speed is None else self.speed)
         return -way if self.coast else way
 
     @property
     def torque_unit(self) -> Floats | None:
-        """Torque to which torques are relative, as in `Transmission.torque_unit` [N*m]."""
+        """Reference of relative torques, as in `Transmission.torque_unit` [N*m]."""
         return None if self.torque is None else np.where(self.torque == 0, self._way, self.torque)
 
     def unit_of(self, quantity: OfGear) -> Floats | None:
@@ -70,7 +71,7 @@ class GearLoad(NamedTuple):
 
 
 def solve_points(case: Transmission, columns: Columns, variants: int) -> Results:
-    """Solve all points.
+    """Calculate the results of all points.
 
     Raises
     ------
@@ -104,7 +105,7 @@ def loads_of(case: Transmission, columns: Columns, variants: int) -> list[GearLo
     """Return the operating points of each gear, which inherits omitted values from the case."""
 
     def load(index: int, gear: Gear) -> GearLoad:
-        """Apply the case's load, then the gear's; a power gives a new torque at a new speed."""
+        """Return the load of the case, overridden by the gear; a given power keeps P = T w."""
         speed: Floats | None = None
         torque: Floats | None = None
         power: float | None = None
@@ -185,9 +186,9 @@ def with_numbers(case: Transmission, columns: Columns) -> Transmission:
 
 
 def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) -> GearNumbers:
-    """Return the numbers of a gear that vary, relative to the operating points.
+    """Return the numbers of a gear that vary, relative to the input speed or torque.
 
-    A fixed number with a unit is among them, because its relative value varies.
+    Fixed numbers with a unit are included, because their relative values vary with the load.
     """
     numbers: dict[GearNumber, Floats] = {}
     gear = case.gears_with_drag[index]

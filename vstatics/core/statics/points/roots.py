@@ -1,9 +1,9 @@
-"""Search for an unknown number of each gear at which a surplus vanishes, at all points at once.
+"""Search for the unknown number of each gear that makes a surplus vanish, at all points at once.
 
-The unknown is a torque that balances a battery, or the speed ratio of a converter; the surplus is a
-piecewise nearly linear function of it. It is calculated on a grid of trial numbers. In the first
-intervals in which its sign changes, roots are searched for by the Illinois rule (Dowell, Jarratt
-1971) and bisection.
+The unknown number is a torque that balances a battery, or the speed ratio of a converter. The
+surplus (of power or torque) is a nearly piecewise linear function of it, calculated on a grid of
+trial numbers. Roots are searched for in the first few intervals in which the sign of the surplus
+changes, by the Illinois rule (Dowell, Jarratt 1971) and bisection.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.results import Results
 
 EDGE_STEPS = 50
-"""Number of bisections for the last trial number with torques."""
+"""Number of bisections for the limit beyond which a gear has no torques."""
 MOST_ROOT_STEPS = 100
 """Largest number of iterations for a root."""
 MOST_POINTS_AT_ONCE = 100_000
-"""Largest number of points calculated at once, to limit memory."""
+"""Largest number of points calculated at the same time, to limit memory."""
 
 Follow = Callable[[Columns, int], Followed]
-"""Function that solves points, including laws."""
+"""Function that solves a number of points, given columns of varied numbers, including laws."""
 
 
 class Unknown(Protocol):
@@ -45,10 +45,10 @@ class Unknown(Protocol):
         """Return the quantity that vanishes at a root, shape (points,); NaN without torques."""
 
     def size(self, results: Results) -> Floats:
-        """Return the magnitude to which the surplus is relative, shape (points,)."""
+        """Return the reference magnitude for a relative surplus, shape (points,)."""
 
     def at(self, points: Integers) -> Self:
-        """Return the unknown at chosen points, by their indices."""
+        """Return the unknown restricted to chosen points, given by their indices."""
 
 
 U = TypeVar("U", bound=Unknown)
@@ -58,9 +58,9 @@ class Roots(NamedTuple):
     """Roots of an unknown number."""
 
     values: Floats
-    """Roots in the order of the grid, shape (roots, points); NaN where there are fewer."""
+    """Roots in the order of the grid, shape (roots, points), padded with NaN."""
     has_surplus: Booleans
-    """Points at which the surplus exists for any trial number, shape (points,)."""
+    """Marks of points at which the surplus exists for some trial number, shape (points,)."""
 
     @property
     def first(self) -> Floats:
@@ -90,15 +90,15 @@ def find_roots(  # noqa: PLR0913
     Parameters
     ----------
     grids : mapping of Unknown to ndarray, shape (trials, points)
-        Trial numbers in ascending or descending order, equally many for all unknowns.
+        Trial numbers in ascending or descending order; all unknowns have the same number of trials.
     columns : mapping
         Varied numbers.
     follow : callable
         Function that solves points with given numbers.
     most : int
-        Largest number of sign changes searched for roots.
+        Largest number of sign changes in which a root is searched for.
     agreed : float
-        Largest relative surplus that counts as a root, not as a jump. [-]
+        Largest relative surplus at a root; a sign change with a larger surplus is a jump. [-]
     enough : float
         Relative surplus at which the search for a root ends. [-]
     """
@@ -147,11 +147,11 @@ def _surpluses(grids: Mapping[U, Floats], columns: Columns, follow: Follow) -> d
 def _with_edges(
     unknown: Unknown, columns: Columns, trials: Floats, surplus: Floats, follow: Follow
 ) -> tuple[Floats, Floats]:
-    """Insert a row between all rows of trials and surplus, both of shape (trials, points).
+    """Insert a row after each row of trials and surplus, both of shape (trials, points).
 
-    If only one of two neighbouring trials has torques, because friction locks the gear at the
-    other, the new row has the last number with torques, found by bisection, so that a sign change
-    before it is not missed. Otherwise the new row repeats the first of the two.
+    Friction can lock a gear, so that only one of two neighbouring trials has torques. The new row
+    then contains the limit up to which torques exist, from bisection, so that a sign change before
+    this limit is not missed. Otherwise the new row repeats the first of the two trials.
     """
     lacks = np.isnan(surplus)
     wide = np.abs(trials[1:] - trials[:-1]) > SAME_TRIAL * np.abs(trials[1:])
@@ -176,9 +176,9 @@ def _with_edges(
 def _ends(
     trials: Floats, surplus: Floats, turn: int
 ) -> tuple[Floats, Floats, Floats, Floats, Booleans]:
-    """Return trials and surplus at both ends of a sign change, and flags of existence.
+    """Return the trials and surpluses at both ends of a sign change, and flags of existence.
 
-    `turn` is the number of the sign change at each point, from 0.
+    `turn` selects the sign change of each point, counted from 0.
     """
     signs = np.sign(surplus)
     change = (signs[1:] * signs[:-1] < 0) | ((signs[1:] == 0) & (signs[:-1] != 0))
@@ -206,9 +206,9 @@ def _iterate(
 class _RootSearch:
     """Search for roots between two ends, at all points at once.
 
-    The Illinois rule (regula falsi with halved values of an end that stays) alternates with
-    bisection. Numbers without torques have no surplus: they count as beyond the root if `beyond`,
-    else as before the root.
+    The Illinois rule (regula falsi that halves the surplus of an end that stays) alternates with
+    bisection. A trial number without torques has no surplus: it counts as beyond the root if
+    `beyond`, else as before the root.
     """
 
     def __init__(  # noqa: PLR0913
@@ -232,7 +232,7 @@ class _RootSearch:
         """End that was moved last: 1 low, -1 high."""
 
     def guess(self, *, halve: bool) -> Floats:
-        """Return a number between the ends."""
+        """Return the next trial number, by bisection (`halve`) or by regula falsi."""
         halves: Floats = (self.low + self.high) / 2
         if halve:
             return halves
@@ -242,7 +242,7 @@ class _RootSearch:
         return trial
 
     def take(self, trial: Floats, surplus: Floats, size: Floats) -> None:
-        """Move an end to a trial; halve the value of an end that stays twice."""
+        """Move an end to a trial number; halve the surplus of an end that stays twice."""
         left = np.nan_to_num(np.abs(surplus / size), nan=np.inf)
         self.best = np.where(left < self.left, trial, self.best)
         self.left = np.minimum(left, self.left)
@@ -255,16 +255,16 @@ class _RootSearch:
         self.side = np.where(same, 1, -1).astype(np.int8)
 
     def done(self, enough: float) -> bool:
-        """Return whether no root can be approached further, or all are close enough."""
+        """Return whether every root is within `enough` or cannot be improved."""
         width = np.abs(self.high - self.low)
         narrow = width <= 4 * EPSILON * np.maximum(np.abs(self.low), np.abs(self.high))
         return bool((~self.is_there | narrow | (self.left <= enough)).all())
 
     def beyond_gap(self) -> _RootSearch:
-        """Return the search for roots beyond the numbers without torques."""
+        """Return a search for roots beyond the range of numbers without torques."""
         return _RootSearch(*self.ends, self.is_there & self.gap & self.beyond, beyond=False)
 
     def stands(self, agreed: float) -> Booleans:
-        """Return flags of points with a root, not a jump, at `best`."""
+        """Return flags that mark points at which `best` is a root, not a jump."""
         is_root: Booleans = self.is_there & (self.left <= agreed)
         return is_root

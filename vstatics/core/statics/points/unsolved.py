@@ -1,4 +1,4 @@
-"""Messages about gears whose losses, battery balance or converter have no single solution."""
+"""Messages about gears whose losses, battery balance or converter have no unique solution."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from vstatics.core.statics.result_arrays import Message, OperatingPoints
 def unsolved_messages(
     case: Transmission, points: OperatingPoints, answer: Followed
 ) -> Iterator[Message]:
-    """Yield messages about gears without torques with losses.
+    """Yield warnings about gears without a unique solution, and notes on further speed ratios.
 
     Parameters
     ----------
     points : OperatingPoints
-        Single point, with the numbers found.
+        Operating point with the solved numbers, a single point.
     answer : Followed
-        Solution at a single point.
+        Solution with the states of gears, a single point.
     """
     states = zip(case.gears, points.gears, answer.open[0].tolist(), strict=True)
     for number, (gear, with_torques, state) in enumerate(states):
