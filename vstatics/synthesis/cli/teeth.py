@@ -173,7 +173,7 @@ def teeth_command(
 
     \b
     Exit status 1: no solution exists, or the case has an error.
-    A toothed gear that does not exist is wrong use (2).
+    Exit status 2: a named toothed gear does not exist.
     """
     to = request.destination()
     form = "" if target is None else case_format(target, [request.case], to.output)
