@@ -130,7 +130,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
         default="0",
         show_default=True,
         help="Difference of centre distances that profile shifts can compensate, in teeth, up to "
-        "2. Toothed gears can then have 14 teeth.",
+        "2. Toothed gears can then have as few as 14 teeth.",
     ),
 )
 @click.option(

@@ -134,8 +134,8 @@ def cycle_command(
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
     brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
     which the engine would exceed its full load or its largest speed. The engine must drive
-    alone: a gear with a balance, given speeds or given torques is an error. Fuel needs a
-    map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` instead of `engine` the
+    alone: a gear with a balance, given torques or given speeds other than 0 is an error. Fuel
+    needs a map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` instead of `engine` the
     vehicle is electric: energy of the battery, consumption, and recuperation.
 
     \b
