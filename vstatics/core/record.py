@@ -22,7 +22,7 @@ CORE = Annex(
         ),
         "check": Command(
             "vstatics.core.cli.check",
-            "Report errors and warnings, and the constraints per gear.",
+            "Report errors and warnings, and the constraints of each gear.",
             150,
         ),
         "convert": Command(

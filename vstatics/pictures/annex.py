@@ -19,8 +19,8 @@ ANNEX = Annex(
     pictures={
         "plan": PictureKind(
             "vstatics.pictures.plan.picture",
-            "speed plan: speeds of all links divided by the output speed\n"
-            "(generalised kinematic plan)",
+            "kinematic plan (speed plan): speeds of all links over the output\n"
+            "speed, both divided by the input speed",
             10,
             "Kinematic plan",
             options=("motion", "ratios"),

@@ -62,7 +62,7 @@ ANNEX = Annex(
         "shift": PictureKind(
             "vstatics.simulation.pictures.shift",
             "simulation of a scenario over time: gear, speeds, slips, torques\n"
-            "and capacities, vehicle or output, heat, events",
+            "and torque capacities, vehicle or output, heat, events",
             110,
             "Run over time",
             "run",

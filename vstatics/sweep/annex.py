@@ -30,7 +30,7 @@ ANNEX = Annex(
         "map": PictureKind(
             "vstatics.sweep.pictures.map",
             "contours of a column of a table of `sweep -o` over two varied\n"
-            "numbers, and the limit of operation",
+            "numbers, and the edge beyond which rows have no number",
             160,
             shows="sweep",
             options=("columns", "levels", "duty", "limits", "best_gear"),

@@ -130,7 +130,7 @@ class SweepOptions:
     )
     linked: tuple[Text, ...] = _option(
         "vary",
-        "Link a number by a formula of numbers that vary or that the case has. Repeatable.",
+        "Calculate a further number of the case from varied numbers. Repeatable.",
         metavar="NAME=FORMULA",
         key="with",
     )

@@ -76,7 +76,7 @@ ANNEX = Annex(
     pictures={
         "boxes": PictureKind(
             "vstatics.synthesis.pictures.picture",
-            "gearboxes found by `synth box -f json`: mean loss over the\n"
+            "gearboxes found by `synth box -f json`: points of mean loss and\n"
             "largest torque, families, stick diagrams",
             150,
             shows="boxes",

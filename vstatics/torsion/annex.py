@@ -50,7 +50,7 @@ ANNEX = Annex(
             ),
             "damping": (
                 "vstatics.torsion.cli.measured",
-                "Calculate dampings from logarithmic decrements.",
+                "Calculate damping from logarithmic decrements.",
             ),
         },
     },

@@ -171,10 +171,10 @@ def main() -> None:
       2    wrong use of the command line
       3    a sweep without rows, with --fail-empty
       130  stopped by Ctrl-C; 143: stopped by SIGTERM
-    The help of a command states only more precise conditions.
+    The help of each command lists its causes of status 1.
 
     \b
-    Completion in bash, and in zsh and fish with their names instead of bash:
+    Completion in bash; in zsh and fish write their name instead of `bash`:
       eval "$(_VSTATICS_COMPLETE=bash_source vstatics)"
     """
 

@@ -35,7 +35,7 @@ def convert_command(
     output_format: str | None,
     telling: Telling,
 ) -> int:
-    """Convert a case from the file IN to the file OUT; - is a stream.
+    """Convert a case from the file IN to the file OUT; - is standard input or output.
 
     The formats are deck (.dat), YAML, JSON, XLSX and matrices. An existing file OUT is
     replaced. Numbers and names are kept exactly; torques and speeds with a unit are written
@@ -44,10 +44,11 @@ def convert_command(
     \b
       deck      has mechanisms instead of gear sets, and freewheels are engaged
                 in the gears in which they hold. A case with springs, inertias or
-                stiffnesses has no deck.
-      xlsx      has a sheet for each kind of parts.
-      matrices  are two tables in CSV, links by members of planetary gear sets and
-                links by shift elements. They can only be written.
+                stiffnesses cannot be written as a deck.
+      xlsx      has a sheet for each kind of part.
+      matrices  are two tables in CSV with a row for each link: the first has a
+                column for each member of a planetary gear set, the second for
+                each shift element. They cannot be read.
 
     Everything that the format cannot keep is listed, and the exit status is 1.
 

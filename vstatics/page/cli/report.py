@@ -87,7 +87,7 @@ class PageOptions(NamedTuple):
             metavar="NAME=TEXT,...",
             multiple=True,
             callback=value(named("NAME=TEXT", str)),
-            help="Entries for the head of the page, such as author=A. Author,project=P-7.",
+            help="Entries of the page header, such as author=A. Author,project=P-7.",
         ),
     ),
     provided("duty_options"),

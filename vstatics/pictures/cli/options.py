@@ -207,8 +207,8 @@ options = gathered(
                 "--torque",
                 metavar="FILE",
                 default="",
-                help="CSV file of the orders of the torque of a response, as of `vstatics torsion "
-                "response`.  [default: 1 N*m for each order]",
+                help="CSV file of the exciting torque by orders for response, as in `vstatics "
+                "torsion response`.  [default: 1 N*m for each order]",
             ),
         ),
         *_of_kinds(
@@ -230,8 +230,8 @@ options = gathered(
             click.option(
                 "--best-gear",
                 is_flag=True,
-                help="Draw where each gear has the largest efficiency (or --z), for a sweep "
-                "--by gear.",
+                help="Mark the region in which each gear has the largest efficiency (or --z), "
+                "for a sweep --by gear.",
             ),
         ),
         *_of_kinds(
@@ -272,7 +272,7 @@ options = gathered(
                 "--by",
                 metavar="COLUMN",
                 default="",
-                help="Column with a line, a map or a histogram for each of its values; or gear.",
+                help="Column, or gear, with a line, map or histogram for each of its values.",
             ),
         ),
     ),

@@ -87,7 +87,7 @@ effort = gathered(
         click.option(
             "--dry-run",
             is_flag=True,
-            help="Print the number of variants, the size of the table and the time; do not start.",
+            help="Print only the number of variants, the size of the table and the estimated time.",
         ),
     ),
     arguments.limit,
@@ -141,7 +141,7 @@ def sweep_command(
             mesh_efficiency.friction; in a scenario also shifts.1.overlap
     VALUES  are LOW:HIGH:COUNT, LOW:HIGH:step=STEP, a list A,B,C, or LOW:HIGH
             with --sample; each value can have a unit, as in '-50 N*m:50 N*m:5'
-    FORMULA calculates a number from varied numbers, earlier links and numbers of
+    FORMULA calculates a number from varied, earlier linked and other numbers of
             the case: --with 'P1.teeth.planet=(P1.teeth.ring - P1.teeth.sun)/2'
     EXPR    and LIST use tables by name: efficiency[1], speeds[C1,1], P1.ratio,
             max(abs(torques)); omega[2,1] is the second natural frequency in

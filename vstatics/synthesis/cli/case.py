@@ -67,9 +67,10 @@ def case_command(
 
     CODE is from `vstatics synth structures`; its link 0 is L0 in the case, and so on. Each
     link except input and output gets a brake, and a clutch connects input and output. If
-    this gives few combinations, clutches also connect the input to all other links. The
-    gears are the combinations that give a ratio, one for each ratio. Except in a deck, input
-    and output have no inertias of engine and load.
+    gears engage two or more shift elements, clutches also connect the input to all other
+    links, unless this gives more than 60 combinations. The gears are the combinations that
+    give a ratio, one for each ratio. Input and output have inertias of 1 kg*m^2 instead of
+    engine and load; a deck has no inertias.
 
     \b
     Examples:

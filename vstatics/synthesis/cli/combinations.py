@@ -110,9 +110,9 @@ def combinations_command(
     output, such as T-3.
 
     Torques are the torques of the engaged shift elements without losses, divided by the
-    input torque. Slip is the slip speed at a ratio of 1 when only one shift element is
-    closed and the output is at rest; the product of torque and slip is 1. The CASE - is
-    standard input.
+    input torque. For a direct drive by one shift element, slip is its slip speed while the
+    output is at rest, divided by the input speed; the product of torque and slip is 1. The
+    CASE - is standard input.
 
     \b
     Examples:

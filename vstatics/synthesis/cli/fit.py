@@ -58,9 +58,9 @@ class FitOptions(NamedTuple):
         multiple=True,
         metavar="MECHANISM=LOW:HIGH,...",
         callback=value(named("MECHANISM=LOW:HIGH", pair), "--bounds"),
-        help="Range of the ratio of a mechanism, or its fixed value; `all` stands for mechanisms "
-        "without a range. Repeatable.  [default: equal sign and at most 14 in size; between moving "
-        "links on the same side of 1]",
+        help="Range of the ratio of a mechanism, or its fixed value; `all` means the mechanisms "
+        "without a range. Repeatable.  [default: sign of the case, magnitude at most 14; if all "
+        "three links can rotate, the same side of 1]",
     ),
     click.option(
         "--weights",
@@ -89,9 +89,9 @@ def fit_command(request: OneCase, asked: FitOptions, dry_run: bool, target: str 
     """Fit the ratios of the mechanisms of CASE to wanted ratios of gears.
 
     The sum of squares of ln(i/wanted) is minimised within bounds, from many starting
-    points; all different solutions are listed. The ratios of CASE matter only for their
-    signs, and where the wanted ratios leave a choice. Tooth numbers are ignored: a gear set
-    has the ratio of its toothed gears, a set with shared planets several ratios between its
+    points; all different solutions are listed. The ratios keep the signs that they have in
+    CASE; a ratio that the wanted ratios do not determine stays near its value in CASE. Tooth
+    numbers are ignored. A gear set with shared planets has several ratios, between its
     central gears. The CASE - is standard input.
 
     \b
@@ -102,7 +102,7 @@ def fit_command(request: OneCase, asked: FitOptions, dry_run: bool, target: str 
 
     \b
     Exit status 1: a wanted ratio is not met, or the case has an error.
-    A ratio that the gear cannot have is wrong use (2).
+    Exit status 2: a gear cannot have its wanted ratio.
     """
     to = request.destination()
     form = "" if target is None else case_format(target, [request.case], to.output)

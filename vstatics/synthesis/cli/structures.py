@@ -65,9 +65,9 @@ def _links(text: str) -> int:
         type=click.Choice(get_args(Classes)),
         default="none",
         show_default=True,
-        help="Kind of structures to list once: none; equal after renaming of the gear sets (sets); "
-        "also with sun and ring exchanged (members); also with the members of a set in any order "
-        "(order).",
+        help="Structures that count as equal and are listed once: none; equal after renaming of "
+        "the gear sets (sets); also with sun and ring exchanged (members); also with the members "
+        "of a set in any order (order).",
     ),
     click.option("--ports", is_flag=True, help="Add each choice of input and output."),
     click.option(

@@ -130,7 +130,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
         default="0",
         show_default=True,
         help="Difference of centre distances that profile shifts can compensate, in teeth, up to "
-        "2. Toothed gears can then have 14 teeth.",
+        "2. Toothed gears can then have as few as 14 teeth.",
     ),
 )
 @click.option(
@@ -173,7 +173,7 @@ def teeth_command(
 
     \b
     Exit status 1: no solution exists, or the case has an error.
-    A toothed gear that does not exist is wrong use (2).
+    Exit status 2: a named toothed gear does not exist.
     """
     to = request.destination()
     form = "" if target is None else case_format(target, [request.case], to.output)

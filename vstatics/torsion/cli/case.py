@@ -33,8 +33,9 @@ static_torque = click.option(
     "static_torque",
     callback=value(torque),
     metavar="T",
-    help="Input torque, in N*m, that gives the stiffness of springs with `points`. A given speed "
-    "ratio of a converter has priority.  [default: torque of the operating point, else 0]",
+    help="Input torque, in N*m, at which springs with `points` get their stiffness. A given speed "
+    "ratio of a converter determines this torque instead.  [default: torque of the operating "
+    "point, else 0]",
 )
 
 

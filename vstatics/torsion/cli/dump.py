@@ -49,10 +49,10 @@ def dump_command(request: OneCase, rate: float | None, gears: tuple[str, ...]) -
 
     \b
       J1 to J5  inertias of engine, disc, transmission, wheels and vehicle;
-                `J4: .inf` clamps the wheels
+                `J4: .inf` fixes the wheels
       E         compliance between J3 and J4
-      M_C0      torque at which the clutch breaks away
-      M_phi     torque at which the tyres break away; `M_phi: .inf` for tyres
+      M_C0      torque at which the sticking clutch begins to slip
+      M_phi     torque at which the tyres begin to slip; `M_phi: .inf` for tyres
                 that always grip
       omega1    initial speed of the engine
 
@@ -64,8 +64,8 @@ def dump_command(request: OneCase, rate: float | None, gears: tuple[str, ...]) -
     system is reduced to the link `to` (default: the first link of J2), and so are the
     resulting torques. E is the compliance of all springs from J2 to the fixed J5.
 
-    The formulas are from Tsitovich and Algin (1981). Case A: the clutch slips; B: it grabs;
-    V: it grabs and breaks away again.
+    The formulas are from Tsitovich and Algin (1981). Case A: the clutch slips; B: it sticks
+    (grabs); V: it sticks and slips again.
 
     \b
     Examples:

@@ -53,7 +53,7 @@ def identify_command(request: OneCase, gear: str | None, mode: int, observation:
     """Correct the compliances of CASE by a measured natural frequency.
 
     The compliances of all elastic components of the gear are multiplied by
-    (calculated/W)^2. The mode then has the measured frequency W, and all mode shapes stay.
+    (calculated/W)^2. The mode then has the measured frequency W; mode shapes do not change.
     With a logarithmic decrement D, each component also gets the damping D/(pi E W), with
     its corrected compliance E. Instead of the two numbers you can give the record of a free
     vibration, or its extreme values. The CASE - is standard input.
@@ -112,7 +112,7 @@ def damping_command(
     decrements: Mapping[str, float],
     omega: float | None,
 ) -> int:
-    """Calculate the dampings of CASE from decrements of its components.
+    """Calculate the damping of CASE from decrements of its components.
 
     The damping of a component is D/(pi E W), with its logarithmic decrement D, its
     compliance E and the frequency W. The decrement of the mode is the sum of the given

@@ -40,8 +40,8 @@ def modes_command(request: OneCase, chosen: WorkingGears, count: int | None) -> 
 
     Given speeds, losses and drag torques have no influence. Freewheels hold as in `vstatics
     run`. Springs with `points` have the slope at their torque under the given input torque.
-    Converters are disengaged; only in the damped vibration they resist, by their slopes at
-    the speeds and torques of the operating point.
+    Converters transmit nothing, but in damped vibration they act as dampers, linearised at
+    the operating point.
 
     \b
     Examples:

@@ -63,10 +63,10 @@ def random_command(
 ) -> int:
     """Calculate the random vibration of CASE in every gear; - is standard input.
 
-    You get the standard deviations of twists, torques and links, the rates of upward
-    crossings, the half widths of the resonance peaks, and the life of components with
-    `fatigue`. Spectra are two-sided over omega: the variance is twice the integral from 0
-    to infinity. Values without a finite variance are left out.
+    You get the standard deviations of twists, torques and motions of links, the number of
+    upward crossings of the mean per second, the half widths of the resonance peaks, and the
+    life of components with `fatigue`. Spectra are two-sided over omega: the variance is
+    twice the integral from 0 to infinity. Values without a finite variance are left out.
 
     \b
     Examples:

@@ -206,8 +206,8 @@ def response_command(
     coincides with a natural frequency of LINK are added. Springs with `points` and
     converters have their slopes at the operating point of CASE.
 
-    Dry friction M of a spring counts as the damper 4 M/(pi A w) at the amplitude A of its
-    twist; a smaller torque does not move it.
+    Dry friction M of a spring counts as a damper of 4 M/(pi A w), with the amplitude A of the
+    twist and the frequency w; a torque below M does not twist the spring.
 
     Text shows the largest values; CSV, XLSX and JSON contain all values. An undamped system
     has no value exactly at its natural frequency.

@@ -84,8 +84,8 @@ def _choice(
         "--least-speed",
         callback=value(_speed),
         metavar="SPEED",
-        help="Choose the highest gear with at least this engine speed, such as '1200 rpm', else "
-        "the lowest gear within the full-load curve.",
+        help="Engage the highest gear with at least this engine speed, such as '1200 rpm', or "
+        "without such a gear the lowest gear that does not overspeed the engine.",
     ),
     click.option(
         "--shift",
@@ -97,8 +97,8 @@ def _choice(
     click.option(
         "--strategy",
         type=click.Choice(["least-loss"]),
-        help="Choose in each step the gear in which engine or battery give least energy, or take "
-        "back most, within full load.",
+        help="Engage in each time step the gear in which engine or battery supplies the least "
+        "energy, or recovers the most, within full load.",
     ),
 )
 @under(
@@ -133,9 +133,9 @@ def cycle_command(
 
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
     brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
-    which the engine would exceed its full load or its largest speed. A gear with
-    other machines, from a balance or from given speeds or torques, is an error. Fuel needs a
-    map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` instead of `engine` the
+    which the engine would exceed its full load or its largest speed. The engine must drive
+    alone: a gear with a balance, given torques or given speeds other than 0 is an error. Fuel
+    needs a map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` instead of `engine` the
     vehicle is electric: energy of the battery, consumption, and recuperation.
 
     \b

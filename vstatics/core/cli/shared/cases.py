@@ -88,7 +88,7 @@ idle = under(
         cls=RenamedOption,
         former=["--idle"],
         type=click.Choice(get_args(IdleConvention)),
-        help="Power sign of mechanisms without power flow: 0 (exact), or the sign in the "
+        help="Power sign of mechanisms that transmit no power: 0 (exact), or +1 or -1 as in the "
         "published listing.  [default: as in the case]",
     ),
 )

@@ -176,7 +176,7 @@ digits = under(
         "--digits",
         type=click.IntRange(1, 15),
         metavar="N",
-        help="Number of decimals in text. JSON and CSV have all digits.",
+        help="Number of decimals in text; JSON and CSV have all digits.  [default: by the value]",
     ),
 )
 WHOLE_OUTPUT = "Output file, written completely or not at all."

@@ -311,7 +311,8 @@ options = gathered(
             click.option(
                 "--single",
                 is_flag=True,
-                help="Change one shift element between neighbouring gears.",
+                help="Require single transitions between neighbouring gears: one shift element "
+                "disengages and one engages.",
             ),
             click.option(
                 "--planar", is_flag=True, help="Require a stick diagram without crossing shafts."

@@ -71,10 +71,10 @@ def rayleigh_command(
     cycles, or in km with --per-km. Give both stresses with a unit, or both as numbers in
     the same unit; only their ratio matters.
 
-    Either can scatter: 'lognormal(100 MPa, 0.08)' has the median and the standard deviation
-    of the natural logarithm, 'normal(100 MPa, 8 MPa)' mean and standard deviation. With
-    --samples the answer has the lives that 10 % and 50 % do not reach, the mean life, and
-    the share that failed over the life.
+    Each stress can be a distribution: 'lognormal(100 MPa, 0.08)' has the median and the
+    standard deviation of the natural logarithm, 'normal(100 MPa, 8 MPa)' mean and standard
+    deviation. With --samples you get the lives that 10 % and 50 % of the parts do not reach,
+    the mean life, and the share of failed parts over life.
 
     \b
     Examples:

@@ -41,7 +41,7 @@ def _part(name: str, text: str) -> Option:
 )
 @_part(
     "ratio",
-    "Ratio of the reduction behind which the new shaft is: X times the torque, 1/X of the cycles.",
+    "Ratio of a reduction before the new shaft: X times the torque, 1/X of the cycles.",
 )
 @_part("torque", "New torque divided by the present torque, instead of --ratio.")
 @_part("repeats", "New number of cycles divided by the present number; belongs to --torque.")
