@@ -115,6 +115,20 @@ def test_curves_have_a_line_for_each_value_and_coinciding_ones_are_one() -> None
     assert [said for said, _ in titled(drawn(curves, by_gear))] == ["a z", "b z"]
 
 
+def test_a_number_that_follows_from_the_others_gives_no_lines() -> None:
+    """Slip and its linked torque, or a grid with a linked number; in any order it would vary."""
+    x, y = (array.ravel().tolist() for array in np.meshgrid([1, 2, 3], [5, 6]))
+    linked = sweep_of({"x": [3, 2, 1], "t": [9, 4, 9], "z": [1, 2, 3]}, "x", "t")
+    assert [title for title, _ in titled(drawn(curves, linked))] == ["z"]
+    assert len(lines(drawn(curves, linked, x="x"), "z")[0]) == 3
+    grid = sweep_of({"x": x, "y": y, "t": [3, 4, 4, 3, 5, 9], "z": range(6)}, "x", "y", "t")
+    assert "z: x, y" in texts(drawn(map_, grid))
+    said = [title for title, _ in titled(drawn(curves, grid, x="x"))]
+    assert said == ["y = 5 z", "y = 6 z"]
+    with pytest.raises(CaseError, match="varies x, t: expected --x"):
+        drawn(curves, sweep_of({"x": [2, 3, 1], "t": [9, 4, 1], "z": [1, 2, 3]}, "x", "t"))
+
+
 def test_what_cannot_be_drawn_is_told(tmp_path: Path) -> None:
     without = sweep_of({"x": [np.nan], "z": [1.0]}, "x")
     wrong: list[tuple[object, WrittenSweep, dict[str, Any], str]] = [
