@@ -100,6 +100,8 @@ class TorqueStrength(NamedTuple):
         Sum of damages at which the member fails. [-]
     torque_of : str, optional
         Member whose torque counts, for a planet.
+    on : str, optional
+        Member that has the strength; by default the member whose name the strength has.
 
     Examples
     --------
@@ -115,10 +117,11 @@ class TorqueStrength(NamedTuple):
     threshold: float = 0.0
     sum: float = 1.0
     torque_of: str | None = None
+    on: str | None = None
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, TorqueStrength]:
-        """Return the strengths of a case under torque, by the name of the member or device."""
+        """Return the strengths of a case under torque, by name: of the member, or a free name."""
         return {name: given for name, given in case.fatigue.items() if isinstance(given, cls)}
 
     def completed(self) -> TorqueStrength:
