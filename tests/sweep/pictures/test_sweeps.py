@@ -233,6 +233,8 @@ def test_a_gear_number_is_a_whole_number_all_the_way() -> None:
     sweep = sweep_of({"time [s]": [5, 15, 30], "gear number": [1, 4, 4]}, "time [s]")
     [line] = lines(drawn(curves, sweep), "gear number")
     assert len({round(y, 3) for _, y in line}) == 2
+    two = sweep_of({"time [s]": [5, 15], "gear number": [1, 2]}, "time [s]")
+    assert "1.5" not in texts(drawn(curves, two))
 
 
 @pytest.mark.usefixtures("folder")
