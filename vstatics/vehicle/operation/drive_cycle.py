@@ -76,14 +76,20 @@ class CycleEnergy(NamedTuple):
         return self.machine + self.machine_lost + self.battery_lost
 
 
-class BatteryEnergy(NamedTuple):
-    """Energies that a battery gives and gets back over a cycle [J]."""
+class SuppliedEnergy(NamedTuple):
+    """Energies that an engine or a battery gives and gets back over a cycle [J]."""
 
     out: float
     returned: float
 
+    @classmethod
+    def of(cls, energies: Floats) -> SuppliedEnergy:
+        """Return the sums of the energies above and below 0 [J]."""
+        returned = -float(energies[energies < 0].sum()) + 0.0
+        return cls(float(energies[energies > 0].sum()), returned)
 
-@json_keys("duration", "distance", "fuel", "energy", "battery", "consumption", "messages")
+
+@json_keys("duration", "distance", "fuel", "energy", "engine", "battery", "consumption", "messages")
 class DriveCycle(NamedTuple):
     """Results of a driving cycle."""
 
@@ -102,10 +108,12 @@ class DriveCycle(NamedTuple):
     """Warnings and notes."""
     steps: Mapping[str, Floats]
     """Columns of the steps by heading with unit, with values at mid-step."""
-    battery: Sometimes[BatteryEnergy] = None
+    battery: Sometimes[SuppliedEnergy] = None
     """Energies of the battery of an electric machine."""
     consumption: Sometimes[float] = None
     """Energy of the battery per distance; NaN without a distance. [kWh/100 km]"""
+    engine: Sometimes[SuppliedEnergy] = None
+    """Energies of the engine, which brakes in overrun; None with an electric machine."""
 
 
 def drive(
@@ -137,9 +145,10 @@ def drive(
     driven = CycleSteps.of(case, vehicle, trace, choice).driven(np.flatnonzero(trace.speed > 0))
     steps, engine = driven.steps, driven.torques
     speeds = steps.engine_speeds
+    work = engine * speeds * trace.duration
     lost, brakes = _losses(driven)
     energy = CycleEnergy(
-        _total(engine * speeds * trace.duration),
+        _total(work),
         _total(steps.forces * trace.speed * trace.duration),
         _total(steps.inertia_energies),
         brakes,
@@ -156,13 +165,12 @@ def drive(
         course["fuel [g/h]"] = 3600 * rates
         outside += ["vehicle.fuel"] * bool(fuel.is_beyond(turning, engine).any())
     distance = float(trace.speed @ trace.duration)
-    battery: BatteryEnergy | None = None
+    battery: SuppliedEnergy | None = None
     if vehicle.machine is not None:
         supply = ElectricSupply.of(vehicle.machine, speeds, engine)
         course["battery power [W]"] = supply.battery
         energy = supply.energies(energy, trace.duration)
-        given = supply.battery * trace.duration
-        battery = BatteryEnergy(float(given[given > 0].sum()), float(-given[given < 0].sum()) + 0.0)
+        battery = SuppliedEnergy.of(supply.battery * trace.duration)
         outside += ["vehicle.machine.efficiency"] * supply.is_outside
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
@@ -173,7 +181,8 @@ def drive(
     course |= steps.input_course(engine)
     consumption = None if energy.battery is None else _per_distance(energy.battery, distance)
     return DriveCycle(
-        *(duration, distance, taken, energy, gears, beyond, messages, course, battery, consumption)
+        *(duration, distance, taken, energy, gears, beyond, messages, course, battery, consumption),
+        engine=None if battery else SuppliedEnergy.of(work),
     )
 
 
