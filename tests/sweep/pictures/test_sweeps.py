@@ -21,9 +21,10 @@ from vstatics.core.readers import sweep_tables
 from vstatics.core.tables.written_results import WrittenSweep
 from vstatics.pictures.drawing.files import figures_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
-from vstatics.sweep.pictures import curves, histogram, map_sheet
+from vstatics.sweep.pictures import columns, curves, histogram, map_sheet
 from vstatics.sweep.pictures import map as map_
 from vstatics.sweep.pictures.columns import DrawnColumns
+from vstatics.sweep.pictures.plotting import plot_sweep
 
 GRID = ["D.ratio=-4:-2:5", "D.efficiency=.9,.95,1"]
 OUT = "ratio[low],efficiency[low]"
@@ -127,6 +128,14 @@ def test_a_number_that_follows_from_the_others_gives_no_lines() -> None:
     assert said == ["y = 5 z", "y = 6 z"]
     with pytest.raises(CaseError, match="varies x, t: expected --x"):
         drawn(curves, sweep_of({"x": [2, 3, 1], "t": [9, 4, 1], "z": [1, 2, 3]}, "x", "t"))
+
+
+def test_a_column_can_be_named_without_its_unit() -> None:
+    numbers = {"u [rpm]": [1, 2], "v [N*m]": [1, 4], "v [kW]": [3, 4], "v": [5, 6]}
+    sweep = sweep_of(numbers, "u [rpm]")
+    named = DrawnColumns("u", ("v", "w"), "u [rpm]")
+    assert columns.with_units(sweep, named) == named._replace(x="u [rpm]")
+    assert plot_sweep(sweep, x="u", y="v [kW]")._repr_svg_()
 
 
 def test_what_cannot_be_drawn_is_told(tmp_path: Path) -> None:

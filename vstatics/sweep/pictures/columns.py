@@ -34,6 +34,22 @@ def drawn_columns(x: str, y: Sequence[str], z: str, by: str) -> DrawnColumns:
     return DrawnColumns(plain_names(x), tuple(map(plain_names, y)), plain_names(z), plain_names(by))
 
 
+def with_units(sweep: WrittenSweep, selected: DrawnColumns) -> DrawnColumns:
+    """Return the named columns with the units of their headings, which the user can omit.
+
+    >>> sweep = WrittenSweep([0], ["ok"], {"load.speed [rpm]": [9.0]}, ("load.speed [rpm]",))
+    >>> with_units(sweep, DrawnColumns("load.speed")).x
+    'load.speed [rpm]'
+    """
+
+    def heading(name: str) -> str:
+        alike = [column for column in sweep.columns if column.partition(" [")[0] == name]
+        return alike[0] if len(alike) == 1 and name not in sweep.columns else name
+
+    x, z, by = map(heading, (selected.x, selected.z, selected.by))
+    return selected._replace(x=x, y=tuple(map(heading, selected.y)), z=z, by=by)
+
+
 class DrawnRows(NamedTuple):
     """Rows of the sweep that a panel or a line shows."""
 
