@@ -66,7 +66,7 @@ keep energies finite."""
 
 BLOCK_ROWS = 20_000
 """Number of steps calculated together, which bounds the memory of long cycles."""
-MOST_SHORT_STEPS = 1_000_000
+MOST_STEPS = 1_000_000
 """Largest number of steps into which a trace is divided."""
 MOST_SHOWN_FAULTS = 20
 """Largest number of rows with a reported fault."""
@@ -128,7 +128,7 @@ class Trace(NamedTuple):
         ([1.0, 1.0, 1.0], [2.0, 6.0, 8.0], [4.0, 4.0, 0.0])
         """
         count = np.maximum(np.ceil(self.duration / longest * (1 - SAME_STEP)), 1.0)
-        if count.sum() > MOST_SHORT_STEPS:
+        if count.sum() > MOST_STEPS:
             raise ValueError(f"there would be {count.sum():.3g} steps, expected at most a million")
         counts = count.astype(np.int64)
         rows = np.append(np.repeat(np.arange(len(counts)), counts), len(counts))
