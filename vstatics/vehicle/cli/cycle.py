@@ -216,13 +216,11 @@ def _shown(
         rows = [(word(_PARTS.get(name, name)), part) for name, part in known if part is not None]
         rows += [(word(f"lost: {name}"), loss) for name, loss in energy.lost.items() if loss]
         yield grid_of("Energy over the cycle", ["", "energy, J"], rows, key="energy")
-        row, headings = [driven.duration, driven.distance], ["duration, s", "distance, m"]
+        row = [driven.duration, driven.distance, driven.fuel]
+        headings = ["duration, s", "distance, m", "fuel, g"]
         if driven.battery is not None and driven.consumption is not None:
-            row += [driven.consumption, *driven.battery]
-            headings += ["kWh/100 km", "from battery, J", "to battery, J"]
-        elif driven.engine is not None:
-            row += [driven.fuel, *driven.engine]
-            headings += ["fuel, g", "from engine, J", "to engine, J"]
+            row[2:] = [driven.consumption, driven.battery.out, driven.battery.returned]
+            headings[2:] = ["kWh/100 km", "from battery, J", "to battery, J"]
         yield grid_of("Cycle", headings, [row], key="cycle")
 
     def answer() -> CycleAnswer:

@@ -76,20 +76,14 @@ class CycleEnergy(NamedTuple):
         return self.machine + self.machine_lost + self.battery_lost
 
 
-class SuppliedEnergy(NamedTuple):
-    """Energies that an engine or a battery gives and gets back over a cycle [J]."""
+class BatteryEnergy(NamedTuple):
+    """Energies that a battery gives and gets back over a cycle [J]."""
 
     out: float
     returned: float
 
-    @classmethod
-    def of(cls, energies: Floats) -> SuppliedEnergy:
-        """Return the sums of the energies above and below 0 [J]."""
-        returned = -float(energies[energies < 0].sum()) + 0.0
-        return cls(float(energies[energies > 0].sum()), returned)
 
-
-@json_keys("duration", "distance", "fuel", "energy", "engine", "battery", "consumption", "messages")
+@json_keys("duration", "distance", "fuel", "energy", "battery", "consumption", "messages")
 class DriveCycle(NamedTuple):
     """Results of a driving cycle."""
 
@@ -108,12 +102,10 @@ class DriveCycle(NamedTuple):
     """Warnings and notes."""
     steps: Mapping[str, Floats]
     """Columns of the steps by heading with unit, with values at mid-step."""
-    battery: Sometimes[SuppliedEnergy] = None
+    battery: Sometimes[BatteryEnergy] = None
     """Energies of the battery of an electric machine."""
     consumption: Sometimes[float] = None
     """Energy of the battery per distance; NaN without a distance. [kWh/100 km]"""
-    engine: Sometimes[SuppliedEnergy] = None
-    """Energies of the engine, which brakes in overrun; None with an electric machine."""
 
 
 def drive(
@@ -145,10 +137,9 @@ def drive(
     driven = CycleSteps.of(case, vehicle, trace, choice).driven(np.flatnonzero(trace.speed > 0))
     steps, engine = driven.steps, driven.torques
     speeds = steps.engine_speeds
-    work = engine * speeds * trace.duration
     lost, brakes = _losses(driven)
     energy = CycleEnergy(
-        _total(work),
+        _total(engine * speeds * trace.duration),
         _total(steps.forces * trace.speed * trace.duration),
         _total(steps.inertia_energies),
         brakes,
@@ -165,12 +156,13 @@ def drive(
         course["fuel [g/h]"] = 3600 * rates
         outside += ["vehicle.fuel"] * bool(fuel.is_beyond(turning, engine).any())
     distance = float(trace.speed @ trace.duration)
-    battery: SuppliedEnergy | None = None
+    battery: BatteryEnergy | None = None
     if vehicle.machine is not None:
         supply = ElectricSupply.of(vehicle.machine, speeds, engine)
         course["battery power [W]"] = supply.battery
         energy = supply.energies(energy, trace.duration)
-        battery = SuppliedEnergy.of(supply.battery * trace.duration)
+        given = supply.battery * trace.duration
+        battery = BatteryEnergy(float(given[given > 0].sum()), float(-given[given < 0].sum()) + 0.0)
         outside += ["vehicle.machine.efficiency"] * supply.is_outside
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
@@ -184,7 +176,6 @@ def drive(
         *(duration, distance, taken, energy, gears, int(is_beyond.sum()), messages, course),
         battery=battery,
         consumption=consumption,
-        engine=None if battery else SuppliedEnergy.of(work),
     )
 
 
