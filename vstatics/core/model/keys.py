@@ -225,8 +225,7 @@ def _map_keys(values: str, head: str, of: str, *others: KeyShape) -> ByKey:
                 "file",
                 TEXT,
                 "Name of a CSV file, relative to the case, with the columns `speed [unit]`, "
-                f"`torque [unit]` and `{head}`: a full grid, with rows in any order. An efficiency "
-                "above the largest torque at a speed can be missing.",
+                f"`torque [unit]` and `{head}`: a full grid, with rows in any order.",
                 examples=("map.csv",),
             ),
             *others,

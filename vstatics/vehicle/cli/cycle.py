@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from functools import partial
 from itertools import repeat
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import click
 
@@ -58,15 +58,6 @@ def _shifts(text: str) -> list[ShiftSpeed]:
     return read_shifts(text)
 
 
-class StepOptions(NamedTuple):
-    """Options of time steps."""
-
-    longest: float | None
-    """Largest time of a step, into which longer steps are divided. [s]"""
-    file: str | None
-    """File for the values of each step."""
-
-
 def _choice(
     least_speed: float | None, shifts: list[ShiftSpeed] | None, strategy: str | None
 ) -> GearChoice:
@@ -110,28 +101,24 @@ def _choice(
         "battery gets most, within full load.",
     ),
 )
-@gathered(
-    "steps",
-    StepOptions,
+@click.option(
+    "--longest-step",
+    "longest",
+    type=float,
+    callback=value(above_0),
+    metavar="S",
+    help="Divide longer steps of the trace into equal steps of at most this time, in s.",
+)
+@under(
+    OUTPUT,
     click.option(
-        "--longest-step",
-        "longest",
-        type=float,
-        callback=value(above_0),
-        metavar="S",
-        help="Divide longer steps of the trace into equal steps of at most this time, in s.",
-    ),
-    under(
-        OUTPUT,
-        click.option(
-            "--time-steps",
-            "file",
-            cls=RenamedOption,
-            former=["--steps"],
-            type=click.Path(),
-            metavar="FILE",
-            help="CSV file for the values of each time step; `plot --kind curves` draws it.",
-        ),
+        "--time-steps",
+        "steps",
+        cls=RenamedOption,
+        former=["--steps"],
+        type=click.Path(),
+        metavar="FILE",
+        help="CSV file for the values of each time step; `plot --kind curves` draws it.",
     ),
 )
 @gathered("settings", CaseOptions, arguments.input_format, arguments.idle, arguments.telling)
@@ -139,7 +126,8 @@ def cycle_command(
     case: str,
     trace: str,
     wanted: OutputOptions,
-    steps: StepOptions,
+    longest: float | None,
+    steps: str | None,
     choice: GearChoice,
     settings: CaseOptions,
 ) -> int:
@@ -176,9 +164,9 @@ def cycle_command(
     Exit status 1: the case or the trace has an error, or a gear has no torques.
     """
     to = wanted.destination([case, trace])
-    files.spare([case, trace], steps.file)
-    if steps.file is not None and steps.file == (to.output or STDOUT):
-        where = "standard output" if steps.file == STDOUT else steps.file
+    files.spare([case, trace], steps)
+    if steps is not None and steps == (to.output or STDOUT):
+        where = "standard output" if steps == STDOUT else steps
         message = f"--time-steps and the report both go to {where}"
         raise click.UsageError(f"{message}; expected another file, as in `-o report.txt`")
     arguments.check_streams([case, trace])
@@ -186,10 +174,10 @@ def cycle_command(
     from vstatics.vehicle.operation.trace import read_trace
 
     read = read_trace(*files.read_input(trace, TABLE_BYTES))
-    if steps.longest is not None:
+    if longest is not None:
         with wrong_value("--longest-step"):
-            read = read.divided(steps.longest)
-    show = partial(_shown, trace=read, choice=choice, steps=steps.file)
+            read = read.divided(longest)
+    show = partial(_shown, trace=read, choice=choice, steps=steps)
     return carry_out(
         Job("cycle", settings._replace(load=Load(1000.0, 1.0), is_nominal=True), to, show),
         (case,),

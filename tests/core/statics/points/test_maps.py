@@ -16,7 +16,6 @@ from vstatics import CaseError, Gear, Load, Mechanism, ReadError, Transmission, 
 from vstatics.core.model.laws import MapLaw, PointLaw
 from vstatics.core.model.parts import BatteryBalance
 from vstatics.core.readers.named.law_formulas import EfficiencyFormula
-from vstatics.core.readers.named.point_files import map_of
 from vstatics.core.statics.points.gear_loss import braked_torques
 from vstatics.core.writers.named import write_json, write_yaml
 
@@ -222,24 +221,6 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
     assert law.rows == ((0, 0.9, 0.95), (pytest.approx(100 * math.pi), 0.92, 0.97))
     assert case.gears[0].loss == MapLaw([0, 9], [[0, 0.1, 0.2], [100, 0.3, 0.4]], "kW")
     assert loads(write_yaml(case)) == loads(write_json(case)) == case
-
-
-def test_efficiencies_beyond_the_full_load_of_a_machine_can_be_missing(tmp_path: Path) -> None:
-    """Each is that of the largest torque at its speed, as outside of the map."""
-    points = {(0, -9): 0.7, (0, 0): 0.8, (0, 5): 0.9, (0, 9): 0.92, (60, 0): 0.81, (60, 5): 0.91}
-    rows = [f"{speed},{torque},{value}" for (speed, torque), value in points.items()]
-    rows += ["60,-9,0.6", "30,-4,0.72", "30,0,0.82", "30,5,0.93", "0,-4,0.71", "60,-4,0.73"]
-    text = "\n".join(["speed [rpm],torque [N*m],efficiency", *rows])
-    (tmp_path / "map.csv").write_text(text, encoding="utf-8")
-    law = map_of(str(tmp_path / "map.csv"), "efficiency")
-    assert [row[1:] for row in law.rows] == [
-        (0.7, 0.71, 0.8, 0.9, 0.92),
-        (0.72, 0.72, 0.82, 0.93, 0.93),
-        (0.6, 0.73, 0.81, 0.91, 0.91),
-    ]
-    (tmp_path / "map.csv").write_text(text.replace("60,0,", "60,7,"), encoding="utf-8")
-    with pytest.raises(ValueError, match="there is no value at 0 rpm, 7 N"):
-        map_of(str(tmp_path / "map.csv"), "efficiency")
 
 
 @pytest.mark.parametrize(

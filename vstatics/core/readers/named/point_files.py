@@ -48,9 +48,7 @@ def points_of(name: str) -> list[tuple[float, ...]]:
 
 
 def map_of(name: str, values: Values) -> MapLaw:
-    """Read a map from a file, whose rows have the points of a grid in any order.
-
-    Efficiencies above the largest torque of a speed, where a machine cannot run, can be missing.
+    """Read a map from a file, whose rows have the points of a full grid in any order.
 
     Raises
     ------
@@ -105,53 +103,30 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
         raise _expected(values)
     places = [names.index(name) for name in (*_MEASURES, values)]
     points: dict[tuple[float, float], tuple[int, float]] = {}
-    read: tuple[dict[float, str], dict[float, str]] = ({}, {})
-    numbered = _numbers(rows[1:], [_reading(head, values) for head in heads])
-    for (line, numbers), (_, cells) in zip(numbered, rows[1:], strict=False):
+    for line, numbers in _numbers(rows[1:], [_reading(head, values) for head in heads]):
         speed, torque, value = (numbers[place] for place in places)
-        for texts, number, place in zip(read, (speed, torque), places, strict=False):
-            texts.setdefault(number, f"{cells[place].strip()} {with_unit(heads[place])[1]}")
         if (speed, torque) in points:
             first = points[speed, torque][0]
-            message = f"line {line}: {read[0][speed]}, {read[1][torque]} is on line {first}, too"
+            message = f"line {line}: {_point(speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
             raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}")
         points[speed, torque] = line, value
-    speeds, torques = (sorted(texts) for texts in read)
-    known = {point: value for point, (_, value) in points.items()}
-    if values == "efficiency":
-        known = _completed(known, speeds, torques)
+    speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
-        if (speed, torque) not in known:
-            where = f"{read[0][speed]}, {read[1][torque]}"
-            raise ValueError(f"expected a full grid: there is no value at {where}")
-    grid = [[speed, *(known[speed, torque] for torque in torques)] for speed in speeds]
+        if (speed, torque) not in points:
+            raise ValueError(f"expected a full grid: there is no value at {_point(speed, torque)}")
+    grid = [[speed, *(points[speed, torque][1] for torque in torques)] for speed in speeds]
     unit = _plain(with_unit(heads[places[-1]])[1] or "")
-    return MapLaw(torques, grid, next((name for name in _LOSS_UNITS if name == unit), ""))
-
-
-def _completed(
-    known: Mapping[tuple[float, float], float], speeds: Sequence[float], torques: Sequence[float]
-) -> dict[tuple[float, float], float]:
-    """Return the values with those beyond the largest torques of each sign at a speed.
-
-    >>> _completed({(5, 0): 0.8, (5, 9): 0.9, (7, 0): 0.7}, [5, 7], [-9, 0, 9, 20])
-    {(5, 0): 0.8, (5, 9): 0.9, (7, 0): 0.7, (5, 20): 0.9}
-    """
-    values = dict(known)
-    for speed in speeds:
-        own = [torque for torque in torques if (speed, torque) in known]
-        for torque in torques:
-            if torque > own[-1] > 0:
-                values[speed, torque] = known[speed, own[-1]]
-            elif torque < own[0] < 0:
-                values[speed, torque] = known[speed, own[0]]
-    return values
+    return MapLaw(torques, grid, next((known for known in _LOSS_UNITS if known == unit), ""))
 
 
 def _expected(values: str) -> ValueError:
     return ValueError(f"expected a CSV file with the head `{_HEADS[values]}`")
+
+
+def _point(speed: float, torque: float) -> str:
+    return f"{speed:g} rad/s, {torque:g} N*m"
 
 
 def _plain(unit: str) -> str:
