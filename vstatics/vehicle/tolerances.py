@@ -4,8 +4,6 @@ from __future__ import annotations
 
 SAME_SPEED = 1e-12
 """Relative excess over the last speed of the engine that counts as rounding noise. [-]"""
-SAME_STEP = 1e-9
-"""Relative excess over the longest time of a step that counts as rounding noise. [-]"""
 SAME_ENGINE_TORQUE = 1e-9
 """Largest difference of engine torques that count as equal. [N*m]"""
 NO_DRAG = 1e-9

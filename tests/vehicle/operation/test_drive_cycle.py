@@ -96,26 +96,6 @@ def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -
     assert [float(column[0]) for column in made.steps.values()] == pytest.approx(expected)
 
 
-def test_short_steps_have_the_resistance_of_the_trace(files: Path) -> None:
-    """From rest to 30 m/s in 60 s the air takes A v^4/(4 a); a single step has half of it."""
-    air, change = AIR * CAR.drag_area / 2, 0.5
-    coarse = trace((0, 0, "1"), (60, 30, "1"))
-    forces = [
-        drive(CASE, each, GearChoice()).energy.wheels
-        - CAR.mass * (30**2 / 2 + GRAVITY * CAR.rolling * 900)
-        for each in (coarse, coarse.divided(0.05))
-    ]
-    expected = air * 30**4 / (4 * change)
-    assert forces == pytest.approx([expected / 2, expected], rel=1e-5)
-    uneven = trace((0, 0, "1"), (0.5, 3, "1"), (3, 3, "2"), (7, 0, "2")).divided(1.0)
-    times = np.cumsum([0, *uneven.duration])
-    assert times == pytest.approx([0, 0.5, *(0.5 + 2.5 / 3 * n for n in (1, 2, 3)), 4, 5, 6, 7])
-    assert uneven.ends[0] == pytest.approx(np.interp(times[:-1], [0, 0.5, 3, 7], [0, 3, 3, 0]))
-    assert uneven.gears == [*"1111", *"2222"]
-    wrong = vstatics("cycle", files / "car.yaml", files / "t.csv", "--longest-step", "1e-6")
-    assert (wrong.status, "8e+06 steps, expected at most a million" in wrong.err) == (2, True)
-
-
 def test_brakes_take_what_the_engine_does_not() -> None:
     """Coasting through .9 the overrun of -30 N*m holds 30 1.5/.9 on the output."""
     case = CASE.replace(vehicle=CAR._replace(overrun=[(0.0, -30.0)]), inertias={})

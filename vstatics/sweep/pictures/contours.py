@@ -102,5 +102,5 @@ def contour_levels(values: Floats) -> list[float]:
     if len(levels) >= FEW_LEVELS:
         return levels
     is_low = quantiles[1] - low > high - quantiles[-2]
-    least, largest = (quantiles[1], high) if is_low else (low, quantiles[-2])
-    return even_levels(least, largest, MAP_LEVELS) or levels
+    ends = (quantiles[1], high) if is_low else (low, quantiles[-2])
+    return even_levels(*ends, MAP_LEVELS) or levels

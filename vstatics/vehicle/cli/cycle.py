@@ -18,7 +18,7 @@ from vstatics.core.cli.shared.formats import OutputOptions
 from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import OUTPUT, RenamedOption, command, gathered, under
 from vstatics.core.cli.shared.texts import Job
-from vstatics.core.cli.shared.values import above_0, value, wrong_value
+from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import CaseError, Problem, of_file
 from vstatics.core.jobs.files import STDOUT
 from vstatics.core.jobs.input_files import TABLE_BYTES
@@ -101,14 +101,6 @@ def _choice(
         "battery gets most, within full load.",
     ),
 )
-@click.option(
-    "--longest-step",
-    "longest",
-    type=float,
-    callback=value(above_0),
-    metavar="S",
-    help="Divide longer steps of the trace into equal steps of at most this time, in s.",
-)
 @under(
     OUTPUT,
     click.option(
@@ -126,7 +118,6 @@ def cycle_command(
     case: str,
     trace: str,
     wanted: OutputOptions,
-    longest: float | None,
     steps: str | None,
     choice: GearChoice,
     settings: CaseOptions,
@@ -137,8 +128,8 @@ def cycle_command(
     and `slope` (sine of the angle) or `grade` (rise divided by horizontal distance).
     Published files of driving cycles can be used without changes. In a time step, between
     two rows, the speed is the mean of the rows, the acceleration is constant, and gear and
-    slope are taken from the first row; --longest-step divides long steps. Without the column
-    `gear`, give --least-speed, --shift or --strategy.
+    slope are taken from the first row. Without the column `gear`, give --least-speed,
+    --shift or --strategy.
 
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
     brake enough (`overrun`), the brakes supply the rest. A warning counts the time steps in
@@ -174,9 +165,6 @@ def cycle_command(
     from vstatics.vehicle.operation.trace import read_trace
 
     read = read_trace(*files.read_input(trace, TABLE_BYTES))
-    if longest is not None:
-        with wrong_value("--longest-step"):
-            read = read.divided(longest)
     show = partial(_shown, trace=read, choice=choice, steps=steps)
     return carry_out(
         Job("cycle", settings._replace(load=Load(1000.0, 1.0), is_nominal=True), to, show),

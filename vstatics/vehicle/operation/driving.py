@@ -28,7 +28,6 @@ def cycle(  # noqa: PLR0913
     shifts: str = "",
     strategy: Literal["least-loss"] | None = None,
     fuel: str | os.PathLike[str] | FuelMap | None = None,
-    longest_step: float | None = None,
 ) -> DriveCycle:
     """Drive a case with a `vehicle` through a cycle of speeds.
 
@@ -48,8 +47,6 @@ def cycle(  # noqa: PLR0913
         gets most, within full load and from the first point of the engine on.
     fuel : path-like or FuelMap, optional
         CSV with columns speed, torque, fuel; the file named in a case is not used.
-    longest_step : float, optional
-        Divide longer steps of the trace into equal steps of at most this time. [s]
 
     Returns
     -------
@@ -64,8 +61,6 @@ def cycle(  # noqa: PLR0913
         If a file is in error, with every problem and its position.
     OSError
         If a file cannot be opened.
-    ValueError
-        If the longest step is not above 0, or divides the trace into more than a million steps.
 
     Examples
     --------
@@ -78,10 +73,6 @@ def cycle(  # noqa: PLR0913
     """
     Vehicle.needed(case)  # before the files are read
     trace_read = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
-    if longest_step is not None:
-        if not longest_step > 0:
-            raise ValueError(f"longest_step: read {longest_step!r}, expected a time above 0")
-        trace_read = trace_read.divided(longest_step)
     fuel_map = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
     choice = GearChoice(least_speed, read_shifts(shifts) if shifts else (), strategy is not None)
     return drive(case, trace_read, choice, fuel_map)

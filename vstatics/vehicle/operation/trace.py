@@ -15,7 +15,6 @@ from vstatics.core.errors import Place, Problem, ReadError, listed
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import UnitTable, read_unit_table
-from vstatics.vehicle.tolerances import SAME_STEP
 
 SLOPE = "as it is the sine of the angle"
 _TIMES = ("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time")
@@ -66,8 +65,6 @@ keep energies finite."""
 
 BLOCK_ROWS = 20_000
 """Number of steps calculated together, which bounds the memory of long cycles."""
-MOST_STEPS = 1_000_000
-"""Largest number of steps into which a trace is divided."""
 MOST_SHOWN_FAULTS = 20
 """Largest number of rows with a reported fault."""
 
@@ -96,56 +93,6 @@ class Trace(NamedTuple):
     gears: list[str]
     """Gears in the first rows; empty without a column of gears."""
     table: UnitTable
-
-    @classmethod
-    def of(cls, table: UnitTable) -> Trace:
-        """Return the steps between the rows of a table."""
-        times, speeds = (np.array(table.numbers[name]) for name in ("time", "speed"))
-        duration = np.diff(times)
-        grades = np.array(table.numbers.get("grade", np.zeros(len(table.lines))))
-        slopes = np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))
-        return cls(
-            duration,
-            (speeds[1:] + speeds[:-1]) / 2,
-            np.diff(speeds) / duration,
-            slopes[:-1],
-            list(table.texts.get("gear", [])[:-1]),
-            table,
-        )
-
-    def divided(self, longest: float) -> Trace:
-        """Return the trace with equal steps of at most a time [s] within each step.
-
-        Raises
-        ------
-        ValueError
-            If there would be more than a million steps.
-
-        Examples
-        --------
-        >>> trace = read_trace(b"time [s],speed [m/s]\\n0,0\\n2,8\\n3,8\\n", "t.csv").divided(1.0)
-        >>> trace.duration.tolist(), trace.speed.tolist(), trace.acceleration.tolist()
-        ([1.0, 1.0, 1.0], [2.0, 6.0, 8.0], [4.0, 4.0, 0.0])
-        """
-        count = np.maximum(np.ceil(self.duration / longest * (1 - SAME_STEP)), 1.0)
-        if count.sum() > MOST_STEPS:
-            raise ValueError(f"there would be {count.sum():.3g} steps, expected at most a million")
-        counts = count.astype(np.int64)
-        rows = np.append(np.repeat(np.arange(len(counts)), counts), len(counts))
-        part = np.arange(len(rows)) - np.append(0, np.cumsum(counts))[rows]
-        part = part / np.append(counts, 1)[rows]
-        numbers = {name: np.array(column)[rows] for name, column in self.table.numbers.items()}
-        for name in ("time", "speed"):
-            numbers[name] += part * np.append(np.diff(self.table.numbers[name]), 0.0)[rows]
-        return Trace.of(
-            self.table._replace(
-                numbers={name: column.tolist() for name, column in numbers.items()},
-                texts={
-                    name: [texts[row] for row in rows] for name, texts in self.table.texts.items()
-                },
-                lines=[self.table.lines[row] for row in rows],
-            )
-        )
 
     @property
     def ends(self) -> tuple[Floats, Floats]:
@@ -191,7 +138,18 @@ def read_trace(data: bytes, file: str) -> Trace:
     problems = list(_problems(table, times, speeds))
     if problems:
         raise ReadError(problems)
-    return Trace.of(table)
+    duration = np.diff(times)
+    acceleration = np.diff(speeds) / duration
+    grades = np.array(table.numbers.get("grade", np.zeros(len(table.lines))))
+    slopes = np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))
+    return Trace(
+        duration,
+        (speeds[1:] + speeds[:-1]) / 2,
+        acceleration,
+        slopes[:-1],
+        list(table.texts.get("gear", [])[:-1]),
+        table,
+    )
 
 
 def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Problem]:
