@@ -194,11 +194,6 @@ class Vehicle(NamedTuple):
         last = self.full_load[-1][0] * (1 + SAME_SPEED) if self.full_load else math.inf
         return np.asarray(speed) <= last
 
-    def can_run(self, speed: Any) -> Any:
-        """Return whether the drive runs at a speed: an engine from its first point on [rad/s]."""
-        first = self.engine[0][0] * (1 - SAME_SPEED) if self.engine else 0.0
-        return np.asarray(speed) >= first
-
     def overrun_torque(self, speed: Any) -> Any:
         """Return the largest braking torque, 0 or below [N*m], at a speed [rad/s]."""
         if not self.braking:

@@ -97,8 +97,8 @@ def _choice(
     click.option(
         "--strategy",
         type=click.Choice(["least-loss"]),
-        help="Choose in each step the gear in which engine or battery give least energy, or the "
-        "battery gets most, within full load.",
+        help="Choose in each step the gear in which engine or battery give least energy, or take "
+        "back most, within full load.",
     ),
 )
 @under(
@@ -132,7 +132,7 @@ def cycle_command(
     --shift or --strategy.
 
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
-    brake enough (`overrun`), the brakes supply the rest. A warning counts the time steps in
+    brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
     which the engine would exceed its full load or its largest speed. A gear with
     other machines, from a balance or from given speeds or torques, is an error. Fuel needs a
     map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` instead of `engine` the

@@ -42,8 +42,8 @@ class GearChoice(NamedTuple):
 
     @property
     def slowest(self) -> float | None:
-        """Least speed of the engine; infinite for `least_loss`, which so begins in low gears."""
-        return math.inf if self.least_loss else self.least_speed
+        """Least speed of the engine, for `least_loss` in steps with no gear within full load."""
+        return 0.0 if self.least_loss else self.least_speed
 
 
 class CycleLosses(NamedTuple):
@@ -140,11 +140,10 @@ class CycleSteps(NamedTuple):
         return self._replace(gears=gears, engine_speeds=output * self.engine_ratios[gears])
 
     def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
-        """Return the forward gears in which engine or battery give least, or the battery gets most.
+        """Return the forward gears in which engine or battery give least, or take back most.
 
-        Gears beyond full load, or with the engine slower than at its first point or faster than at
-        its last, are left out; where none remains, the gears stay. Of gears with equal powers the
-        smallest ratio is chosen.
+        Gears beyond full load or the last speed are left out; where none remains, the gears stay.
+        Of gears with equal powers the smallest ratio is chosen.
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
@@ -156,7 +155,7 @@ class CycleSteps(NamedTuple):
         return gears
 
     def powers_of(self, rows: Integers) -> tuple[Integers, Floats]:
-        """Return steps within full load and speeds, with the power of engine or battery there [W].
+        """Return steps within full load and speed, with the power of engine or battery there [W].
 
         Steps without torques are left out.
         """
@@ -175,13 +174,11 @@ class CycleSteps(NamedTuple):
                 rows = others
         full = self.vehicle.full_torque(turning) if self.vehicle.full_load else np.inf
         within = (torques <= full + SAME_ENGINE_TORQUE) & self.vehicle.may_turn(turning)
-        within &= self.vehicle.can_run(turning)
         rows, torques, turning = rows[within], torques[within], turning[within]
-        powers = np.maximum(torques * turning, 0.0)  # a braking engine saves nothing
+        powers = torques * turning
         if self.vehicle.machine is not None:
             machine = self.vehicle.machine
-            electric = machine.electric_power(torques * turning, turning, torques)
-            powers = machine.battery_power(electric)
+            powers = machine.battery_power(machine.electric_power(powers, turning, torques))
             known = np.isfinite(powers)
             rows, powers = rows[known], powers[known]
         return rows, powers

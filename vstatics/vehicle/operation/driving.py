@@ -43,8 +43,8 @@ def cycle(  # noqa: PLR0913
     shifts : str, optional
         Shift speeds of the vehicle, up and down: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
     strategy : {"least-loss"}, optional
-        Choose in each step the gear in which engine or battery give least energy, or the battery
-        gets most, within full load and from the first point of the engine on.
+        Choose in each step the gear in which engine or battery give least energy, or take back
+        most, within full load.
     fuel : path-like or FuelMap, optional
         CSV with columns speed, torque, fuel; the file named in a case is not used.
 
