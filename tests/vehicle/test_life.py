@@ -35,6 +35,7 @@ fatigue:
   P1.sun: {torque: 150 N*m, cycles: 3e6, exponent: 6.6, flanks: apart}
   P1.planet: {torque_of: P1.sun, torque: 140, cycles: 2e6, exponent: 6, sum: 0.8}
   pair: {torque: 300, cycles: 1e6, exponent: 8, contacts: 2, threshold: 0.4}
+  sun root: {on: P1.sun, torque: 190, cycles: 1e6, exponent: 9}
 bearings:
   pin: {on: P1.planet, torque_of: P1.carrier, load_per_torque: 12 N/(N*m), dynamic: 24 kN}
   main: {on: [s, c], torque_of: P1.sun, load_per_torque: 30, dynamic: 9 kN, exponent: 3}
@@ -130,6 +131,7 @@ def test_life_of_members_and_bearings_sums_up_by_rows() -> None:
             ("P1.sun", "P1.sun", (150, 3e6, 6.6, 0.0, 1.0), 3),
             ("P1.planet", "P1.planet", (140, 2e6, 6, 0.0, 0.8), 1),
             ("pair", "pair.first", (300, 1e6, 8, 0.4, 1.0), 2),
+            ("sun root", "P1.sun", (190, 1e6, 9, 0.0, 1.0), 3),
         ):
             limit, cycles, m, threshold, at_failure = strength
             torques, contacts = rows.of[member][0], flanks * rows.turns(member)
@@ -246,6 +248,9 @@ def test_strengths_and_bearings_are_written_as_they_were_read() -> None:
             "there is no link or member `P9",
         ),
         ("fatigue: {P1.planet: {torque: 9, cycles: 9, exponent: 3}}", "expected `torque_of`"),
+        ("fatigue: {a: {on: P1.planet, torque: 9, cycles: 9, exponent: 3}}", "P1.planet is a"),
+        ("fatigue: {a: {on: P9.sun, torque: 9, cycles: 9, exponent: 3}}", "or member `P9.sun`"),
+        ("fatigue: {a: {on: P1.sun, endurance: 9, cycles: 9, exponent: 3}}", "read `on` beside"),
         (
             "fatigue: {P1.sun: {torque: 9, cycles: 9, exponent: 3, endurance: 9 MPa}}",
             "read `endurance` beside `torque`",

@@ -165,9 +165,8 @@ def read_duty_table(
             plain = _SPEED.sub(_of_road, headings).encode("utf-8", errors="surrogateescape")
             lines[number] = plain
             return _steps(b"\n".join(lines), file, exponent, classes)
-    table = read_unit_table(
-        data, file, "a duty cycle: time or share, gear, speed, torque", _COLUMNS, "E121"
-    )
+    expected = "a duty cycle, such as `vstatics cycle --time-steps` writes: time or share, "
+    table = read_unit_table(data, file, f"{expected}gear, speed, torque", _COLUMNS, "E121")
     if ("time" in table.numbers) == ("share" in table.numbers):
         message = "expected exactly one of the columns `time` and `share`"
         raise ReadError("E121", message, place=table.source.place(1))

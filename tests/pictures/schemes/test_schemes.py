@@ -144,6 +144,14 @@ def states(results: Results, *gears: int) -> tuple[dict[str, int], list[SchemeSt
     return named, [scheme_state(scheme, state_of(results, gear)) for gear in gears]
 
 
+@pytest.mark.parametrize(("slip", "said"), [(0.5, "slips under torque"), (0.0, "engaged")])
+def test_a_clutch_that_slips_is_not_marked_as_engaged(slip: float, said: str) -> None:
+    clutch, gear = ShiftElement(1, 2, name="C"), Gear(name="troll", slip={1: slip})
+    case = Transmission(3, [clutch], [Mechanism(2, 3, 0, -2.0)], [gear])
+    figure = picture(vstatics.solve(case), "structure", Style(), [1])
+    assert {"slips under torque", "engaged"} & set(texts(figure)) == {said}
+
+
 def test_freewheel_is_marked_where_it_holds() -> None:
     # the low roller clutch of the TH400 holds in drive, first gear, and overruns in second
     named, (first, second) = states(shipped_results("simpson-th400.yaml"), 1, 2)

@@ -21,9 +21,10 @@ from vstatics.core.readers import sweep_tables
 from vstatics.core.tables.written_results import WrittenSweep
 from vstatics.pictures.drawing.files import figures_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
-from vstatics.sweep.pictures import curves, histogram, map_sheet
+from vstatics.sweep.pictures import columns, curves, histogram, map_sheet
 from vstatics.sweep.pictures import map as map_
 from vstatics.sweep.pictures.columns import DrawnColumns
+from vstatics.sweep.pictures.plotting import plot_sweep
 
 GRID = ["D.ratio=-4:-2:5", "D.efficiency=.9,.95,1"]
 OUT = "ratio[low],efficiency[low]"
@@ -113,6 +114,28 @@ def test_curves_have_a_line_for_each_value_and_coinciding_ones_are_one() -> None
     by_gear = read("variant,x,status,gear,z", rows)
     assert (by_gear.varied, by_gear.gears) == (("x",), ["a", "b", "a", "b"])
     assert [said for said, _ in titled(drawn(curves, by_gear))] == ["a z", "b z"]
+
+
+def test_a_number_that_follows_from_the_others_gives_no_lines() -> None:
+    """Slip and its linked torque, or a grid with a linked number; in any order it would vary."""
+    x, y = (array.ravel().tolist() for array in np.meshgrid([1, 2, 3], [5, 6]))
+    linked = sweep_of({"x": [3, 2, 1], "t": [9, 4, 9], "z": [1, 2, 3]}, "x", "t")
+    assert [title for title, _ in titled(drawn(curves, linked))] == ["z"]
+    assert len(lines(drawn(curves, linked, x="x"), "z")[0]) == 3
+    grid = sweep_of({"x": x, "y": y, "t": [3, 4, 4, 3, 5, 9], "z": range(6)}, "x", "y", "t")
+    assert "z: x, y" in texts(drawn(map_, grid))
+    said = [title for title, _ in titled(drawn(curves, grid, x="x"))]
+    assert said == ["y = 5 z", "y = 6 z"]
+    with pytest.raises(CaseError, match="varies x, t: expected --x"):
+        drawn(curves, sweep_of({"x": [2, 3, 1], "t": [9, 4, 1], "z": [1, 2, 3]}, "x", "t"))
+
+
+def test_a_column_can_be_named_without_its_unit() -> None:
+    numbers = {"u [rpm]": [1, 2], "v [N*m]": [1, 4], "v [kW]": [3, 4], "v": [5, 6]}
+    sweep = sweep_of(numbers, "u [rpm]")
+    named = DrawnColumns("u", ("v", "w"), "u [rpm]")
+    assert columns.with_units(sweep, named) == named._replace(x="u [rpm]")
+    assert plot_sweep(sweep, x="u", y="v [kW]")._repr_svg_()
 
 
 def test_what_cannot_be_drawn_is_told(tmp_path: Path) -> None:
@@ -219,6 +242,8 @@ def test_a_gear_number_is_a_whole_number_all_the_way() -> None:
     sweep = sweep_of({"time [s]": [5, 15, 30], "gear number": [1, 4, 4]}, "time [s]")
     [line] = lines(drawn(curves, sweep), "gear number")
     assert len({round(y, 3) for _, y in line}) == 2
+    two = sweep_of({"time [s]": [5, 15], "gear number": [1, 2]}, "time [s]")
+    assert "1.5" not in texts(drawn(curves, two))
 
 
 @pytest.mark.usefixtures("folder")

@@ -202,18 +202,21 @@ class Step(NamedTuple):
         def delivered(engine: Any) -> Any:
             return by_hand.given(engine, output, dx) * factor
 
+        def asked(engine: float) -> float:
+            return float(by_hand.asked(by_hand.taken(engine, output), dx))
+
         engine = first_root(lambda x: delivered(x) - force, lowest, high)
-        torque = float(by_hand.asked(by_hand.taken(engine, output), dx))
-        if torque < (least := float(car.overrun_torque(engine))) - 1e-9:
+        engine = lowest if math.isnan(engine) else engine
+        torque = asked(engine)
+        if torque < float(car.overrun_torque(engine)) - 1e-9:  # also at the last speed ratio
             engine = first_root(
                 lambda x: by_hand.brought(car.overrun_torque(x), dx) - by_hand.taken(x, output),
                 lowest,
                 high,
             )
-            torque = float(car.overrun_torque(engine)) if math.isfinite(engine) else least
-        if math.isnan(engine):
-            engine = lowest
-            torque = float(by_hand.asked(by_hand.taken(engine, output), dx))
+            is_lowest = math.isnan(engine)
+            engine = lowest if is_lowest else engine
+            torque = asked(lowest) if is_lowest else float(car.overrun_torque(engine))
         return cls(engine, torque, float(delivered(engine)))
 
 

@@ -33,7 +33,7 @@ def test_random_vehicles_have_the_forces_of_their_closed_form() -> None:
         [power] = [one for one in lines if one.get("name") == "hyperbola"]
         assert float(power["power"]) == pytest.approx(torque * last, rel=1e-8)
     [gear] = lines_drawn(box([2.0], efficiency=1.0), "gear 1")  # which touches the hyperbola
-    [hyperbola] = lines_drawn(box([2.0], efficiency=1.0), "all power")
+    [hyperbola] = lines_drawn(box([2.0], efficiency=1.0), "largest power")
     x, y = gear[-1]
     assert np.interp(x, hyperbola[:, 0], hyperbola[:, 1]) == pytest.approx(y, abs=0.05)
 
@@ -81,7 +81,7 @@ def test_lines_stand_where_their_numbers_are() -> None:
     low = first[:, 1].max() * 2 - second[:, 1].max() * 2 - first[:, 1].max() + second[:, 1].max()
     heights = first[:, 1] - (first[:, 1].max() - 2 * low)
     assert heights.max() / heights.min() == pytest.approx(torques.max() / torques.min())
-    [hyperbola] = lines_drawn(results, "all power")
+    [hyperbola] = lines_drawn(results, "largest power")
     foot = first[:, 1].max() - 2 * low
     area = (hyperbola[:, 0] - left) * (hyperbola[:, 1] - foot)
     np.testing.assert_allclose(area, area[0])

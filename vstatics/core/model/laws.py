@@ -15,6 +15,8 @@ from vstatics.core.model.parts import Gear, Law, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 
+_BOTH = "a `load` with both, such as `load: {speed: 2000 rpm, torque: 100 N*m}`"
+"""Expected operating point, in messages."""
 MOST_LAW_POINTS = 10_000
 """Largest number of points in a law."""
 LossUnit = Literal["", "W", "kW", "N*m"]
@@ -282,7 +284,7 @@ def without_loads(case: TransmissionFields) -> Iterator[Problem]:
                 "it depends on speed and torque, but the operating point of gear "
                 f"{gear.name or number} has no {what}"
             )
-            yield Problem("E267", f"{message}: expected a `load` with both", path)
+            yield Problem("E267", f"{message}: expected {_BOTH}", path)
         return
 
 
@@ -301,8 +303,8 @@ def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
         elif sought and (load.speed is None or load.torque is None):
             message = (
                 f"the speed ratio of {sought[0]} depends on the load, but the operating point of "
-                f"the gear has no {'speed' if load.speed is None else 'torque'}: expected a `load` "
-                "with both, or the speed ratio under `speed_ratios`"
+                f"the gear has no {'speed' if load.speed is None else 'torque'}: expected {_BOTH}, "
+                "or the speed ratio under `speed_ratios`"
             )
             yield Problem("E267", message, ("gears", number))
 

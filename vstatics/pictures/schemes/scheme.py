@@ -106,6 +106,12 @@ class SchemeState:
     idle_ports: AbstractSet[SchemePort] = frozenset()
     leaving: Mapping[SchemePort, bool] = field(default_factory=dict)
     """True if power leaves by a port, False for power that enters, as far as known."""
+    slipping: AbstractSet[int] = frozenset()
+    """Indices of the engaged components that slip under torque."""
+
+    def is_closed(self, index: int) -> bool:
+        """Return whether a component is engaged and does not slip."""
+        return index in self.engaged and index not in self.slipping
 
 
 @dataclass(frozen=True)
@@ -265,4 +271,7 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
     unused = {port for port in scheme.ports if port.link not in used}
     powers = {port: state.leaving.get(port, 0.0) for port in ports}
     ways = {port: power > 0 for port, power in powers.items() if abs(power) > 0}
-    return SchemeState(engaged, idle, pieces, loaded, pale, unused, ways)
+    slipping = {
+        place for place in engaged if scheme.devices[place].numbers[0] + 1 in state.gear.slipping
+    }
+    return SchemeState(engaged, idle, pieces, loaded, pale, unused, ways, slipping)

@@ -179,7 +179,8 @@ def meanings(state: SchemeState, style: Style) -> list[Meaning]:
     piece = {"facecolor": style.paper, "edgecolor": style.soft, "hatch": "////"}
     is_pale, pale = state.idle or state.idle_links, {"color": style.faint}
     return [
-        (state.engaged, "engaged", {"facecolor": style.engaged}),
+        (state.engaged - state.slipping, "engaged", {"facecolor": style.engaged}),
+        (state.slipping, "slips under torque", {"color": style.engaged}),
         (state.pieces, "rotates as a block", piece),
         (is_pale, "carries no torque", pale),
     ]

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import require
-from vstatics.sweep.pictures.columns import DrawnColumns
+from vstatics.sweep.pictures.columns import DrawnColumns, with_units
 
 if TYPE_CHECKING:
     from vstatics.core.tables.written_results import WrittenSweep
@@ -73,4 +73,4 @@ def sweep_pages(
             "the sweep has no row, so there is nothing to draw: expected a sweep with variants"
         )
         raise CaseError("E433", f"{message} that its --where leaves")
-    return list(module_of(kind).draw(sweep, style, selected))
+    return list(module_of(kind).draw(sweep, style, with_units(sweep, selected)))

@@ -34,6 +34,22 @@ def drawn_columns(x: str, y: Sequence[str], z: str, by: str) -> DrawnColumns:
     return DrawnColumns(plain_names(x), tuple(map(plain_names, y)), plain_names(z), plain_names(by))
 
 
+def with_units(sweep: WrittenSweep, selected: DrawnColumns) -> DrawnColumns:
+    """Return the named columns with the units of their headings, which the user can omit.
+
+    >>> sweep = WrittenSweep([0], ["ok"], {"load.speed [rpm]": [9.0]}, ("load.speed [rpm]",))
+    >>> with_units(sweep, DrawnColumns("load.speed")).x
+    'load.speed [rpm]'
+    """
+
+    def heading(name: str) -> str:
+        alike = [column for column in sweep.columns if column.partition(" [")[0] == name]
+        return alike[0] if len(alike) == 1 and name not in sweep.columns else name
+
+    x, z, by = map(heading, (selected.x, selected.z, selected.by))
+    return selected._replace(x=x, y=tuple(map(heading, selected.y)), z=z, by=by)
+
+
 class DrawnRows(NamedTuple):
     """Rows of the sweep that a panel or a line shows."""
 
@@ -64,19 +80,46 @@ def numbers(sweep: WrittenSweep, name: str) -> Floats:
     return column
 
 
-def running(sweep: WrittenSweep, excluded: Sequence[str] = ()) -> list[str]:
+def running(sweep: WrittenSweep, excluded: Sequence[str] = (), axes: int = 1) -> list[str]:
     """List the varied columns with several values, except the excluded columns.
 
-    >>> columns = {"a": [1.0, 2.0], "b": [3.0, 3.0], "ratio[1]": [2.0, 3.0]}
-    >>> running(WrittenSweep([0, 1], ["ok", "ok"], columns, ("a", "b")))
-    ['a']
+    Columns that follow from the columns before them, or from excluded columns, are left out, such
+    as linked numbers, after as many columns as the picture has axes.
+
+    >>> columns = {"a": [1.0, 2.0], "b": [3.0, 3.0], "c": [1.0, 4.0], "ratio[1]": [2.0, 3.0]}
+    >>> sweep = WrittenSweep([0, 1], ["ok", "ok"], columns, ("a", "b", "c"))
+    >>> running(sweep), running(sweep, axes=2), running(sweep, ["c"])
+    (['a'], ['a', 'c'], [])
     """
-    return [
-        name for name in sweep.varied if name not in excluded and len(set(sweep.columns[name])) > 1
-    ]
+    varied = [name for name in sweep.varied if len(set(sweep.columns[name])) > 1]
+    before = [name for name in varied if name in excluded]
+    count = len(before)
+    for name in varied:
+        if name not in excluded and (len(before) < axes or not _follows(sweep, name, before)):
+            before.append(name)
+    return before[count:]
 
 
-def axis(sweep: WrittenSweep, named: str, excluded: Sequence[str], option: str) -> str:
+def _follows(sweep: WrittenSweep, name: str, before: Sequence[str]) -> bool:
+    """Return whether a column is a function of a grid of columns, or of a monotonic column.
+
+    A column of random variants also has a value for each of the other numbers, but in no order.
+    """
+    columns = [sweep.columns[other] for other in before]
+    places = list(zip(*columns, strict=True))
+    values = dict(zip(places, sweep.columns[name], strict=True))
+    if any(
+        values[place] != value for place, value in zip(places, sweep.columns[name], strict=True)
+    ):
+        return False
+    if len(columns) == 1:
+        return columns[0] in (sorted(columns[0]), sorted(columns[0], reverse=True))
+    return len(values) > max(len(set(column)) for column in columns)
+
+
+def axis(
+    sweep: WrittenSweep, named: str, excluded: Sequence[str], option: str, axes: int = 1
+) -> str:
     """Return the column of an axis: the named column, or the only column left that varies.
 
     Raises
@@ -87,7 +130,7 @@ def axis(sweep: WrittenSweep, named: str, excluded: Sequence[str], option: str) 
     if named:
         numbers(sweep, named)
         return named
-    left = running(sweep, excluded)
+    left = running(sweep, excluded, axes)
     if len(left) != 1:
         what = f"varies {listed(left)}" if left else "has no further varied number"
         raise CaseError("E431", f"the sweep {what}: expected {option} with the name of a column")

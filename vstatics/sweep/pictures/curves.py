@@ -168,6 +168,7 @@ def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
     (wide, high), style = pen.size, pen.style
     across = ticks(pen.x.low, pen.x.high, max(int(wide / 50), 2))
     up = ticks(pen.y.low, pen.y.high, max(int(high / (2 * height(""))), 2))
+    up = [tick for tick in up if name != GEAR_NUMBER or tick.is_integer()]
     pen.scale("bottom", across, None if below else [], grid=True)
     pen.scale("left", up, grid=True)
     pen.frame()

@@ -80,10 +80,10 @@ def _columns(sweep: WrittenSweep, selected: DrawnColumns) -> Names:
     CaseError
     """
     upward = next(iter(selected.y), "")
-    left = running(sweep, [upward, selected.by])
+    left = running(sweep, [upward, selected.by], axes=2)
     x = selected.x or (left[0] if len(left) == 2 - bool(upward) else "")
-    x = axis(sweep, x, [upward, selected.by], "--x")
-    y = axis(sweep, upward, [x, selected.by], "--y")
+    x = axis(sweep, x, [upward, selected.by], "--x", axes=2)
+    y = axis(sweep, upward, [x, selected.by], "--y", axes=2)
     results = results_of(sweep, [x, y, selected.by])
     is_efficient = selected.of_map.best_gear and "efficiency" in results
     z = selected.z or ("efficiency" if is_efficient else next(iter(results), ""))

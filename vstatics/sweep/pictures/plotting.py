@@ -21,7 +21,7 @@ from vstatics.pictures.drawing.lengths import checked_width
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.plotting import format_of_picture
 from vstatics.sweep.pictures import COLUMNS, render_sweep, sweep_pages
-from vstatics.sweep.pictures.columns import DrawnColumns, drawn_columns, numbers
+from vstatics.sweep.pictures.columns import DrawnColumns, drawn_columns, numbers, with_units
 from vstatics.sweep.pictures.map_options import MapOptions, checked_levels, operating_points
 
 if TYPE_CHECKING:
@@ -141,7 +141,7 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         expected = f"; expected one of {', '.join(COLUMNS)}"
         hint = nearest(kind, COLUMNS) or expected
         raise ValueError(f"there is no picture {kind!r} of a sweep{hint}")
-    selected = drawn_columns(x, (y,) if isinstance(y, str) else y, z, by)
+    selected = with_units(sweep, drawn_columns(x, (y,) if isinstance(y, str) else y, z, by))
     _check(sweep, kind, selected)
     of_map = {"levels": levels, "duty": duty, "limits": limits, "best_gear": best_gear}
     for option, why in misplaced(kind, of_map):

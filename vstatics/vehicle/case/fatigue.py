@@ -101,6 +101,8 @@ class TorqueStrength(NamedTuple):
         Sum of damages at which the member fails. [-]
     torque_of : str, optional
         Member whose torque is used for a planet, which has no torque of its own.
+    on : str, optional
+        Member that has the strength; by default the member whose name the strength has.
 
     Examples
     --------
@@ -116,10 +118,11 @@ class TorqueStrength(NamedTuple):
     threshold: float = 0.0
     sum: float = 1.0
     torque_of: str | None = None
+    on: str | None = None
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, TorqueStrength]:
-        """Return the strengths of a case under torque: name of a member or gear set -> strength."""
+        """Return the strengths of a case under torque, by name of the member or by a free name."""
         return {name: given for name, given in case.fatigue.items() if isinstance(given, cls)}
 
     def completed(self) -> TorqueStrength:

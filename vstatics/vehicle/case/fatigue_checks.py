@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import get_args
 
-from vstatics.core.errors import Problem, listed, quoted
+from vstatics.core.errors import Path, Problem, listed, quoted
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.part_checks import no_unit
 from vstatics.core.model.parts import element_names, mechanism_names
@@ -56,17 +56,18 @@ def _of_members(case: TransmissionFields) -> Iterator[Problem]:
     """Yield errors in the torque strengths of members."""
     members, places = Members.of(case), {name: n for n, name in enumerate(case.fatigue, 1)}
     for name, strength in TorqueStrength.of(case).items():
-        path = ("fatigue", places[name])
-        yield from members.unknown(name, path)
-        yield from members.at_rest(name, path)
-        owner = strength.torque_of or name
+        path: Path = ("fatigue", places[name])
+        member, place = (strength.on or name), (*path, "on") if strength.on else path
+        yield from members.unknown(member, place)
+        yield from members.at_rest(member, place)
+        owner = strength.torque_of or member
         if owner in members.links and strength.flanks == "apart":
             message = f"the torque of link {quoted(owner)} is a magnitude, the same for both flanks"
             yield Problem("E881", f"{message}: expected a member of a gear set", path)
         if strength.torque_of is not None:
             yield from members.without_torque(strength.torque_of, (*path, "torque_of"))
-        elif name in members.planets and name not in members.firsts:
-            message = f"{name} is a planet without a torque of its own, expected `torque_of`"
+        elif member in members.planets and member not in members.firsts:
+            message = f"{member} is a planet without a torque of its own, expected `torque_of`"
             yield Problem("E880", f"{message}, such as that of its sun", path)
         if strength.flanks not in get_args(Flanks):
             message = f"read {strength.flanks!r}, expected `apart` or `together`"

@@ -14,7 +14,7 @@ from vstatics.vehicle.case.fatigue import Fatigue, TorqueStrength
 from vstatics.vehicle.case.fatigue_checks import doubts_of_fatigue, of_fatigue
 
 _OF_STRESS = ("diameter", "section_modulus", "endurance", "asymmetry")
-_OF_TORQUE = ("torque", "contacts", "flanks", "torque_of")
+_OF_TORQUE = ("torque", "contacts", "flanks", "torque_of", "on")
 
 
 def _strength(**values: Any) -> Fatigue | TorqueStrength:
@@ -127,6 +127,13 @@ FATIGUE = ByKey(
             examples=("P1.sun",),
         ),
         KeyShape(
+            "on",
+            TEXT,
+            "Member that has the strength, whose name is then free, for several strengths of a "
+            "member.",
+            examples=("P1.sun",),
+        ),
+        KeyShape(
             "sum", NUMBER, "Sum of damages at which the component fails.", default=1, limits=ABOVE_0
         ),
     ),
@@ -138,7 +145,7 @@ KEY = CaseKey(
         "fatigue",
         ByName("device", FATIGUE),
         "Fatigue strengths, each under the name of a spring or another component, or of a member "
-        "such as `P1.sun`.",
+        "such as `P1.sun`; with `on`, under any name.",
     ),
     Mapping[str, Fatigue | TorqueStrength],
     _record,

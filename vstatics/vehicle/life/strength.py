@@ -32,7 +32,7 @@ class MemberLife(NamedTuple):
 
 
 def lives(case: Transmission, rows: MemberRows) -> dict[str, MemberLife]:
-    """Return the life of each member with a strength under torque.
+    """Return the life of members by each strength under torque.
 
     A point with the torque T causes the damage ``contacts/cycles (|T|/torque)^exponent``; 0 if
     |T|/torque is below the threshold.
@@ -53,12 +53,13 @@ def lives(case: Transmission, rows: MemberRows) -> dict[str, MemberLife]:
 
 
 def _life(name: str, strength: TorqueStrength, rows: MemberRows) -> MemberLife:
-    row = rows.row(name, turning=strength.torque_of is not None)
-    torques = rows.row(strength.torque_of or name).torques
+    member = strength.on or name
+    row = rows.row(member, turning=strength.torque_of is not None)
+    torques = rows.row(strength.torque_of or member).torques
     if (np.isnan(torques) & (row.turns > 0)).any():
         return MemberLife(math.nan, math.nan, None, None)
     torques = np.nan_to_num(torques)
-    flanks = rows.contacts(name) if strength.contacts is None else strength.contacts
+    flanks = rows.contacts(member) if strength.contacts is None else strength.contacts
     contacts = np.where(torques != 0, row.turns * flanks, 0.0)
     parts = np.abs(torques) / strength.torque
     with np.errstate(over="ignore"):

@@ -372,7 +372,7 @@ class CycleSteps(NamedTuple):
             torques[free[block]] = steps.engine_torques(free[block])
         least = self.vehicle.overrun_torque(speeds)
         over = np.zeros(len(self.gears), np.bool_)
-        over[free] = torques[free] < least[free] - SAME_ENGINE_TORQUE
+        over[rows] = torques[rows] < least[rows] - SAME_ENGINE_TORQUE
         torques = np.where(over, least, torques)
         for part in self._with_converters(np.flatnonzero(over)):
             speeds[part.rows], torques[part.rows] = part.at_overrun()

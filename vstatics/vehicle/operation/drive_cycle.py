@@ -147,7 +147,7 @@ def drive(
         lost.energies,
     )
     full = vehicle.full_torque(speeds) if vehicle.full_load else np.inf
-    beyond = int((engine > full + SAME_ENGINE_TORQUE).sum())
+    is_beyond = np.asarray(engine > full + SAME_ENGINE_TORQUE)
     taken, course = math.nan, steps.course(engine)
     outside = [*lost.outside]
     if fuel is not None:
@@ -168,13 +168,15 @@ def drive(
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
     notes = (Message(note.id, note.message) for note in trace.notes)
-    doubts = *notes, *_doubts(steps, beyond), *_overloads(case, steps, lost.held_torques)
+    doubts = *notes, *_doubts(steps, is_beyond), *_overloads(case, steps, lost.held_torques)
     doubts += (outside_message(outside),) * bool(outside)
     messages = not_allowed(doubts, case.untold)
     course |= steps.input_course(engine)
     consumption = None if energy.battery is None else _per_distance(energy.battery, distance)
     return DriveCycle(
-        *(duration, distance, taken, energy, gears, beyond, messages, course, battery, consumption)
+        *(duration, distance, taken, energy, gears, int(is_beyond.sum()), messages, course),
+        battery=battery,
+        consumption=consumption,
     )
 
 
@@ -253,7 +255,7 @@ def _blocks(are_wanted: Booleans) -> Iterator[Integers]:
         yield wanted[part]
 
 
-def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
+def _doubts(steps: CycleSteps, is_beyond: Booleans) -> Iterator[Message]:
     """Yield warnings about guessed forward gears, and too high engine speeds and torques."""
     if steps.guessed:
         text = f"forward is taken as {listed(steps.guessed)}, which are written first"
@@ -267,13 +269,19 @@ def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
     if too_fast.any():
         last, fastest = (speed * 30 / math.pi for speed in (vehicle.full_load[-1][0], speeds.max()))
         text = (
-            f"in {int(too_fast.sum())} of {len(speeds)} steps the {drive} would rotate at up to "
+            f"{_in_steps(steps, too_fast)} the {drive} would rotate at up to "
             f"{fastest:.6g} rpm, faster than at its last point, {last:.6g} rpm"
         )
         yield Message("W428", text)
-    if beyond:
+    if is_beyond.any():
         text = f"the {drive} would need more torque than at full load"
-        yield Message("W429", f"in {beyond} of {len(speeds)} steps {text}")
+        yield Message("W429", f"{_in_steps(steps, is_beyond)} {text}")
+
+
+def _in_steps(steps: CycleSteps, are_wrong: Booleans) -> str:
+    """Return the number of wrong steps and the start of the first, for a message."""
+    start = steps.trace.table.numbers["time"][int(are_wrong.argmax())]
+    return f"in {int(are_wrong.sum())} of {len(are_wrong)} steps, the first at {start:.6g} s,"
 
 
 def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterator[Message]:

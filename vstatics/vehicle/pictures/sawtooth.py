@@ -49,8 +49,8 @@ def draw(
         style.text("engine speed, rpm"),
     )
     key = [
-        (True, "shifts at the last speed of the engine", _tooth(style)),
-        (True, "first speed of the engine", _first(style)),
+        (True, "shifts at the largest speed", _tooth(style)),
+        (True, "first speed of full load", _first(style)),
     ]
     up = AxisScale(0.0, max(other.pull.last for other in vehicles) / RAD_PER_RPM)
     fastest = max(other.fastest for other in vehicles)

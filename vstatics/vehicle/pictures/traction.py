@@ -140,7 +140,7 @@ def _ends(
 
 
 def _power(power: float, style: Style) -> str:
-    return style.text("all power of the engine, {power} kW", power=number(power / KILO))
+    return style.text("largest power, {power} kW", power=number(power / KILO))
 
 
 def _draw_road(pen: Pen, vehicle: DrivenVehicle, unit: float) -> None:

@@ -49,7 +49,7 @@ def _coupling(sheet: AxesSheet, _number: int, station: Station) -> None:
         device_sheet, device = sheet.of_device(index), sheet.scheme.devices[index]
         y, xs = placing.y(axis, sign_height(placing, index)), _ends(sheet, index)
         first, second = device.members["first"], device.members["second"]
-        closed = index in sheet.state.engaged
+        closed = sheet.state.is_closed(index)
         ends = (xs[first], y), (xs[second], y)
         coupled = Coupled(device.sign, *ends, sheet.color(index), closed, sheet.rod_color(index))
         draw_coupled(device_sheet.pen, coupled._replace(title=sheet.said(index)))
@@ -66,7 +66,7 @@ def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
     x, low = placing.xs[number], sign_height(placing, index)
     ends = (x, placing.y(axis, low)), (x, placing.y(axis, low + BRAKE_HEIGHT))
     is_backward = device.members.get("first") == HOUSING
-    drawn = device.sign, *ends, sheet.color(index), index in sheet.state.engaged
+    drawn = device.sign, *ends, sheet.color(index), sheet.state.is_closed(index)
     details = sheet.rod_color(index), side, sheet.said(index), is_backward
     draw_coupled(device_sheet.pen, Coupled(*drawn, *details))
     device_sheet.name(index)
@@ -89,7 +89,7 @@ def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
     for index, link in zip(station.devices, station.links[1:], strict=True):
         device_sheet, x = sheet.of_device(index), xs[index][link]
         ends = (x, roof), (x, placing.y(axis, low))
-        closed, rod = index in sheet.state.engaged, sheet.rod_color(index)
+        closed, rod = sheet.state.is_closed(index), sheet.rod_color(index)
         coupled = Coupled("clutch", *ends, sheet.color(index), closed, rod, title=sheet.said(index))
         draw_coupled(device_sheet.pen, coupled)
         device_sheet.name(index)

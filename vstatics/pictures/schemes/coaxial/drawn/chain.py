@@ -107,7 +107,7 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> 
         if index in texts:
             draw_chain_box(ink, index, texts[index], (x, 0.0), chain.links[place : place + 2])
             continue
-        device, closed = scheme.devices[index], index in ink.state.engaged
+        device, closed = scheme.devices[index], ink.state.is_closed(index)
         before = chain.links[: place + 1]
         way = 1 if next(iter(device.members.values())) in before else -1
         colors = ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)

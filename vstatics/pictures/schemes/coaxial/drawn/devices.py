@@ -79,7 +79,7 @@ def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None
     first = up.bars[0].link == next(iter(device.members.values()))
     is_low = first == (heights[up.bars[0]] < heights[up.bars[1]])
     side = layout.half(up) * (1 if is_low else -1)
-    closed = index in ink.state.engaged
+    closed = ink.state.is_closed(index)
     ends = (at, middle - side), (at, middle + side)
     look = device.sign, *ends, ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
     draw_coupled(pen, Coupled(*look))
@@ -101,7 +101,7 @@ def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
         return
     index = meaning.device
     device, pen = ink.scheme.devices[index], ink.of_device(index).pen
-    closed, is_back = index in ink.state.engaged, device.members.get("first") == HOUSING
+    closed, is_back = ink.state.is_closed(index), device.members.get("first") == HOUSING
     look = device.sign, *ends, ink.color(index), closed, ink.rod_color(index), 1, ink.said(index)
     draw_coupled(pen, Coupled(*look, is_back))
     name: Look = {"color": ink.text_color(index), "bold": closed, "va": "bottom"}
