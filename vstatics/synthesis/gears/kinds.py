@@ -212,9 +212,9 @@ def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floa
     + M_out w_out`` for all free speeds. Therefore the linear equations that give the ratio of a
     gear also give its torques.
 
-    A torque is NaN if only the sum over several elements is determined, or if so many digits are
-    lost that the output torque differs from the ratio. In a direct drive by a single shift element,
-    its torque is ``1/slip``, where slip is its speed while the output is at rest and it is released
+    A torque is NaN if only the sum over several elements is determined, or if the loss of digits
+    makes the output torque differ from the ratio. In a direct drive by a single shift element, its
+    torque is ``1/slip``, where slip is its speed while the output is at rest and it is released
     (Voloshko, Salakhov and others, eqs. 17 to 19).
 
     Parameters

@@ -53,7 +53,7 @@ def best_teeth(
 ) -> BestTeeth:
     """Return the choices of tooth numbers with the smallest errors, as places in the tables.
 
-    The result has so many choices that `MOST_TEETH_SOLUTIONS` solutions differ in tooth numbers.
+    The result has enough choices for `MOST_TEETH_SOLUTIONS` solutions with different tooth numbers.
 
     Parameters
     ----------
