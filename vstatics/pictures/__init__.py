@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 
 def drawn_kinds() -> Mapping[str, PictureKind]:
-    """Return the kinds of pictures of a case in their order; other documents have other kinds."""
+    """Return the kinds of pictures of a case in order, without kinds of pictures of documents."""
     return {kind: record for kind, record in picture_kinds().items() if not record.plots}
 
 
@@ -53,7 +53,7 @@ def module_of(kind: str) -> ModuleType:
 
 
 def kinds_of_runs() -> list[str]:
-    """Return the kinds of pictures that can show a simulated run, those that require one first."""
+    """Return the kinds of pictures that can show a run; kinds that require a run are first."""
     kinds = [kind for kind, record in drawn_kinds().items() if "motion" in record.options]
     return sorted(kinds, key=lambda kind: picture_kinds()[kind].shows != "run")
 
@@ -115,7 +115,7 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - arguments of a picture
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[list[Canvas]]:
-    """Draw the pages of each list of gears; the scales of a run also cover the other runs."""
+    """Draw the pages of each list of gears; the scales of a run also cover further runs."""
     from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
     require("plot", "a picture")
@@ -155,7 +155,7 @@ def pages(  # noqa: PLR0913 - arguments of a picture
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[bytes]:
-    """Draw a picture as one file per page, or as one PDF; parameters as in `picture`.
+    """Draw a picture as a file for each page, or as a PDF; parameters as in `picture`.
 
     The scales of the run `motion` also cover the runs in `others`, so that pictures can be
     compared.
@@ -181,7 +181,7 @@ def of_each_gear(
 
 
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:
-    """Return the alternative text of a picture, for readers who cannot see it."""
+    """Return the alternative text of a picture, for readers who cannot see pictures."""
     from vstatics.pictures.drawing.words import gear_title, title
 
     names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)

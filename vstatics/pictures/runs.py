@@ -1,4 +1,4 @@
-"""Protocols of a simulated run and its events for pictures, and the labels of events."""
+"""Protocols of a simulated run and of events for pictures, and the labels of events."""
 
 from __future__ import annotations
 

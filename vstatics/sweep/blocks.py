@@ -218,7 +218,7 @@ def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
 def _groups(
     plan: SweepPlan, cases: Sequence[Made]
 ) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
-    """Yield groups of variants that are solved together, each with its case.
+    """Yield groups of variants that are solved together, each with the case.
 
     Variants whose cases differ only in ratios and efficiencies form one group, unless the plan uses
     planet speeds or natural frequencies, which need further numbers of each case.

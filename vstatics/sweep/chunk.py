@@ -45,7 +45,7 @@ DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STO
 
 
 OF_ROWS = ("places", "values", "status", "columns", "objectives")
-"""Names of the fields of a chunk that have one entry per row."""
+"""Names of the fields of a chunk that have an entry for each row."""
 
 
 class Chunk(NamedTuple):
@@ -54,7 +54,7 @@ class Chunk(NamedTuple):
     start: int
     """Number of the first variant of the range, from 0."""
     places: Integers
-    """Number of each row's variant, or of its gear counted through all variants, from 0; (rows,).
+    """Number of each row's variant, or of the gear counted through all variants, from 0; (rows,).
     """
     values: Floats
     """Varied numbers, shape (rows, targets). [-]"""
@@ -183,7 +183,7 @@ def rows_of(  # noqa: PLR0913 PLR0917 (everything known of a block)
 
 
 def joined(parts: Sequence[Chunk]) -> Chunk:
-    """Return several chunks as one chunk, with all rows and the sums of the counts."""
+    """Return several chunks as a single chunk, with all rows and the sums of the counts."""
     if len(parts) == 1:
         return parts[0]
     rows: dict[str, Any] = {

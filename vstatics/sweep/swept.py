@@ -227,7 +227,7 @@ class Sweep(Iterator[Chunk]):
         return columns, status
 
     def _rows(self, what: str) -> Chunk:
-        """Return all rows as one chunk, after a check of the memory if their number is known."""
+        """Return all rows as a single chunk; check the memory if the number of rows is known."""
         if self.plan.where is None and not self.plan.objectives:
             self._expect_room(what)
         return joined(list(self._chunks()) or [_no_rows(self.plan)])

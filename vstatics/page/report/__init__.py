@@ -1,4 +1,4 @@
-"""HTML page of a case and its results, which needs no other file.
+"""HTML page of a case and results, which needs no further file.
 
 `material` gathers the contents of the page from the results, `html_page` lays out the page, and
 `saving` writes it to a file. `tools` contains the choice of units, the filter by a link and the

@@ -26,7 +26,7 @@ _PLACES = {
     "conventions": ("Conventions", 160),
 } | {key: (part.name, part.place) for key, part in report_parts().items()}
 SECTIONS = {key: _PLACES[key][0] for key in sorted(_PLACES, key=lambda key: _PLACES[key][1])}
-"""Headings of the sections by their keys, in the order of the page, including annexes."""
+"""Headings of the sections by key, in the order of the page, including annexes."""
 PRINTED = (
     *("overview", "gears", "flow", "efficiency", "vehicle", "duty", "largest"),
     *(key for key, part in report_parts().items() if part.is_printed),

@@ -95,7 +95,7 @@ def _mechanisms(case: Transmission) -> Grid:
 
 
 def _number_or_law(value: float | None) -> Any:
-    """Return a number, with its unit if given, or the description of a characteristic curve."""
+    """Return a number, with the unit if given, or the description of a characteristic curve."""
     if isinstance(value, OfLoad):
         return f"{value.given:g} N*m"
     if isinstance(value, Law):

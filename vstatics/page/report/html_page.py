@@ -24,7 +24,7 @@ NOTHING = Markup()
 
 
 class PageFrame(NamedTuple):
-    """Parts of a page around its sections."""
+    """Parts of a page around the sections."""
 
     choice: Markup = NOTHING
     """Links that choose a gear, which stay visible while the page scrolls."""
@@ -174,7 +174,7 @@ def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
 
 
 def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """Return a section with its heading; names that occur in the document are not translated."""
+    """Return a section with the heading; names that occur in the document are not translated."""
     return printed(_section(part), _names(document.get("case")))
 
 

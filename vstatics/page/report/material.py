@@ -73,7 +73,7 @@ class Material(NamedTuple):
     without: str
     """Reason why the page has no pictures at all; empty if it has pictures."""
     parts: Mapping[str, PagePart] = {}
-    """Sections of annexes, by their keys in `SECTIONS`."""
+    """Sections of annexes, by key in `SECTIONS`."""
     digits: int | None = None
     """Number of decimals; None for a number that suits each quantity."""
     naming: Naming = UNNAMED

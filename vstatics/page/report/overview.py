@@ -1,4 +1,4 @@
-"""Overview of a case: a line with its main figures, and its messages by severity."""
+"""Overview of a case: a line with the main figures, and the messages by severity."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ OF_A_VEHICLE = ("traction", "sawtooth")
 
 
 def of_all_gears(case: Transmission) -> tuple[str, ...]:
-    """List the kinds of pictures of a case that show all its gears together."""
+    """List the kinds of pictures of a case that show all gears together."""
     return (*OF_ALL_GEARS, *(OF_A_VEHICLE if getattr(case.vehicle, "engine", ()) else ()))
 
 

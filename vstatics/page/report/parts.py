@@ -47,7 +47,7 @@ def _without_titles(drawn: Drawn) -> Drawn:
 
 
 def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
-    """Return a picture for print only, with at most `most` of its sheets."""
+    """Return a picture for print only, with at most `most` of the sheets."""
     first_sheets = _without_titles(drawn._replace(sheets=drawn.sheets[:most]))
     shown = [*figures(first_sheets, name, captioned=False, scrolls=False)]
     omitted = len(drawn.sheets) - len(first_sheets.sheets)

@@ -49,7 +49,7 @@ DUTY = ("duty", "duty members", "damage")
 
 
 def sections(material: Material) -> Iterator[Part]:
-    """Yield the sections of a page in their order, without empty sections."""
+    """Yield the sections of a page in order, without empty sections."""
     asked, pictures = material.asked, material.pictures.of_all
     grids = summary_grids(material.summary, [flow.ports for flow in material.flows])
     gears, *others = (asked.cut(grid).with_digits(material.digits) for grid in grids)

@@ -19,7 +19,7 @@ from vstatics.pictures.paged.parts import Part, PartRequest
 from vstatics.pictures.runs import PicturedRun
 
 OF_GEARS = ("stick", "flow", "lever", "modes")
-"""Kinds of pictures that show one gear each."""
+"""Kinds of pictures of a single gear."""
 OF_ALL_GEARS = ("campbell",)
 """Kinds of pictures in sections of annexes that show all gears together."""
 OF_RUN = ("shift", "plan", "stick")
@@ -53,7 +53,7 @@ def _drawn(name: str, *, soon: bool = False) -> Drawn:
 
 
 def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
-    """Yield the sections in their order, with placeholders instead of slow sections."""
+    """Yield the sections in order, with placeholders instead of slow sections."""
     quick = {part.name: part for part in sections(material)}
     case = material.results.case
     has_section = {key: module_of_part(key).has_part(case, runs=runs) for key in report_parts()}

@@ -23,7 +23,7 @@ Phase = Literal["slow", "busy", "listening"]
 
 
 class Connections:
-    """Open connections with their phases, ordered by the time of the last change of phase."""
+    """Open connections with the phases, ordered by the time of the last change of phase."""
 
     def __init__(self) -> None:
         """Begin with no connections."""

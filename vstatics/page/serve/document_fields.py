@@ -32,7 +32,7 @@ _ABSCISSAS = {"time": "s", "speed": "rad/s", "angle": "rad"}
 """Unit of the abscissa of a torque that is given by points, by the value of the key `over`."""
 
 Texts = Mapping[str, bytes]
-"""Contents of files by their names."""
+"""Contents of files by name."""
 
 
 class DocumentNumber(NamedTuple):
@@ -46,7 +46,7 @@ class DocumentNumber(NamedTuple):
 
 
 class CaseDocuments(NamedTuple):
-    """Documents of a case, or of a scenario and its case; a deck has no numbers to change.
+    """Documents of a case, or of a scenario and the case; a deck has no numbers to change.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ class CaseDocuments(NamedTuple):
 
     texts: Texts
     numbers: Mapping[str, DocumentNumber]
-    """Numbers that can be changed, by their paths."""
+    """Numbers that can be changed, by path."""
 
     @property
     def fields(self) -> list[PageField]:

@@ -1,4 +1,4 @@
-"""HTML of the served page of a case: the whole page with its panel, or single sections."""
+"""HTML of the served page of a case: the whole page with the panel, or single sections."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> 
 
 
 def sections_of(material: Material, parts: Iterable[Part]) -> dict[str, str]:
-    """Return the sections as HTML, by their ids."""
+    """Return the sections as HTML, by id."""
     return {id_of(part.name): section_alone(part, material.document) for part in parts}
 
 
@@ -147,7 +147,7 @@ def head_of(material: Material, *, runs: bool) -> str:
 
 
 def page_of_errors(file: str, state: Mapping[str, Any]) -> str:
-    """Return the page of a case that has never been valid, with its errors."""
+    """Return the page of a case that has never been valid, with the errors."""
     return _framed(file, [], [], {}, Markup(), state)
 
 

@@ -39,7 +39,7 @@ class Calculated(NamedTuple):
 
     results: Results | None
     problems: Sequence[Problem]
-    """Problems, with their places in the documents."""
+    """Problems, with the places in the documents."""
     naming: Naming
     texts: Texts
     """Contents of the readable files by name; a scenario comes before its case."""
@@ -79,10 +79,10 @@ class RefusedChangeError(Exception):
 
 
 class ShownStates:
-    """All current states of the page of one case."""
+    """All current states of the page of a case."""
 
     shown: Shown
-    """State of the files as they are now."""
+    """State of the files at present."""
     good: Shown | None = None
     """Last state of the files with results; None if there was none."""
     _documents = CaseDocuments({}, {})

@@ -69,7 +69,7 @@ class Studio:
 
 
 class StudioProcess:
-    """Studio in another process, which is started by the first request.
+    """Studio in a separate process, which is started by the first request.
 
     All methods except `stop` must be called from one thread.
     """

@@ -86,7 +86,7 @@ class AskedPicture(NamedTuple):
 
 
 def _levels(text: str) -> int | list[float]:
-    """Parse the number of contour levels, or a list of their values.
+    """Parse the number of contour levels, or a list of levels.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def _levels(text: str) -> int | list[float]:
 
 
 def _of_kinds(name: str, *options: Option) -> Iterator[Option]:
-    """Yield options if any installed kind of picture has the option of this name."""
+    """Yield options if any installed kind of picture has the option."""
     if any(name in kind.options for kind in picture_kinds().values()):
         yield from options
 

@@ -40,7 +40,7 @@ _FLAGS = {
     "classes": "spectrum",
     "best_gear": "best-gear",
 }
-"""Spelling of an option on the command line, by its name in the record of a kind of picture."""
+"""Spelling of an option on the command line, by name in the record of a kind of picture."""
 
 
 def _with_kinds(command: Callable[..., int]) -> Callable[..., int]:

@@ -148,7 +148,7 @@ class CanvasText(NamedTuple):
 
 
 class CanvasPart(NamedTuple):
-    """Line, area or text of a canvas, with its transformation and SVG data."""
+    """Line, area or text of a canvas, with the transformation and SVG data."""
 
     shape: CanvasLine | CanvasArea | CanvasText
     place: CanvasPlace
@@ -156,7 +156,7 @@ class CanvasPart(NamedTuple):
 
 
 class Canvas(NamedTuple):
-    """Picture on one page: lines, areas and texts."""
+    """Picture on a page: lines, areas and texts."""
 
     size: Point
     """Width and height. [pt]"""

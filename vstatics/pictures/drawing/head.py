@@ -34,7 +34,7 @@ The symbol is an area if the style has a ``facecolor``, otherwise a line.
 
 
 class KeySign(NamedTuple):
-    """Symbol of a key with its meaning, which is wrapped into lines."""
+    """Symbol of a key with the meaning, which is wrapped into lines."""
 
     text: str
     look: Look
@@ -50,7 +50,7 @@ class KeySign(NamedTuple):
         return SIGN_ROW_HEIGHT + height(self.text) - height("")
 
     def draw(self, pen: Pen, x: float, top: float) -> None:
-        """Draw the symbol and its text, with the upper left corner at (`x`, `top`) [pt]."""
+        """Draw the symbol and the text, with the upper left corner at (`x`, `top`) [pt]."""
         y = top - SIGN_ROW_HEIGHT / 2
         if "facecolor" in self.look:
             pen.box((x, y - 4.0), (SIGN_WIDTH, 8.0), **self.look)

@@ -44,7 +44,7 @@ class LetteredPicture(NamedTuple):
 
     @property
     def size(self) -> Point:
-        """Size of the picture with its heading [pt]."""
+        """Size of the picture with the heading [pt]."""
         wide, high = self.own
         return wide, high + self.over
 

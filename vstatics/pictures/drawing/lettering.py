@@ -14,7 +14,7 @@ _SIDES = {"left": 0.0, "center": 0.5, "right": 1.0}
 
 
 class TextLine(NamedTuple):
-    """Line of a text and its size [pt]."""
+    """Text and size of a line [pt]."""
 
     text: str
     wide: float

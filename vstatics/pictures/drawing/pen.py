@@ -304,7 +304,7 @@ def corners(left: float, low: float, right: float, high: float) -> list[Point]:
 
 
 def zigzag(x: float, y: float, half: float, high: float) -> list[Point]:
-    """Return a horizontal zigzag line, the symbol of a spring, with its middle at (x, y)."""
+    """Return a horizontal zigzag line, the symbol of a spring, with the middle at (x, y)."""
     turns = [(x + half * (step / 4 - 1), y + high * (1, -1)[step % 2]) for step in range(1, 8)]
     return [(x - half, y), *turns, (x + half, y)]
 

@@ -24,7 +24,7 @@ SMALL = SIZE - 1
 
 # The following lengths, in points, are common to several pictures.
 MARGIN = 12.0
-"""Margin around panels and their texts. [pt]"""
+"""Margin around panels and texts. [pt]"""
 WIDE_MARGIN = 14.0
 """Margin around levers, schemes and power flows. [pt]"""
 TICK_LENGTH = 3.0
@@ -199,7 +199,7 @@ class Style(NamedTuple):
 
     @property
     def settings(self) -> dict[Any, Any]:
-        """Settings of matplotlib for this style."""
+        """Settings of matplotlib for the style."""
         return {
             "text.color": self.ink,
             "font.family": FONT,

@@ -137,7 +137,7 @@ class SvgWriter(NamedTuple):
                 parent.append(element)
 
     def _group(self, groups: tuple[MarkGroup, ...]) -> ET.Element:
-        """Return the SVG element of the innermost group, created at its first use."""
+        """Return the SVG element of the innermost group, created at the first use."""
         if not groups:
             return self.root
         if groups not in self.groups:

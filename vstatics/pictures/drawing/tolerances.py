@@ -11,7 +11,7 @@ EFFICIENCY_STEP = 0.001
 LEAST_SHOWN_POWER = 0.0005
 """Smallest relative power that is not shown as 0.000. [-]"""
 SAME_POWER = 1e-9
-"""Relative difference up to which the powers of a port and its nodes are equal, written once. [-]
+"""Relative difference up to which the powers of a port and the nodes are equal, written once. [-]
 """
 SAME_CROSSINGS = 1 - 1e-9
 """Cost ratio below which an order of a column counts as better, because sums are rounded. [-]"""

@@ -40,7 +40,7 @@ SUNS = {
 
 
 def wheel(name: str, teeth: float, style: Style) -> str:
-    """Return the name of a toothed gear with its tooth number, abbreviated if long.
+    """Return the name of a toothed gear with the tooth number, abbreviated if long.
 
     >>> wheel("sun", 48, Style("ru")), wheel("ring", 96, Style("en"))
     ('солн. шест.: 48', 'ring: 96')

@@ -19,7 +19,7 @@ GROWTH = 1.3
 
 
 class BackRow(NamedTuple):
-    """Row of a returning band, with its nodes and text."""
+    """Row of a returning band, with the nodes and text."""
 
     number: int
     """Index of the band in the graph."""
@@ -107,7 +107,7 @@ def placed_rows(
     ends: Mapping[int, tuple[Point, Point]],
     low: float,
 ) -> Iterator[tuple[Line, list[Box], list[Note]]]:
-    """Yield each returning band with its nodes and text, placed below the depth `low` [pt].
+    """Yield each returning band with the nodes and text, placed below the depth `low` [pt].
 
     Parameters
     ----------

@@ -29,7 +29,7 @@ BEND = 2.4
 """Smallest squared horizontal length of a band's curve, relative to width times rise. [-]"""
 
 Key = tuple[int, int]
-"""Layer of a cell (column from the left), and its `FlowCell.number`."""
+"""Layer (column from the left) and `FlowCell.number` of a cell."""
 
 
 def signs(run: Run, loss: float = 0.0) -> list[float]:
@@ -43,7 +43,7 @@ def length(run: Run, loss: float = 0.0) -> float:
 
 
 class FlowCell(NamedTuple):
-    """Cell of a column: a run of nodes with its texts, or a band that passes through the column."""
+    """Cell of a column: a run of nodes with the texts, or a band that passes through the column."""
 
     number: int
     """Index of the run, or bitwise complement of the index of a passing band."""
@@ -64,7 +64,7 @@ class FlowCell(NamedTuple):
 
     @property
     def below(self) -> float:
-        """Height of the loss and its text below the nodes [pt]."""
+        """Height of the loss and the text below the nodes [pt]."""
         return LOSS_LENGTH + self.loss / 2 + height(self.lost) + 1 if self.lost else 0.0
 
     @property

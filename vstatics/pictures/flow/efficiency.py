@@ -42,7 +42,7 @@ PANEL_ROW_GAP = 12.0
 
 
 class _Losses(NamedTuple):
-    """Efficiencies of gears, with their losses in mechanisms and by drag."""
+    """Efficiencies of gears, with the losses in mechanisms and by drag."""
 
     gears: list[str]
     efficiency: Floats

@@ -72,7 +72,7 @@ class Graph(NamedTuple):
         return self.place[band.source], self.place[band.target]
 
     def is_within(self, band: Band) -> bool:
-        """Return whether both ends of a band are in one run."""
+        """Return whether both ends of a band are in the same run."""
         return not band.back and self.place[band.source] == self.place[band.target]
 
     def through(self, node: Node) -> float:

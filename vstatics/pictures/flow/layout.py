@@ -22,7 +22,7 @@ STRAIGHT = 0.5
 
 
 class _Placed(NamedTuple):
-    """Runs and passing bands with their positions."""
+    """Positions of runs and passing bands."""
 
     graph: Graph
     scale: float

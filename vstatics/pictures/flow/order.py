@@ -87,7 +87,7 @@ def _settle(columns: list[list[Key]], near: tuple[Near, Near], turn: int) -> Non
 def _exchanged(
     columns: list[list[Key]], after: Near, graph: Graph
 ) -> tuple[list[list[Key]], float]:
-    """Swap neighbouring cells while crossings decrease; return the columns and their crossings."""
+    """Swap neighbouring cells while crossings decrease; return the columns and the crossings."""
     places = [
         (number, rank) for number, column_ in enumerate(columns) for rank in range(len(column_) - 1)
     ]

@@ -48,7 +48,7 @@ class FlowGear(NamedTuple):
 
 
 class FlowBlock(NamedTuple):
-    """Block of a page: a gear with its heading, or a further row of the gear."""
+    """Block of a page: a gear with the heading, or a further row of the gear."""
 
     shown: Sequence[FlowGear]
     """Gears drawn in this block, which determine the entries of the key."""
@@ -148,7 +148,7 @@ def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[lis
 
 
 def _together(shelves: Iterable[list[FlowBlock]]) -> Iterator[list[list[FlowBlock]]]:
-    """Yield each shelf together with the shelves of further rows of its gear."""
+    """Yield each shelf together with the shelves of further rows of the gear."""
     groups: list[list[list[FlowBlock]]] = []
     for shelf in shelves:
         if groups and shelf[0].is_rest:
@@ -207,7 +207,7 @@ def _head_block(name: str, text: str, wide: float) -> FlowBlock:
 
 
 def _over(head: FlowBlock, row: FlowBlock, gear: FlowGear) -> FlowBlock:
-    """Return the first row of a gear below the heading with its name."""
+    """Return the first row of a gear below the heading with the name."""
     below = head.high + BELOW_TEXT * bool(row.high)
 
     def draw(pen: Pen, left: float, top: float) -> None:

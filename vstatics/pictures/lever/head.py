@@ -36,7 +36,7 @@ class GearHead(NamedTuple):
         return 1.15 * RATIO_SIZE + 4 + max(height(self.elements) - height(""), 0.0)
 
     def draw(self, pen: Pen, x: float, top: float) -> None:
-        """Draw the heading with its upper left corner at (`x`, `top`)."""
+        """Draw the heading with the upper left corner at (`x`, `top`)."""
         y = top - 0.9 * RATIO_SIZE
         pen.text(x, y, self.name, size=TITLE, bold=True)
         at = x + (width(self.name, TITLE, bold=True) + BETWEEN if self.name else 0.0)

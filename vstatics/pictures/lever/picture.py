@@ -35,7 +35,7 @@ NARROWEST_FIGURE = 320.0
 
 
 class LeverBlock(NamedTuple):
-    """Row of levers in a gear, with its heading; lengths in points."""
+    """Row of levers in a gear, with the heading; lengths in points."""
 
     head: GearHead | None
     """Heading of the gear, only for its first row."""

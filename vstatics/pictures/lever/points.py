@@ -40,7 +40,7 @@ class LeverNode(NamedTuple):
 
 
 class Lever(NamedTuple):
-    """Lever of a mechanism, or of a set of planets with their central gears; or a single shaft."""
+    """Lever of a mechanism, or of a set of planets with the central gears; or a single shaft."""
 
     name: str
     nodes: tuple[LeverNode, ...]

@@ -23,7 +23,7 @@ LEAST_GAP = 14.0
 SHORT_STEP = 20.0
 """Rise of a line below which the symbol of a clutch is on its horizontal part."""
 BESIDE_SIGN = 8.0
-"""Distance from the middle of a symbol on a vertical line to its name."""
+"""Distance from the middle of a symbol on a vertical line to the name."""
 MOST_ORDERED = 6
 """Largest number of vertical parts in a gap for which all orders are tried."""
 OVERLAP_COST = 10
@@ -31,7 +31,7 @@ OVERLAP_COST = 10
 
 
 class LeverRow(NamedTuple):
-    """Horizontal line of a point of a lever, with its texts."""
+    """Horizontal line of a point of a lever, with the texts."""
 
     name: str
     """Name of the link, wrapped into lines."""

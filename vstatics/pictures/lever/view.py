@@ -11,7 +11,7 @@ from vstatics.pictures.lever.places import LeverCell
 
 
 class LeverView(NamedTuple):
-    """Lever in a gear, with its position on a page."""
+    """Lever in a gear, with the position on a page."""
 
     sheet: LeverSheet
     gear: LeverGear

@@ -1,4 +1,4 @@
-"""Simulated run of a case in the coordinates of a plan, and its ratio over time."""
+"""Simulated run of a case in the coordinates of a plan, and the ratio over time."""
 
 from __future__ import annotations
 

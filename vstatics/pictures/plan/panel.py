@@ -38,7 +38,7 @@ NARROW_ABSCISSA = 0.4
 
 
 class DrawnPlan(NamedTuple):
-    """Plan with its scales, labels and dimensions."""
+    """Plan with the scales, labels and dimensions."""
 
     plan: KinematicPlan
     run: PlanCourse | None
@@ -88,7 +88,7 @@ class DrawnPlan(NamedTuple):
 
 
 class GearRow(NamedTuple):
-    """Row of labels above or below a plan, each near the vertical line of its gear."""
+    """Row of labels above or below a plan, each near the vertical line of the gear."""
 
     labels: list[Label]
     upright: bool

@@ -37,7 +37,7 @@ ABSCISSA_NAME_HEIGHT = 18.0
 ORDINATE_NAME_WIDTH = 18.0
 """Width of the name of the vertical axis, right of its numbers. [pt]"""
 AFTER_SCALE = 8.0
-"""Distance from the numbers of a scale to its name, or to the next plan. [pt]"""
+"""Distance from the numbers of a scale to the name, or to the next plan. [pt]"""
 PLAN_GAP = 7.0
 """Distance between plans. [pt]"""
 

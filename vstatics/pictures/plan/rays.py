@@ -45,7 +45,7 @@ class Ray(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """Point of the horizontal axis with its gears, which differ only in elements without torque."""
+    """Point of the horizontal axis with the gears, which differ only in elements without torque."""
 
     gears: tuple[int, ...]
     """Numbers of the gears, from 1."""

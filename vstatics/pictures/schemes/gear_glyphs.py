@@ -77,7 +77,7 @@ class Stroke(NamedTuple):
 
 
 class Glyph(NamedTuple):
-    """Drawing of a gear set; x from its left end, y from the middle of the row of planets [pt]."""
+    """Drawing of a gear set; x from the left end, y from the middle of the row of planets [pt]."""
 
     width: float
     strokes: Sequence[Stroke]

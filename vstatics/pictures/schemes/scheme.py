@@ -1,4 +1,4 @@
-"""Scheme: links, components and ports of a case for a diagram, and their state in a gear."""
+"""Scheme: links, components and ports of a case for a diagram, and the state in a gear."""
 
 from __future__ import annotations
 

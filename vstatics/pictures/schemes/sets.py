@@ -60,7 +60,7 @@ class WheelColumn:
 
 @dataclass(frozen=True)
 class HalfSection:
-    """Half-section, above the axis, of a group of planets with their suns and rings."""
+    """Half-section, above the axis, of a group of planets with the suns and rings."""
 
     group: PlanetGroup
     levels: Mapping[str, int]
@@ -99,7 +99,7 @@ class HalfSection:
 
     @property
     def faces(self) -> Span:
-        """Left and right end of the gears with their names, without carrier arms [pt]."""
+        """Left and right end of the gears with the names, without carrier arms [pt]."""
         last = len(self.columns) - 1
         return self.x(0) - FACE, self.x(last) + max(FACE, self.name_width(last) - 3)
 

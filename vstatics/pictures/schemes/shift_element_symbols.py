@@ -169,7 +169,7 @@ def _support(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> list[Seque
 
 
 def meanings(state: SchemeState, style: Style) -> list[Meaning]:
-    """Return the key of the picture of a gear: each style with its meaning.
+    """Return the key of the picture of a gear: each style with the meaning.
 
     >>> [said for occurs, said, *_ in meanings(SchemeState(engaged=frozenset({1})), Style())
     ...  if occurs]

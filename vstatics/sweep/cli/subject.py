@@ -1,4 +1,4 @@
-"""Subject of a sweep, read from files: a case, or a scenario with its case."""
+"""Subject of a sweep, read from files: a case, or a scenario with the case."""
 
 from __future__ import annotations
 

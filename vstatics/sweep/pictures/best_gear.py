@@ -76,7 +76,7 @@ def refined(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats, Float
 
 
 def deepest(inside: Booleans) -> tuple[int, int]:
-    """Return the row and column of a point of a region that is far from its edge.
+    """Return the row and column of a point of a region that is far from the edge.
 
     >>> deepest(np.pad(np.ones((3, 5), bool), 2))
     (3, 4)

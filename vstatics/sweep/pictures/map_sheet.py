@@ -82,7 +82,7 @@ class MapSheet(NamedTuple):
 
     @property
     def bar_room(self) -> float:
-        """Width of the colour bar with its texts [pt]; 0 without a colour bar."""
+        """Width of the colour bar with the texts [pt]; 0 without a colour bar."""
         texts = self.bar_texts
         return (BAR_WIDTH + 5 + widest(texts) + BAR_NAME_WIDTH + MARGIN) * bool(texts)
 
@@ -279,7 +279,7 @@ def _places(lines: Sequence[Floats]) -> Iterator[Point]:
 
 
 def _along(piece: Floats) -> Floats:
-    """Return the distance along a line from its start to each point [pt]."""
+    """Return the distance along a line from the start to each point [pt]."""
     steps: Floats = np.hypot(*np.diff(piece, axis=0).T)
     return np.concatenate([[0.0], np.cumsum(steps)])
 

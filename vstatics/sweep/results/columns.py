@@ -216,7 +216,7 @@ def items(text: str) -> Iterator[tuple[int, int]]:
 def _headings(
     expression: Expression, names: NameFinder, targets: Sequence[Varied], given_name: str
 ) -> Iterator[tuple[tuple[int, int], str]]:
-    """Yield the gear and row of each column of an expression, and its heading."""
+    """Yield the gear and row of each column of an expression, and the heading."""
     node, text = expression.node, given_name or plain_names(_BLANK.sub(" ", expression.text))
     if isinstance(node, VariedNumber) and not given_name:
         yield (0, 0), targets[node.column].name

@@ -111,7 +111,7 @@ class Terms(NamedTuple):
     """Names that an expression can use in addition to the names of the subject."""
 
     targets: Sequence[Varied] = ()
-    """Varied numbers, in the order of their values."""
+    """Varied numbers, in the order of the values."""
     named: Mapping[str, ResolvedPart] = MappingProxyType({})
     """Expressions of named columns, by the name."""
     by_gear: bool = False
@@ -169,7 +169,7 @@ def terms_of(targets: Sequence[Varied] | Terms) -> Terms:
 def resolved_expression(
     source: Excerpt, subject: Subject, terms: Terms
 ) -> tuple[Expression, ResolvedPart]:
-    """Return an expression, and its tree with resolved names; see `read_expression`."""
+    """Return an expression, and the tree with resolved names; see `read_expression`."""
     names = names_of(source, subject, terms)
     tree = parse(source, names.language)
     part = _resolve(tree, names, terms.named)

@@ -146,7 +146,7 @@ def _check_values(formula: Expression, link: LinkText) -> None:
 
 
 def _check_order(links: Sequence[LinkText], formulas: Sequence[Expression], first: int) -> None:
-    """Refuse formulas that use their own or a later linked number.
+    """Refuse formulas that use the same or a later linked number.
 
     Raises
     ------

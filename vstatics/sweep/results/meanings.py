@@ -70,7 +70,7 @@ class NameFinder(Protocol):
         """Return the meaning of the name of a number in the case or scenario."""
 
     def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """Return the meaning of the name of a table, with its subscripts."""
+        """Return the meaning of the name of a table, with the subscripts."""
 
     def rows(self, table: str) -> Sequence[str]:
         """Return the names of the rows of a table; empty for a table without rows."""

@@ -55,7 +55,7 @@ def _changes_mechanisms(varied: Varied) -> bool:
 
 
 class SweepNames:
-    """Finder of the meanings of names in an expression, for a case and its varied numbers.
+    """Finder of the meanings of names in an expression, for a case and the varied numbers.
 
     Examples
     --------

@@ -137,7 +137,7 @@ def best(values: Floats, count: int) -> Integers:
     """Return the indices of the rows with the smallest values, the smallest first.
 
     Rows with equal values keep their order. For many chunks, append each chunk in turn to the best
-    rows so far, and call this function again.
+    rows found before, and call this function again.
 
     Parameters
     ----------

@@ -123,7 +123,7 @@ class Zip:
 
 
 class VariantTable:
-    """Variants from a table given by the user, one variant per row.
+    """Variants from a table given by the user, a variant in each row.
 
     The rows of a `Spool` are in a temporary file, so that pickled copies are small; call `close`
     after use.
@@ -173,7 +173,7 @@ class VariantTable:
 
 
 class VariantPart:
-    """Range of variants of a table with their values, for a computer without the table.
+    """Range of variants of a table with the values, for a computer without the table.
 
     >>> from vstatics.sweep.variants.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
@@ -234,7 +234,7 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
 
 
 def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floats | Steps, ...]]:
-    """Return the varied numbers and their values; refuse ranges and distributions."""
+    """Return the varied numbers and the values; refuse ranges and distributions."""
     targets = checked_targets(variations)
     listed: list[Floats | Steps] = []
     problems: list[Problem] = []

@@ -30,7 +30,7 @@ class VariedDocument(ABC):
     @property
     @abstractmethod
     def base_case(self) -> Transmission:
-        """Case as read from its file, before any number varies."""
+        """Case as read from the file, before any number varies."""
 
     @abstractmethod
     def target(self, text: str, place: Place | None = None) -> Varied:

@@ -334,7 +334,7 @@ def _text(data: bytes, file: str, line: int) -> str:
 
 
 def _cells(line: str, separator: str) -> list[tuple[str, int]]:
-    """Return the cells of a line, without blanks and quotes, each with its column from 1."""
+    """Return the cells of a line, without blanks and quotes, each with the column from 1."""
     cell = re.compile(rf'\s*(?:"((?:[^"]|"")*)"\s*|([^{separator}]*))({separator}|\Z)')
     cells = []
     position = 0

@@ -1,4 +1,4 @@
-"""Varied numbers of a case, such as "D1.ratio" or "shaft.stiffness", and their given values."""
+"""Varied numbers of a case, such as "D1.ratio" or "shaft.stiffness", and the given values."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ OWNERS: Mapping[Quantity, Owner] = {
 ALIASES: Mapping[str, Quantity] = {
     LISTS["mechanisms", quantity]: quantity for quantity in OF_MECHANISM
 }
-"""Quantities of mechanisms, by their names in a deck (IAB and ETAI)."""
+"""Quantities of mechanisms, by name in a deck (IAB and ETAI)."""
 NAMES: Mapping[str, Quantity] = {**{quantity: quantity for quantity in OWNERS}, **ALIASES}
 
 

@@ -249,7 +249,7 @@ def _steps(start: float, stop: float, text: str, place: Place | None) -> Steps:
 
 
 def _cells(text: str, separator: str) -> Iterator[tuple[int, str]]:
-    """Yield the parts of a text between separators, without blanks, with their offsets."""
+    """Yield the parts of a text between separators, without blanks, with the offsets."""
     offset = 0
     for part in text.split(separator):
         blanks = len(part) - len(part.lstrip()) if part.strip() else 0

@@ -1,4 +1,4 @@
-"""Request for gearboxes with its limits, and the record of a found gearbox."""
+"""Request for gearboxes with the limits, and the record of a found gearbox."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ class WantedSequence(NamedTuple):
     """Forward gears that are given by their number, ratio spread and step ratios, not by ratios."""
 
     least: int
-    """Smallest number of these gears."""
+    """Smallest number of gears in the sequence."""
     most: int
-    """Largest number of these gears."""
+    """Largest number of gears in the sequence."""
     spread: tuple[float, float]
     """Range of the ratio spread: first ratio divided by last ratio. [-]"""
     steps: tuple[float, float]
@@ -86,9 +86,11 @@ class BoxSearch(NamedTuple):
     """Largest deviation ``|ln(i/target)|`` of each gear; empty if `tolerance` is valid for all. [-]
     """
     brake_counts: tuple[int, ...] | None = None
-    """Permitted numbers of brakes; None for any number."""
+    """Permitted numbers of brakes; any number if None."""
     singly: bool = False
-    """True to find only gearboxes in which neighbouring gears differ by exchange of one element."""
+    """True to find only gearboxes in which neighbouring gears differ by exchange of a single
+    element.
+    """
 
     sequence: WantedSequence | None = None
     """Forward gears in addition to the targets, given by number, ratio spread and step ratios."""

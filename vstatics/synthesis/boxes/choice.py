@@ -136,7 +136,7 @@ class BoxFilter(NamedTuple):
     """
 
     single: bool = False
-    """True if neighbouring gears must differ by exchange of one shift element."""
+    """True if neighbouring gears must differ by exchange of a single shift element."""
     planar: bool = False
     brakes: tuple[int, ...] = ()
     """Permitted numbers of brakes; empty for any number."""

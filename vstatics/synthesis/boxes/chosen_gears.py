@@ -97,7 +97,7 @@ def all_of(numbers: Engaged) -> int:
 
 
 Way = tuple[tuple[float, ...], tuple[Engaged, ...]]
-"""Cost of the gears so far, and the engaged shift elements of each of these gears."""
+"""Cost of a number of gears, and the engaged shift elements of each."""
 
 
 def chosen_sets(
@@ -135,7 +135,7 @@ def chosen_sets(
     >>> chosen_sets([gears], 4, lambda one: (0.0, 0.0))
     ((0, 1), (1, 2), (2, 3))
     """
-    # Each key consists of the last gear's set, and of all elements used so far, as bits.
+    # Each key consists of the last gear's set, and of all elements used until then, as bits.
     ways: dict[tuple[Engaged, int], Way] = {((), 0): ((0.0, 0.0, 0.0, 0.0), ())}
     for sets in (sets for gears in ranges for sets in ((), *gears)):
         after: dict[tuple[Engaged, int], Way] = {}
@@ -159,7 +159,7 @@ def _keep(ways: dict[tuple[Engaged, int], Way], key: tuple[Engaged, int], way: W
 
 
 def is_single(gears: Sequence[Collection[object]]) -> bool:
-    """Return whether neighbouring gears differ by exchange of one shift element.
+    """Return whether neighbouring gears differ by exchange of a single shift element.
 
     >>> is_single([(0, 1), (1, 2), (2, 3)]), is_single([(0, 1), (2, 3)])
     (True, False)

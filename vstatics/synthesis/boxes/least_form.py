@@ -11,7 +11,7 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 
 class _Renaming(NamedTuple):
-    """Gear sets in their new order so far, and the new numbers of their links."""
+    """New order of some gear sets, and new numbers of the links of these sets."""
 
     order: tuple[int, ...]
     links: dict[int, int]

@@ -40,7 +40,7 @@ class ListedGear(NamedTuple):
     *("family", "core", "known", "ravigneaux", "pareto", "case"),
 )
 class ListedBox(NamedTuple):
-    """Gearbox listed in a document, with its number in the document, from 1."""
+    """Gearbox listed in a document, with the number in the document, from 1."""
 
     error: float
     loss: float
@@ -70,7 +70,7 @@ class ListedBox(NamedTuple):
     known: str | None
     """Name of the shipped case that equals the gearbox; None without."""
     ravigneaux: Mapping[str, tuple[str, ...]]
-    """Two gear sets that form each Ravigneaux set, by its name."""
+    """Two gear sets that form each Ravigneaux set, by name."""
     number: int = 0
     input: Count = 0
     """Number of the input link; 0 for a gearbox that was read from a document, where it is not

@@ -252,7 +252,7 @@ def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floa
 
 
 class EngagedSet(NamedTuple):
-    """Combination of engaged shift elements, with its effect on input and output."""
+    """Combination of engaged shift elements, with the effect on input and output."""
 
     engaged: Sequence[str]
     """Names of the engaged shift elements, including holding freewheels."""

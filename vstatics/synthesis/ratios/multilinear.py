@@ -46,7 +46,7 @@ class SingularError(Exception):
 def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomial:
     """Return the determinant of rows in the columns of some unknowns; -1 is the right side.
 
-    The determinant is expanded row by row, with a sum for each set of unknowns used so far.
+    The determinant is expanded row by row, with a sum for each set of used unknowns.
 
     Raises
     ------

@@ -69,7 +69,7 @@ class FitSpace(NamedTuple):
         return self.arrays.ratios(self.full(points)) / self.targets
 
     def deviations(self, points: FitPoints) -> tuple[Floats, Floats]:
-        """Return weighted deviations ``ln(i/target)``, and their derivatives.
+        """Return weighted deviations ``ln(i/target)``, and the derivatives.
 
         The derivatives are with respect to the logarithms of points. Values are NaN where a gear
         has the wrong sign.

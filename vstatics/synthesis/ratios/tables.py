@@ -65,7 +65,7 @@ def _gears(result: Fit) -> Grid:
 
 
 def _mechanisms(result: Fit) -> Grid:
-    """Return the table of mechanism ratios with their bounds."""
+    """Return the table of mechanism ratios with the bounds."""
     problem = result.problem
     rows: list[Values] = []
     for index, (name, ratio) in enumerate(result.ratios.items()):

@@ -78,7 +78,7 @@ def _important(box: ListedBox) -> Iterator[tuple[str, str]]:
 
 
 def family_grid(listing: BoxListing) -> Grid:
-    """Return the table of families of gearboxes with their gear ratios."""
+    """Return the table of families of gearboxes with the gear ratios."""
     names = list(dict.fromkeys(name for box in listing.boxes for name in box.gears))
     rows: list[Values] = []
     for family, boxes in list(listing.families.items())[:MOST_FAMILIES]:

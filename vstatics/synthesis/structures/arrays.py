@@ -45,7 +45,7 @@ def link_counts(codes: Codes) -> NDArray[np.intp]:
 
 @cache
 def next_sets(links: int, *, apart: bool) -> Codes:
-    """Return the possible links of one more gear set, in ascending order, shape (choices, 3).
+    """Return the possible links of a further gear set, in ascending order, shape (choices, 3).
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def next_sets(links: int, *, apart: bool) -> Codes:
 
 
 def grown(codes: Codes, *, apart: bool) -> tuple[NDArray[np.intp], Codes]:
-    """Return all schemes that grow from schemes by one more gear set.
+    """Return all schemes that grow from schemes by a further gear set.
 
     Parameters
     ----------

@@ -148,7 +148,7 @@ def rows_at_once(search: StructureSearch, codes: Codes, most: int = SCHEMES_AT_O
 
 
 def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
-    """Return the schemes with one more gear set that grow from codes."""
+    """Return the schemes with a further gear set that grow from codes."""
     apart = search.classes == "none"
     which, grown = arrays.grown(codes, apart=apart)
     to_come = search.sets - grown.shape[1] // MEMBERS

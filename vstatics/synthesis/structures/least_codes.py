@@ -32,7 +32,7 @@ class Symmetries(NamedTuple):
 
 
 class _Renamings(NamedTuple):
-    """Partial orders of the gear sets of schemes, whose codes agree so far."""
+    """Partial orders of the gear sets of schemes whose codes agree."""
 
     which: NDArray[np.intp]
     """Row of the scheme of each renaming, shape (renamings,)."""
@@ -86,7 +86,7 @@ class _RenamingSearch:
         self.ends: list[_Renamings] = []
 
     def follow(self, renamings: _Renamings, place: int) -> None:
-        """Try every gear set at a place of the order, and follow renamings whose codes agree."""
+        """Try every gear set at a place of the order, and follow renamings with equal codes."""
         if place == self.sets:
             self.ends.append(renamings)
             return

@@ -145,7 +145,7 @@ def _groups(count: int, pairs: Sequence[tuple[int, int]]) -> list[int]:
 
 
 def named_ratios(layouts: Sequence[TeethLayout]) -> dict[str, TeethRatio]:
-    """Return the ratios of gear sets by name; a single ratio also has the name of its gear set."""
+    """Return the ratios of gear sets by name; a single ratio also has the name of the gear set."""
     by_name: dict[str, TeethRatio] = {}
     for layout in layouts:
         by_name |= {ratio.name: ratio for ratio in layout.ratios}

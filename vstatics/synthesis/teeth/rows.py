@@ -38,7 +38,7 @@ LOOKED = "left"
 """Key of the number of remaining candidates in the counts of excluded candidates."""
 
 Windows = Mapping[int, tuple[float, float]]
-"""Smallest and largest useful magnitude of each ratio of the gear set, by its index. [-]"""
+"""Smallest and largest useful magnitude of each ratio of the gear set, by index. [-]"""
 
 
 class TooManyError(Exception):
@@ -197,7 +197,7 @@ class TeethRows:
     def _bounds(
         self, column: int, known: set[int], rows: Integers, windows: Windows
     ) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
-        """Yield the ranges that axis equations and ratios leave for a gear, with their names."""
+        """Yield the ranges that axis equations and ratios leave for a gear, with the names."""
         candidates = TeethCandidates(self.layout, self.modules, rows)
         for equation in self._equations:
             if column in equation.terms and equation.terms.keys() <= known | {column}:

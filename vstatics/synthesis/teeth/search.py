@@ -29,7 +29,7 @@ FEW_CHOICES = 32
 CHOICES_AT_ONCE = 200_000
 """Number of choices that are tried together."""
 MOST_REGIONS = 30_000_000
-"""Number of regions after which the search ends, with the bound proven so far."""
+"""Number of regions after which the search ends with the bound proven until then."""
 
 
 class BestTeeth(NamedTuple):
@@ -98,7 +98,7 @@ def different_teeth(tables: Sequence[TeethTable], places: Integers) -> Floats:
 
 
 class _Halving:
-    """Branch-and-bound search with the best solutions so far."""
+    """Branch-and-bound search with the best known solutions."""
 
     def __init__(
         self,

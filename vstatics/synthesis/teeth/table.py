@@ -116,7 +116,7 @@ def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
 
 
 def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
-    """Return an order of places, and nodes with their bounds, halved along the widest ratio.
+    """Return an order of places, and nodes with the bounds, halved along the widest ratio.
 
     >>> order, nodes, low, high = _halves(np.array([[3.0], [1.0], [2.0]]))
     >>> order.tolist(), nodes.tolist()

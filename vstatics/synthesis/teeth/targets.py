@@ -20,7 +20,7 @@ TeethError = Literal["ln", "absolute"]
 
 @dataclass(frozen=True)
 class TeethTarget:
-    """Wanted ratio of a gear or gear set, with its formula in the ratios of gear sets.
+    """Wanted ratio of a gear or gear set, with the formula in the ratios of gear sets.
 
     Parameters
     ----------

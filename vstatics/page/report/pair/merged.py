@@ -28,7 +28,7 @@ _Keys = Mapping[Hashable, list[Cell]]
 
 
 def merged(both: Sequence[Grid], labels: str) -> Grid:
-    """Merge corresponding tables of two cases into one.
+    """Merge corresponding tables of two cases.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def merged(both: Sequence[Grid], labels: str) -> Grid:
 
 
 def _columns(grid: Grid) -> dict[Hashable, tuple[int, Column]]:
-    """Return each column with its index, by heading; repeated headings have different keys."""
+    """Return each column with the index, by heading; repeated headings have different keys."""
     keys = _numbered([column.heading for column in grid.columns])
     return {key: (place, grid.columns[place]) for place, key in enumerate(keys)}
 

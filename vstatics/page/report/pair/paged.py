@@ -19,7 +19,7 @@ NO_PICTURES = Pictures()
 
 
 class PagedCase(NamedTuple):
-    """Case on a page that compares two cases, with its contents."""
+    """Case on a page that compares two cases, with the contents."""
 
     label: str
     """Letter of the case, A or B."""
@@ -45,7 +45,7 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
     naming: Naming = UNNAMED,
     motion: PicturedRun | None = None,
 ) -> PagedCase:
-    """Return a case with its contents for the page; parameters as in `gather`."""
+    """Return a case with the contents for the page; parameters as in `gather`."""
     quick = AskedPage([key for key in SECTIONS if key not in report_parts()])
     options: dict[str, Any] = {"asked": quick, "has_marks": True, "drawn": NO_PICTURES}
     material = gather(results, problems, digits, None, naming, **options)

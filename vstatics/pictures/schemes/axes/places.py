@@ -76,7 +76,7 @@ class AxesPlaces(NamedTuple):
         return self.board.axis_of[link]
 
     def y(self, axis: int, height: float) -> float:
-        """Return the vertical position of a height on the side of an axis with its links [pt]."""
+        """Return the vertical position of a height on the side of an axis with the links [pt]."""
         return self.board.rows.heights[axis] + self.board.rows.sides[axis] * height
 
 

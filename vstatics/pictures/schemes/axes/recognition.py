@@ -141,7 +141,7 @@ def joint_of(
 def _of_spring(
     index: int, device: Device, case: Transmission
 ) -> tuple[AxisJoint | None, list[list[int]]]:
-    """Return the joint of a bevel drive that is given as a spring, and its links by axis.
+    """Return the joint of a bevel drive that is given as a spring, and the links by axis.
 
     The crown gear and the casing share an axis; the pinion has its own axis.
     """

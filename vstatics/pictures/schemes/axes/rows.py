@@ -101,7 +101,7 @@ def _room(axis: int, stations: Sequence[Station]) -> float:
 
 
 def _idlers(count: int, stations: Sequence[Station]) -> list[tuple[int, tuple[int, int]]]:
-    """Return axes that only reverse rotation (idlers), each with its two neighbouring axes."""
+    """Return axes that only reverse rotation (idlers), each with the two neighbouring axes."""
     idlers: list[tuple[int, tuple[int, int]]] = []
     for axis in range(1, count):
         stations_here = [station for station in stations if axis in station.axes]

@@ -22,7 +22,7 @@ from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.titles import teeth_of
 
 SIGN = 16.0
-"""Length of the symbol of a sleeve or a plate pack, with its connecting lines. [pt]"""
+"""Length of the symbol of a sleeve or a plate pack, with the connecting lines. [pt]"""
 SPRING = 24.0
 """Length of the symbol of a spring, with its connecting lines. [pt]"""
 PACK_PITCH = 24.0
@@ -169,7 +169,7 @@ def box_note(device: Device, style: Style) -> str:
 
 
 def set_ways(device: Device, style: Style) -> list[Glyph]:
-    """Return all ways to draw a planetary gear set with its carrier; empty for other kinds."""
+    """Return all ways to draw a planetary gear set with the carrier; empty for other kinds."""
     if device.element is not None:
         if not isinstance(device.element.shape, Planetary):
             return []

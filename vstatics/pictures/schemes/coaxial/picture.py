@@ -136,7 +136,7 @@ def _chain_width(scheme: Scheme, chain: CoaxialChain, *, texts: Mapping[int, Box
 
 
 def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Draw a half-section with its axis, links and components."""
+    """Draw a half-section with the axis, links and components."""
     if not layout.coaxial.has_boxes:
         (left, right), y = ends_of(layout), layout.places.axis
         look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
@@ -161,7 +161,7 @@ def painted(  # noqa: PLR0913, PLR0917 - arguments of a picture
     name: str,
     note: str = "",
 ) -> Pen:
-    """Draw a half-section with its heading; letters have a fixed size."""
+    """Draw a half-section with the heading; letters have a fixed size."""
     named = ", ".join([name, *sheet.remarks(style)])
     rows = list(sheet.rows(style.width))
     sizes = [row.size(style.width) for row in rows]

@@ -144,7 +144,7 @@ def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
 
 
 def middle_of(section: HalfSection) -> float:
-    """Return the middle between the outer planes of a gear set, from its left end [pt]."""
+    """Return the middle between the outer planes of a gear set, from the left end [pt]."""
     return (section.x(0) + section.x(len(section.columns) - 1)) / 2
 
 

@@ -47,7 +47,7 @@ def cut(search: BoxSearch) -> int:
 
 
 def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:
-    """Yield the schemes of a piece, each with its choices of input and output in the piece.
+    """Yield the schemes of a piece, each with the choices of input and output in the piece.
 
     Parameters
     ----------

@@ -55,14 +55,14 @@ def measure(work: BoxWork, boxes: Sequence[FoundBox]) -> list[MeasuredBox]:
 
 
 def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
-    """Yield gearboxes in groups, each for one job of a worker."""
+    """Yield gearboxes in groups, each for a job of a worker."""
     coming = iter(boxes)
     while portion := tuple(islice(coming, BOXES_AT_ONCE)):
         yield portion
 
 
 def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
-    """Return a description of a search, stored with its pieces for human readers."""
+    """Return a description of a search, stored with the pieces for human readers."""
     asked = {**search._asdict(), "targets": [*search.targets], "bounds": [*search.bounds]}
     asked["tolerances"] = [*search.tolerances]
     asked["brake_counts"] = search.brake_counts and [*search.brake_counts]

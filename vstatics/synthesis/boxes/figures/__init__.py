@@ -1,4 +1,4 @@
-"""Figures (characteristic numbers) of found gearboxes and of their gears.
+"""Figures (characteristic numbers) of found gearboxes and of the gears.
 
 `by_box` defines the figures of a gearbox, `by_gear` the figures of a gear, and `measured`
 calculates both with the solver. `shifting` counts skip shifts, and finds shift elements with torque

@@ -29,7 +29,9 @@ class BoxFigures(NamedTuple):
     drag: float
     """Weighted mean drag of the forward gears, or of all gears without a forward gear. [-]"""
     skip_shifts: int
-    """Number of pairs of forward gears, not neighbours, that differ by exchange of one element."""
+    """Number of pairs of forward gears, not neighbours, that differ by exchange of a single
+    element.
+    """
     reversing: tuple[str, ...]
     """Names of shift elements with positive torque in some gears and negative torque in others."""
     one_way: tuple[str, ...]
@@ -37,7 +39,7 @@ class BoxFigures(NamedTuple):
     beyond: tuple[float, ...]
     """Further ratios that other combinations of the shift elements give, forward first. [-]"""
     single: bool
-    """True if neighbouring gears differ by exchange of one shift element."""
+    """True if neighbouring gears differ by exchange of a single shift element."""
     planar: bool
     """True if the gearbox can be drawn without crossing shafts."""
 

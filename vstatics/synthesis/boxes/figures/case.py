@@ -120,7 +120,7 @@ def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
 
 
 def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
-    """Return the pairs of gear sets that form a Ravigneaux set, by its name, simple set first.
+    """Return the pairs of gear sets that form a Ravigneaux set, by name, simple set first.
 
     Both sets share carrier and ring; the second set has meshing planets and the smaller sun.
 
@@ -164,7 +164,7 @@ def planet_ratio(ratio: float) -> float:
 
 
 def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
-    """Return the mechanism of a gear set; a planet ratio is added only if it is needed."""
+    """Return the mechanism of a gear set; a planet ratio is added only if needed."""
     sun, carrier, ring = links
     has_planets = ratio > 0 or carrier == HOUSING
     of_planet = planet_ratio(ratio)

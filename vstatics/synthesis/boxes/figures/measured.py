@@ -1,4 +1,4 @@
-"""Calculation of the figures of a found gearbox and of its gears, with the solver."""
+"""Calculation of the figures of a found gearbox and of the gears, with the solver."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ ALIKE: Mapping[str, float] = {}
 
 
 class MeasuredBox(NamedTuple):
-    """Found gearbox with its figures, in the form that `least_box` returns."""
+    """Found gearbox with the figures, in the form that `least_box` returns."""
 
     box: FoundBox
     targets: tuple[float, ...]
@@ -80,7 +80,7 @@ class MeasuredBox(NamedTuple):
 
     @property
     def ravigneaux(self) -> dict[str, tuple[str, str]]:
-        """Pairs of gear sets that form a Ravigneaux set, by its name."""
+        """Pairs of gear sets that form a Ravigneaux set, by name."""
         return ravigneaux_sets(self.box)
 
     @property

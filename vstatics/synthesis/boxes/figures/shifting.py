@@ -14,7 +14,7 @@ from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
 
 
 def skip_shifts(gears: Sequence[Collection[object]]) -> int:
-    """Return the number of pairs of gears, not neighbours, that differ by one shift element.
+    """Return the number of pairs of gears, not neighbours, that differ by a single shift element.
 
     >>> skip_shifts([(0, 1), (0, 2), (0, 3), (1, 2)])
     3

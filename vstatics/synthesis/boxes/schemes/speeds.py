@@ -1,4 +1,4 @@
-"""Link speeds of a scheme that the equations of its gear sets permit, without shift elements."""
+"""Link speeds of a scheme that the equations of the gear sets permit, without shift elements."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ class ChainRoom(NamedTuple):
     came: Integers
     """Predecessor and combination of each state, encoded as one integer."""
     searches: Integers
-    """Number of searches so far, shape (1,)."""
+    """Number of searches, shape (1,)."""
     gears: Integers
     """Index of the combination assigned to each target, shape (targets,)."""
 

@@ -25,7 +25,7 @@ NO_END = 2**62
 
 @shared
 class SetRoom(NamedTuple):
-    """Work arrays of the search for element sets; the depth is the number of additions so far."""
+    """Work arrays of the search for element sets; the depth is the number of additions."""
 
     lists: Integers
     """Shift elements of the combinations that reach each target, as bits, (targets, combinations).
@@ -78,7 +78,7 @@ class SetRoom(NamedTuple):
     """Number of the last evaluated set in which each ratio occurred, shape (ratios,)."""
     match: MatchRoom
     steps: Integers
-    """Number of attempts to add elements, and its limit, shape (2,)."""
+    """Number of attempts to add elements, and the limit, shape (2,)."""
     listed: Integers
     """Shift elements of each complete element set, shape (largest number of sets, size)."""
 

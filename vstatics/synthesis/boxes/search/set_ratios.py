@@ -252,7 +252,7 @@ def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
 
 @compiled_part
 def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
-    """Calculate the corner weights at a point, and their derivatives."""
+    """Calculate the corner weights at a point, and the derivatives."""
     sets = len(logs)
     fill(room.corner_weights, 1.0)
     for slopes in room.slopes:

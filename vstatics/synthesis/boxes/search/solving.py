@@ -58,7 +58,7 @@ class CellRoom(NamedTuple):
     better: Asked
     """Requirements, with the ranges of gear ratios that a better solution must have."""
     steps: Integers
-    """Number of examined cells, and its limit, shape (2,)."""
+    """Number of examined cells, and the limit, shape (2,)."""
     given_up: Booleans
     """True if cells that could contain a solution were not examined, shape (1,)."""
     fit: FitRoom

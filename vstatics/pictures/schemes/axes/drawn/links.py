@@ -49,7 +49,7 @@ class AxesSheet(SchemeInk):
         return self.pen.style.ink if self.is_used(index, link) else self.pen.style.faint
 
     def name(self, index: int) -> None:
-        """Write the name of a component, and its tooth numbers if wanted."""
+        """Write the name of a component, and the tooth numbers if wanted."""
         is_bold = index in self.state.engaged or not self.scheme.devices[index].is_coupling
         for label in self.labels.get(index, ()):
             look: Look = {"bold": is_bold} if label.is_name else {"size": SMALL}
@@ -61,7 +61,7 @@ class AxesSheet(SchemeInk):
 
 
 def draw_links(sheet: AxesSheet) -> None:
-    """Draw the axes, and the lines of all links with their crossings."""
+    """Draw the axes, and the lines of all links with the crossings."""
     placing, pen = sheet.placing, sheet.pen
     for axis in dict.fromkeys(placing.axis_of(link) for link in sorted(placing.spans)):
         left, right = ends_of(placing, axis)

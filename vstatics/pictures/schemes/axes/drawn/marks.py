@@ -23,7 +23,7 @@ from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_couple
 
 
 def draw_station(sheet: AxesSheet, number: int) -> None:
-    """Draw a station on a single axis, with its names."""
+    """Draw a station on a single axis, with the names."""
     station = sheet.placing.board.stations[number]
     draw = {
         "coupling": _coupling,

@@ -46,7 +46,7 @@ STRANGE, NEAR = 12.0, 3.0
 OUTWARD = np.array([-1.0, -1.0, 1.0, 1.0])
 """Signs of the outward directions at the left, lower, right and upper side of a box. [-]"""
 Boxes = NDArray[np.float64]
-"""Boxes around texts, each a row with its left, lower, right and upper side. [pt]"""
+"""Boxes around texts, each a row with the left, lower, right and upper side. [pt]"""
 
 
 class WantedLabel(NamedTuple):

@@ -12,7 +12,7 @@ from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Scheme
 
 END_NAME_GAP = 3.0
-"""Distance from the end of the line of a link to its name. [pt]"""
+"""Distance from the end of the line of a link to the name. [pt]"""
 
 
 def ends_of(placing: AxesPlaces, axis: int) -> tuple[float, float]:

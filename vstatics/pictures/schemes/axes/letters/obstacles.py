@@ -107,7 +107,7 @@ def _of_pair(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obs
 
 
 def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obstacle]:
-    """Yield the lines and supports of a gear set as obstacles, and its interior at a lower cost."""
+    """Yield the lines and supports of a gear set as obstacles, and the interior at a lower cost."""
     axis, glyph = station.axes[0], station.glyphs[placing.chosen.ways[number]]
     left, middle = placing.xs[number] - glyph.width / 2, placing.sign_height(axis)
 

@@ -26,7 +26,7 @@ from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_tex
 from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled
 
 SIGN_NAME = 12.0
-"""Distance from the middle of a shift element or shaft to its name. [pt]"""
+"""Distance from the middle of a shift element or shaft to the name. [pt]"""
 TOP_NAME = 8.0
 """Distance from the housing to the name of a component at the housing. [pt]"""
 

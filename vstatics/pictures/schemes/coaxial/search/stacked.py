@@ -18,7 +18,7 @@ STACKED_CROSSING = 10
 
 
 class _Stacked(NamedTuple):
-    """Component that can be added next, with its cost."""
+    """Component that can be added next, with the cost."""
 
     cost: int
     steps: tuple[SweepStep, ...]
@@ -45,7 +45,7 @@ def stacked(train: CoaxialTrain) -> list[SweepStep]:
 
 
 def _ways(train: CoaxialTrain, state: SectionState) -> Iterator[_Stacked]:
-    """Yield all remaining components as next steps, with their costs."""
+    """Yield all remaining components as next steps, with the costs."""
     kinds = (
         (train.carrier_bits, _set),
         (train.pair_bits, _pair),

@@ -1,4 +1,4 @@
-"""State of a search: bars (lines of links) at a place along the axis, and components so far.
+"""State of a search: bars (lines of links) at a place along the axis, and drawn components.
 
 A bar is identified by eight times the number of its link plus the number of its part. Parts of a
 link with different numbers must still be connected further to the right.

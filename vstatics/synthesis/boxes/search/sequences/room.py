@@ -38,7 +38,7 @@ class Sequence(NamedTuple):
     falling: bool
     """True if step ratios must not increase from gear to gear."""
     singly: bool
-    """True if neighbouring gears must differ by exchange of one shift element."""
+    """True if neighbouring gears must differ by exchange of a single shift element."""
 
 
 def sequence_of(wanted: WantedSequence | None, *, singly: bool) -> Sequence:
@@ -84,7 +84,7 @@ class ChoiceRoom(NamedTuple):
     free: Booleans
     """True if a gear ratio is not assigned to a gear, shape (ratios,)."""
     looks: Integers
-    """Number of trial assignments of gear ratios to gears so far, shape (1,)."""
+    """Number of trial assignments of gear ratios to gears until now, shape (1,)."""
 
 
 @shared
@@ -100,7 +100,7 @@ class SequenceRoom(NamedTuple):
     """Assignment of combinations of shift elements to gears."""
     match: MatchRoom
     steps: Integers
-    """Number of examined cells, and its limit, shape (2,)."""
+    """Number of examined cells, and the limit, shape (2,)."""
     parts: Floats
     """Numerators and denominators of the gear ratios at the corners of the cells, shape (cells,
     ratios, 2, corners). [-]
