@@ -1,4 +1,4 @@
-"""Input and output of the program: files, standard streams, messages."""
+"""Input and output of the program: files, standard streams and messages."""
 
 from __future__ import annotations
 
@@ -38,23 +38,23 @@ if TYPE_CHECKING:
 
 STDIN = "-"
 MOST_SHOWN_PROBLEMS = 100
-"""Largest number of problems of a case that are printed."""
+"""Largest number of printed problems of a case."""
 MOST_SEARCHED = 1000
-"""Largest number of files of a folder among which a similar name is searched."""
+"""Largest number of files in a folder that are searched for a similar name."""
 ALIKE, SHORT = 0.75, 0.66
-"""Smallest similarity, from 0 to 1, of suggested names; lower for names of three letters."""
+"""Smallest similarity of suggested names, from 0 to 1, and the value for short names. [-]"""
 CLOSED = "it is closed"
 
 
 def file_name(file: str) -> str:
-    """Return the name of an input file in messages."""
+    """Return the name by which messages refer to an input file."""
     return STDIN_NAME if file == STDIN else file
 
 
 def read_input(
     file: str, most: int = DOCUMENT_BYTES, *, regular: bool = False
 ) -> tuple[bytes, str]:
-    """Return the bytes of a file or of standard input, and the name in messages.
+    """Return the bytes of a file or of standard input, and the name for messages.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def read_input(
     Raises
     ------
     ReadError
-        If the file cannot be read, or is larger.
+        If the file cannot be read, or is too large.
     """
     name = file_name(file)
     try:
@@ -83,14 +83,14 @@ def read_input(
         reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
     except OSError as error:
         raise ReadError([unreadable(name, error)]) from None
-    except ValueError as error:  # a name that contains a zero byte
+    except ValueError as error:  # the name contains a zero byte
         reason = str(error)
     raise ReadError([of_file("E006", name, f"cannot be read: {reason}")])
 
 
 @contextlib.contextmanager
 def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
-    """Report problems without a line, with a hint after each message.
+    """Report an error about a file as a problem of the file, with a hint after the message.
 
     Raises
     ------
@@ -105,11 +105,11 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
 
 
 def _nearest_file(file: str) -> str:
-    """Return a hint that names the most similar file in the folder.
+    """Return a hint with the name of the most similar file in the folder.
 
-    Stems are compared, because equal suffixes make different names similar.
+    Only stems are compared, because equal suffixes make all names similar.
     """
-    from difflib import get_close_matches  # costs start-up time
+    from difflib import get_close_matches  # slow to import
 
     folder, name = os.path.split(file)
     try:
@@ -131,7 +131,7 @@ def _stem(name: str) -> str:
 
 
 def _shipped(file: str) -> str:
-    """Return a hint on the command that writes a shipped case of this name.
+    """Return a hint about the command that writes a shipped case of the same name.
 
     >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
     ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
@@ -144,13 +144,13 @@ def _shipped(file: str) -> str:
     name = next((candidate for candidate in names if candidate in example_files()), None)
     if name is None:
         return ""
-    import shlex  # costs start-up time
+    import shlex  # slow to import
 
     return f"; `vstatics new {shlex.quote(file)} -t {name}` writes the shipped case"
 
 
 def show(problems: Iterable[Problem]) -> None:
-    """Print problems to stderr in the format of a compiler, with the line and a caret."""
+    """Print problems to stderr in the format of a compiler, with the source line and a caret."""
     all_problems = list(problems)
     for problem in all_problems[:MOST_SHOWN_PROBLEMS]:
         say(str(problem))
@@ -163,18 +163,18 @@ def show(problems: Iterable[Problem]) -> None:
 
 
 def say(line: str) -> None:
-    """Print a line to stderr, made safe; a closed stderr is ignored."""
+    """Print a line to stderr with control characters escaped; a closed stderr is ignored."""
     with contextlib.suppress(OSError):
         _speakers[-1](printable(line))
 
 
 _speakers: list[Callable[[str], None]] = [partial(click.echo, err=True)]
-"""Stack of functions that print a line; the last of them is used."""
+"""Stack of functions that print a line, of which the last is used."""
 
 
 @contextlib.contextmanager
 def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
-    """Let `speaker` print the lines of `say` within the context."""
+    """Print lines of `say` by the function `speaker` within the context."""
     _speakers.append(speaker)
     try:
         yield
@@ -183,7 +183,7 @@ def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
 
 
 def spare(inputs: Iterable[str], output: str | None) -> None:
-    """Refuse an output that would overwrite an input.
+    """Refuse an output file that would overwrite an input file.
 
     Raises
     ------
@@ -192,7 +192,7 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
     if output is None or is_stream(output):
         return
     for file in inputs:
-        with contextlib.suppress(OSError, ValueError, AttributeError):  # not all are files
+        with contextlib.suppress(OSError, ValueError, AttributeError):  # some names are not files
             read = sys.stdin.fileno() if file == STDIN else file
             if os.path.samestat(os.stat(read), os.stat(output)):  # noqa: PTH116
                 message = f"{output} is what is read, and would be overwritten"
@@ -200,7 +200,7 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
 
 
 def refuse_existing(output: str) -> None:
-    """Refuse to overwrite a file, which may have been edited; streams are allowed.
+    """Refuse to overwrite an existing file, which can have been edited; streams are permitted.
 
     Raises
     ------
@@ -212,7 +212,7 @@ def refuse_existing(output: str) -> None:
 
 
 def write_output(text: str, output: str | None) -> None:
-    """Write a text in UTF-8 to a file, completely or not at all, or to stdout.
+    """Write a text as UTF-8 to a file, completely or not at all, or to stdout.
 
     Raises
     ------
@@ -229,20 +229,20 @@ def write_data(data: bytes, output: str | None) -> None:
 
 
 def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = False) -> None:
-    """Write the pages of a picture to a file each, or the only page to a stream.
+    """Write each page of a picture to a file, or a single page to a stream.
 
-    Unless `quiet`, the names of further files are printed.
+    The names of files after the first are printed, unless `quiet`.
 
     Raises
     ------
     ReadError
-        If a page cannot be written, or would overwrite a file of another origin.
+        If a page cannot be written, or would overwrite a file that is not a page of this picture.
     """
     if output is None or is_stream(output):
         [data] = pages
         write_data(data, output)
         return
-    from vstatics.core.jobs.page_files import page_name, replace_pages  # costs start-up time
+    from vstatics.core.jobs.page_files import page_name, replace_pages  # slow to import
 
     try:
         replace_pages(output, pages)
@@ -254,7 +254,7 @@ def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = Fal
 
 
 def write_coloured(text: str) -> None:
-    """Write a text of `SafeConsole`, which is already escaped, to stdout.
+    """Write a text from `SafeConsole`, which is already escaped, to stdout.
 
     Raises
     ------
@@ -269,9 +269,10 @@ def write_coloured(text: str) -> None:
 def stream(
     output: str | None, *, coloured: bool = False, folder: StateFolder | None = None
 ) -> Iterator[Write]:
-    """Yield a function that writes piece by piece, to stdout, a device or a file.
+    """Yield a function that writes data piece by piece to stdout, a device or a file.
 
-    A file appears at the end; until then its content is in `folder`, or in the folder of the file.
+    A file gets its name only at the end; until then, its content is in a temporary file in
+    `folder`, or in the folder of the file.
 
     Raises
     ------
@@ -289,13 +290,13 @@ def stream(
             with way as write:
                 yield write
     except BrokenPipeError:
-        raise  # the reader of a pipe has left; click ends quietly
+        raise  # the reader of a pipe has ended; click exits quietly
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
 
 
 def encoded(text: str, *, as_is: bool = False) -> bytes:
-    r"""Encode a text in UTF-8, escaped for a terminal unless `as_is`.
+    r"""Encode a text as UTF-8, with control characters escaped unless `as_is`.
 
     >>> encoded("\x1b[2J"), encoded("\x1b[2J", as_is=True)
     (b'\\u001b[2J', b'\x1b[2J')
@@ -304,7 +305,7 @@ def encoded(text: str, *, as_is: bool = False) -> bytes:
 
 
 def read_names(file: str) -> list[str]:
-    r"""Read the names in a list of files, a line each, or ended by NUL (`find -print0`).
+    r"""Read a list of file names, separated by line ends, or ended by NUL (`find -print0`).
 
     Blanks around a line are removed; empty lines and lines that begin with # are ignored.
 
@@ -326,7 +327,7 @@ def read_names(file: str) -> list[str]:
 
 
 def _print(data: bytes | memoryview, *, coloured: bool) -> None:
-    """Write to stdout at once; at a terminal, uncoloured data are escaped."""
+    """Write data to stdout at once; on a terminal, data without colours are escaped."""
     if sys.stdout is None:
         raise OSError(CLOSED)
     if sys.stdout.isatty() and not coloured:

@@ -1,4 +1,4 @@
-"""File names by patterns such as `*.yaml`, for shells that do not expand them."""
+"""Expansion of file names with patterns such as `*.yaml`, also for shells without expansion."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ import click
 from vstatics.core.errors import quoted
 
 WILDCARDS, SIGNS = "*?", "*?["
-"""Characters that make a name a pattern, and all special characters of patterns.
+"""Characters that make a name a pattern, and all characters with a meaning in patterns.
 
-A bracket alone can belong to a file name.
+A name with a bracket only is not a pattern, because file names can contain brackets.
 """
 
 
 def expanded(names: Iterable[str]) -> list[str]:
-    """Expand names and patterns to files; `**` matches any folders, but follows no links.
+    """Expand names and patterns to files; `**` matches any folders, but does not follow links.
 
-    A file is listed once, however many patterns and names match it.
+    A file that matches several patterns or names is listed only once.
 
     Raises
     ------
@@ -49,11 +49,11 @@ def expanded(names: Iterable[str]) -> list[str]:
 
 
 def _matching(pattern: str) -> Iterator[str]:
-    """Yield the paths that match a pattern with any number of `**`.
+    """Yield the paths that match a pattern, which can contain `**`.
 
-    `glob` alone would follow links, and never end in a loop of links.
+    `glob` would follow links, and would not end in a loop of links.
     """
-    from glob import escape  # costs start-up time
+    from glob import escape  # slow to import
 
     parts = pattern.replace(os.sep, "/").split("/")
     if "**" not in parts:
@@ -69,8 +69,8 @@ def _matching(pattern: str) -> Iterator[str]:
 
 
 def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
-    """Yield the paths below some folders that match, without links back to a parent folder."""
-    from glob import escape, glob, has_magic  # costs start-up time
+    """Yield matching paths below some folders, without links back to a parent folder."""
+    from glob import escape, glob, has_magic  # slow to import
 
     for top in tops:
         part, *inner_parts = parts
