@@ -1,11 +1,11 @@
 """Reader of the deck, the input format of the published Visual-Statics example.
 
-`text` finds the fields, `values` reads their values and `fields` checks their number. This module
-builds the transmission.
+`text` finds the fields, `values` reads their values and `fields` checks the number of values. This
+module builds the case.
 
-The last deck without errors and warnings is remembered. If the next deck differs only in the
-numbers of mechanisms, only the changed lines are read, and only these numbers are checked.
-In all other cases, for example after an error, a deck is read in full.
+The last deck without errors and warnings is remembered. If the next deck differs only in numbers of
+mechanisms, only the changed lines are read and checked. Otherwise, for example after an error, a
+deck is read in full.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ def read(data: bytes, file: str) -> Reading:
     Parameters
     ----------
     data : bytes
-        The text in UTF-8, Windows-1251, CP866 or KOI8-R.
+        Text in UTF-8, Windows-1251, CP866 or KOI8-R.
     file : str
         Name of the file, for messages.
 
     Returns
     -------
     Reading
-        The transmission, its warnings, and the places of its parts.
+        Case with warnings, and with the places of all parts in the file.
 
     Raises
     ------
@@ -69,7 +69,8 @@ def read(data: bytes, file: str) -> Reading:
             result = error
         problems = result.warnings if isinstance(result, Reading) else result.problems
         score = sum(problem.severity == "error" for problem in problems), len(problems)
-        damaged = bool(damage) and score[0] <= fewest[0]  # the damage explains as many errors
+        # The damage of the text explains the errors equally well.
+        damaged = bool(damage) and score[0] <= fewest[0]
         if best is None or score < fewest or damaged:
             best, fewest = result, score
         if fewest == (0, 0):
@@ -89,8 +90,8 @@ def _read_text(text: str, file: str, damage: Iterable[Problem]) -> Reading:
 
 
 def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
-    """Read a deck in full, and store the deck for the next call."""
-    global _known  # noqa: PLW0603 - the last deck, whose variants are read faster
+    """Read a deck in full, and remember the deck for the next call."""
+    global _known  # noqa: PLW0603 - the last deck
     text, deck = source.text, scan(source)
     if not text.strip() or not deck.fields:
         message = "no field of a deck found, expected `KJG=` first"
@@ -101,14 +102,14 @@ def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
     fields = Fields(deck, len(text))
     reading = finish(_parts(fields), deck.problems, fields.hidden, fields.places.locate)
     if not reading.warnings:
-        # without repeat counts the number of values is at most the number of characters
+        # Only a deck without repeat counts has at most as many values as characters.
         is_remembered = len(text) <= LONGEST_REMEMBERED_DECK and "*" not in text
         _known = KnownDeck(deck, reading.case, fields.places.planet) if is_remembered else None
     return reading
 
 
 def _parts(fields: Fields) -> dict[str, Any]:
-    """Read the arguments of `Transmission`, with stand-ins for unreadable values."""
+    """Return the arguments of `Transmission`, with stand-ins for unreadable values."""
     sizes = {
         "J": fields.size("KJG", "links (input and output)", 2),
         "F": fields.size("KL", "shift elements", 0),
@@ -116,7 +117,8 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "P": fields.size("NP", "gears", 1),
     }
     if fields.optional(SPRINGS, 0, range(1), NO_SPRINGS) is None:
-        fields.hidden.append(("links",))  # without their springs, links can appear unconnected
+        # Without the springs, which a deck lacks, links can seem unconnected.
+        fields.hidden.append(("links",))
     names = _names(fields, sizes)
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")
@@ -151,7 +153,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
 
 
 def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> list[dict[str, Any]]:
-    """Read the members of some parts from the lists of a deck and the lines of names."""
+    """Return the arguments of components of a kind, from the lists of a deck and lines of names."""
     members: list[dict[str, Any]] = [
         {"name": names.get(f"{KINDS[part]}{number}", "")} for number in range(1, count + 1)
     ]
@@ -166,7 +168,7 @@ def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> li
 
 
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
-    """Return the planet ratio of each non-standard mechanism by number."""
+    """Return the planet ratio of each mechanism with a special planet ratio, by number."""
     count = fields.optional("KNM", 0, range(mechanisms + 1), f"0 to {mechanisms} (KG)")
     every: list[Path] = [("mechanisms", number) for number in range(1, mechanisms + 1)]
     if count is None:
@@ -209,7 +211,7 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
 def _given(
     fields: Fields, gears: int, part: str, keys: tuple[str, str, str]
 ) -> list[dict[int, float]]:
-    """Return the extra speeds or torques of each gear, by links."""
+    """Return the given speeds or torques of each gear, by number of the link."""
     counted, name, amount = keys
     counts = fields.counts(counted, gears, required=False)
     links, unreadable = fields.rows(name, counts, counted, integer)
@@ -265,7 +267,7 @@ def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
 
 
 def _links_above_all(parts: dict[str, Any]) -> int:
-    """Return a number of links above every link number, for a deck whose KJG is unreadable."""
+    """Return a number of links that no link number exceeds, for a deck with unreadable KJG."""
     links: list[int] = [2, parts["input"], parts["output"]]
     for element in parts["shift_elements"]:
         links += [element.first, element.second]
@@ -277,17 +279,17 @@ def _links_above_all(parts: dict[str, Any]) -> int:
 
 
 class KnownDeck:
-    """Deck without errors and warnings, whose variants are read faster."""
+    """Remembered deck without errors and warnings, whose variants are read faster."""
 
     def __init__(self, scan: Scan, case: Transmission, planets: Iterable[int]) -> None:
-        """Remember the lines; `planets` are the numbers of the mechanisms in UAQ, in order."""
+        """Remember the lines of a deck; `planets` are the mechanisms in the list UAQ, in order."""
         self.scan = scan
         self.case = case
         self.planets = [number - 1 for number in planets]
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """Attribute and indices of mechanisms by line, for lines of plain numbers."""
+        """Attribute and indices of mechanisms on each line that only has plain numbers, by line."""
         every = range(len(self.case.mechanisms))
         known = {}
         for key, part, owners in (
@@ -306,9 +308,10 @@ class KnownDeck:
         return known
 
     def variant(self, lines: Sequence[str]) -> Transmission | None:
-        """Return the case of a deck with these lines, or `None`.
+        """Return the case of a deck with changed lines; None if the deck must be read in full.
 
-        None means that the deck must be read in full, as other lines differ or there are warnings.
+        A deck must be read in full if lines without numbers of mechanisms differ, or warnings
+        occur.
         """
         before = self.scan.source.lines
         if len(lines) != len(before):

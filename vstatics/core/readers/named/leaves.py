@@ -1,4 +1,4 @@
-"""Readers of single values, and the stand-ins for unreadable values."""
+"""Readers of single values, and stand-ins that replace unreadable values."""
 
 from __future__ import annotations
 
@@ -29,19 +29,20 @@ from vstatics.core.model.shape import (
 from vstatics.core.readers.named import scalars, units
 from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK
 
-_MANY_LINKS = 10**9  # admits every link number; the model's complaint about it is hidden
+# Larger than any link number; the resulting problem of the case is not reported.
+_MANY_LINKS = 10**9
 _NO_LINKS = (NO_LINK, NO_LINK)
 _MAY_BE_0 = frozenset(("damping", "pressure", "time", "angle", "velocity", "cooling"))
-"""Measures whose stand-in is 0, as the value 0 is allowed."""
+"""Quantities whose stand-in is 0, because 0 is a permitted value."""
 
 
 class LeafReading(NamedTuple):
-    """Description, stand-in and parser of a kind of value."""
+    """Description, stand-in and parser of a kind of single value."""
 
     expected: str
     stand_in: Any
     parse: Callable[[str], Any] = str
-    """Function from text to value, for values that need no context."""
+    """Function that converts the text to the value, for values that need no context."""
 
 
 def _in_si(text: str, measure: Measure) -> float:
@@ -51,8 +52,8 @@ def _in_si(text: str, measure: Measure) -> float:
 
 
 def either_way(text: str, measure: Any) -> float:
-    """Read a quantity of rotation or of straight motion; the result gives its measure."""
-    from vstatics.core.readers.named.si_units import of_either  # costs start-up time
+    """Read a quantity of rotation or of straight motion; the result contains the quantity."""
+    from vstatics.core.readers.named.si_units import of_either  # slow to import
 
     return of_either(text, measure)
 
@@ -60,11 +61,12 @@ def either_way(text: str, measure: Any) -> float:
 _FORMULA = re.compile(
     r"\b(w|speed)\b|^(?![-+]?[\d./]+(e[-+]?\d+)?\s*[^\W\d_]).*\d.*[*/+(^-]|\(", re.IGNORECASE
 )
-"""Name of the speed, or operators without a unit behind the first number."""
+"""Pattern of a formula of the speed: its name, or operators without a unit after the first number.
+"""
 
 
 def _drag(text: str) -> float:
-    """Read a torque, or a formula of the speed."""
+    """Read a drag torque, or a formula of the speed."""
     try:
         return units.relative(text, "torque")
     except ValueError as error:
@@ -72,7 +74,7 @@ def _drag(text: str) -> float:
             raise type(error)(
                 f"{error}; a formula of the speed `w` is allowed too, such as `1 + 0.01*w`"
             ) from None
-    from vstatics.core.readers.named.law_formulas import (  # costs start-up time
+    from vstatics.core.readers.named.law_formulas import (  # slow to import
         DragFormula,
         read_formula,
     )
@@ -81,17 +83,17 @@ def _drag(text: str) -> float:
 
 
 _OF_BOTH = re.compile(r"\b(w|speed|T|torque)\b|\d.*[*+(^-].*[^\W\d_]")
-"""Name of the speed or the torque, or operators between a number and a name."""
+"""Pattern of a formula: a name of speed or torque, or operators between a number and a name."""
 
 
 def _efficiency(text: str) -> float:
-    """Read an efficiency, or a formula of the speed and the torque."""
+    """Read an efficiency, or a formula of speed and torque."""
     try:
         return scalars.number(text)
     except ValueError:
         if not _OF_BOTH.search(text):
             raise
-    from vstatics.core.readers.named.law_formulas import (  # costs start-up time
+    from vstatics.core.readers.named.law_formulas import (  # slow to import
         EfficiencyFormula,
         read_formula,
     )
@@ -130,7 +132,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
 
 
 def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
-    """Return the stand-in for an unreadable value."""
+    """Return the stand-in for an unreadable value of a shape."""
     match shape:
         case Leaf():
             return shape.choices[0] if shape.choices else LEAVES[shape.kind].stand_in
