@@ -1,4 +1,4 @@
-"""Writer of cases as workbooks (XLSX), which are read back exactly."""
+"""Writer of cases as workbooks (XLSX), which are read back as equal cases."""
 
 from __future__ import annotations
 
@@ -28,28 +28,28 @@ from vstatics.core.writers.named import mapping
 
 _Row = list[Any]
 _Values = Iterator[tuple[Path, Any]]
-"""Values, with the paths."""
+"""Values of plain data with their paths."""
 
 
 def write(case: Transmission) -> bytes:
-    """Write a case as a workbook with sheets for links, shift elements, mechanisms and gears.
+    """Write a case as a workbook: a sheet for the case, links, and each kind of part and gear.
 
     Raises
     ------
     CaseError
-        If openpyxl is missing, or the case exceeds the size of sheets that can be read.
+        If openpyxl is missing, or a sheet would be larger than readers allow.
     """
     require("xlsx", "a case in XLSX")
     return sheet_data(sheets(mapping(case)))
 
 
 def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
-    """Return the sheets of a case in plain data; the first row of each sheet has the headings.
+    """Return the rows of each sheet, by sheet name, of a case in plain data; headings first.
 
     Raises
     ------
     CaseError
-        If the case exceeds the size of sheets that can be read.
+        If a sheet would be larger than readers allow.
 
     Examples
     --------
@@ -85,12 +85,12 @@ def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
 
 
 def _parts(parts: Mapping[str, Any], key: str) -> list[_Row]:
-    """Return the rows of parts, with a column for each path of any part."""
+    """Return the rows of a sheet of parts, with one column per path that occurs in any part."""
     first = {path: heading for heading, path in PART_SHEETS[key].first.items()}
     cells: dict[str, dict[str, Any]] = {}
     for name, part in parts.items():
         whole, ends = part, []
-        if first:  # a shift element, which can be given by its links alone
+        if first:  # shift elements, of which some are given as a list of two links only
             whole = dict(part) if isinstance(part, dict) else {"links": part}
             ends = whole.pop("links")
         cells[name] = {first["links", end]: _cell(link) for end, link in enumerate(ends, 1)}
@@ -103,7 +103,7 @@ def _parts(parts: Mapping[str, Any], key: str) -> list[_Row]:
 
 
 def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
-    """Return the rows of gears, with columns of shift elements and of paths."""
+    """Return the rows of the gears, with one column per shift element and one per path."""
     engaged = {name: list(map(str, gear.get("engaged", ()))) for name, gear in gears.items()}
     columns = _in_order(names, list(engaged.values()))
     place = {name: number for number, name in enumerate(columns)}
@@ -130,7 +130,7 @@ def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
 
 
 def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[str]:
-    """Sort the shift elements in the order within the gears, as far as possible."""
+    """Sort shift elements in an order that agrees with the order in each gear, where possible."""
     best, known = list(names), set[tuple[str, str]]()
     for elements in engaged:
         pairs = known | {*pairwise(elements)}
@@ -138,7 +138,7 @@ def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[st
             continue
         try:
             best, known = _sorted(names, pairs), pairs
-        except CycleError:  # the gear gets numbers as marks
+        except CycleError:  # no order agrees with all gears, so that this gear has numbers as marks
             continue
     return best
 
@@ -158,7 +158,7 @@ def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[st
 
 
 def _flat(value: Mapping[str, Any], path: Path = ()) -> _Values:
-    """Yield the paths of plain data with the contents of cells."""
+    """Yield the path and the value of each cell for plain data."""
     for key, item in value.items():
         yield from _flat_value(item, (*path, str(key)))
 
@@ -182,12 +182,12 @@ def _flat_value(value: Any, path: Path) -> _Values:
 
 
 def _cell(value: Any) -> Any:
-    """Return the content of a cell.
+    """Convert a value to the content of a cell.
 
     Raises
     ------
     CaseError
-        If a text is too long for a cell.
+        If a text is longer than a cell allows.
     """
     if not isinstance(value, str):
         is_exact = value == float(value) and abs(value) < float("inf")

@@ -95,7 +95,13 @@ def real(text: str) -> float:
 
 
 def worked_out(calculation: str) -> float:
-    """Return the result of a calculation such as -96/39, as permitted in all formats of cases."""
+    """Return the result of a calculation such as -96/39, as permitted in all formats of cases.
+
+    Raises
+    ------
+    NotANumberError
+        If the text is not a calculation, or if the result is too large for a number.
+    """
     from vstatics.core.readers.named.arithmetic import dimensionless  # slow to import
 
     try:
