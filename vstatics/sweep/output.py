@@ -112,7 +112,15 @@ class Output:
         return sum(stop - start for start, stop in spans) * (len(plan.gears) or 1)
 
     def calculate(self, workers: Workers, advance: Advance) -> None:
-        """Calculate the missing pieces and store them."""
+        """Calculate the missing pieces and store them.
+
+        Raises
+        ------
+        CaseError
+            If a piece cannot be calculated; the message names the variants.
+        OSError
+            If a piece cannot be written.
+        """
         for account in self._accounts(workers):
             self.store.accounts[account.piece] = account
             advance(account.variants)

@@ -107,7 +107,13 @@ class _AskedByName:
     layouts: Sequence[TeethLayout]
 
     def formula(self, name: str, wanted: float) -> GearFormula:
-        """Return the formula of the ratio of a gear or gear set with a name."""
+        """Return the formula of the ratio of a gear or gear set with a name.
+
+        Raises
+        ------
+        CaseError
+            If no gear or gear set has the name, or if the ratio is impossible.
+        """
         path = ("ratios", name)
         gears = [gear.name for gear in self.links.case.gears]
         what = f"gear {name}" if name in gears else name
