@@ -1,4 +1,4 @@
-"""The output of a command is a record: its JSON and JSON Schema are derived from its types.
+"""Output of commands: JSON and JSON Schema are derived from the types of a record.
 
 A record is a named tuple. Its keys are its fields, unless `json_keys` names other attributes. A
 `document` begins with the keys of `head`. Annotations describe keys that are not plain:
@@ -36,40 +36,40 @@ T = TypeVar("T")
 V = TypeVar("V")
 Schema = dict[str, Any]
 Answer = tuple[Any, ...] | dict[str, Any]
-"""A record, or data that are plain already."""
+"""Record, or data that are already plain (mappings, lists, texts and numbers)."""
 VERSION = 2
-"""Version of the format of every document."""
+"""Version of the formats of all documents."""
 PROGRAM = f"vstatics {__version__}"
-"""Name and version of the program that writes a document."""
+"""Name and version of this program, which every document states."""
 
 
 class Words(dict[str, Any]):
-    """Keywords added to the schema of a type, as in ``Annotated[int, Words(minimum=0)]``."""
+    """Keywords to add to the JSON Schema of a type, as in ``Annotated[int, Words(minimum=0)]``."""
 
     __hash__ = object.__hash__  # type: ignore[assignment] # arguments of a type are hashed
 
 
 class Provided(str):
-    """Name of a type from an annex, as in ``Annotated[object, Provided("Damages")]``."""
+    """Name of a type that an annex declares, as in ``Annotated[object, Provided("Damages")]``."""
 
     __slots__ = ()
 
 
 SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Type of a key that is omitted for None or an empty mapping."""
+"""Type of a value whose key is omitted if the value is None or an empty mapping."""
 Flat = Annotated[T, FLAT]
-"""Type of a record whose keys are merged into the surrounding record."""
+"""Type of a record whose keys are added to the keys of the surrounding record."""
 Failure = Annotated[str, FAILURE]
-"""Type of a message that, unless empty, replaces all keys but the first."""
+"""Type of an error message that, unless empty, replaces all keys except the first."""
 Unfailed = Annotated[T | None, UNFAILED]
-"""Type of a key that is None only if a failure replaces the keys."""
+"""Type of a value that is None only if a `Failure` replaces the keys."""
 Count = Annotated[int, Words(minimum=0)]
 Known = Annotated[float, Words(type="number")]
-"""Type of a number that is never null."""
+"""Type of a number that is never missing and thus never null in JSON."""
 
 NUMBER: Schema = {"type": ["number", "null"]}
-"""Schema of a number, or of null for a missing number."""
+"""JSON Schema of a number or null, where null means a missing number."""
 TEXT: Schema = {"type": "string"}
 NULL: Schema = {"type": "null"}
 _SIMPLE: Mapping[Any, Schema] = {
@@ -94,7 +94,7 @@ _DEFINED: dict[Any, str] = {}
 
 
 def document(form: str) -> Callable[[T], T]:
-    """Return a decorator that declares a record as a document of a format, such as `form`.
+    """Return a decorator for a record that is a document; `form` is the name of the format.
 
     >>> from typing import NamedTuple
     >>> @document("vstatics-steps")
@@ -111,19 +111,19 @@ def document(form: str) -> Callable[[T], T]:
 
 
 def defined(name: str) -> Callable[[T], T]:
-    """Give a record a named schema, to which other schemas refer."""
+    """Give the schema of a record a name, by which other schemas refer to this schema."""
     return _registering(_DEFINED, name)
 
 
 def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
-    """Declare the attributes that are the keys of a record, instead of all fields.
+    """Declare which attributes of a record become keys of the JSON, instead of all fields.
 
     Parameters
     ----------
     *names
-        Attributes whose keys have their names.
+        Attributes that become keys with equal names.
     **attributes
-        Names of further attributes by key, without a final underscore of the key.
+        Further attributes, by key; a final underscore of the key is removed.
     """
     renamed = {key.rstrip("_"): name for key, name in attributes.items()}
     return _registering(_JSON_KEYS, dict(zip(names, names, strict=True)) | renamed)
@@ -146,11 +146,11 @@ class _Key(NamedTuple):
 
 @cache
 def _keys(kind: Any) -> Sequence[_Key]:
-    """Return the keys of a type of record."""
+    """Return the keys in the JSON of a type of record."""
     hints, keys = get_type_hints(kind, include_extras=True), []
     fields = {field.rstrip("_"): field for field in kind._fields}
     for name, attribute in _JSON_KEYS.get(kind, fields).items():
-        if attribute not in hints:  # a property
+        if attribute not in hints:  # true for a property of the record, which has no type hint
             returned = get_type_hints(getattr(kind, attribute).fget, include_extras=True)
             hints[attribute] = returned["return"]
         hint, mark = hints[attribute], ""
@@ -163,9 +163,9 @@ def _keys(kind: Any) -> Sequence[_Key]:
 
 
 def plain_data(value: Any) -> Any:
-    """Convert a record to mappings, lists, texts and numbers, at any depth.
+    """Convert a record to mappings, lists, texts and numbers, including all nested records.
 
-    A missing value becomes None, an array of complex numbers the list of their moduli.
+    A missing number becomes None; an array of complex numbers becomes a list of their moduli.
 
     >>> from vstatics.core.model.parts import Load
     >>> plain_data({"load": Load(2000.0), "steps": (1.5, math.nan), "root": 1 - 2j})
@@ -205,10 +205,11 @@ def _of_record(record: Any) -> dict[str, Any]:
 
 
 def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, Any]:
-    """Return a document as plain data with the file of its case, with or without folders.
+    """Return a document as plain data, with the file name of the case (without folders).
 
-    An answer without a format is returned unchanged; the document of a case in error already has
-    the key, whose value is replaced.
+    If `folders` is true, the file name includes the folders. An answer that is not a document is
+    returned unchanged. The document of a case with errors already has the key `file`, so that only
+    the value changes.
 
     >>> with_file({"format": "f", "version": 1, "case": {}}, "cases/box.yaml")
     {'format': 'f', 'version': 1, 'file': 'box.yaml', 'case': {}}
@@ -227,23 +228,23 @@ _line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 
 def line(value: Any) -> str:
-    """Format plain data as JSON on a single line, with a line end."""
+    """Format plain data as JSON on a single line, with a final line end."""
     return _line(value) + "\n"
 
 
 def as_json(answer: Answer, form: str | None) -> str:
-    """Format an answer as JSON, on a single line for the form `jsonl`."""
+    """Format the output of a command as JSON, on a single line if the form is `jsonl`."""
     data = answer if isinstance(answer, dict) else plain_data(answer)
     return line(data) if form == "jsonl" else text(data) + "\n"
 
 
 def list_of(items: Schema) -> Schema:
-    """Return the schema of an array."""
+    """Return the JSON Schema of an array whose elements have a schema."""
     return {"type": "array", "items": items}
 
 
 def object_of(properties: Mapping[str, Schema], optional: Sequence[str] = ()) -> Schema:
-    """Return the schema of an object without further keys.
+    """Return the JSON Schema of an object with exactly these keys, some of them optional.
 
     >>> object_of({"a": TEXT, "b": NUMBER}, optional=["b"])["required"]
     ['a']
@@ -257,14 +258,14 @@ def object_of(properties: Mapping[str, Schema], optional: Sequence[str] = ()) ->
 
 
 def schema(kind: Any, definitions: Schema | None = None) -> Schema:
-    """Return the JSON Schema of the plain data of a type; see `plain_data`.
+    """Return the JSON Schema of the data to which `plain_data` converts values of a type.
 
     Parameters
     ----------
     kind : type
-        A number, a text, a record, or a sequence, mapping or union of these.
+        Type of numbers, texts or records, or of sequences, mappings or unions of these.
     definitions : dict, optional
-        Receives the schemas of `defined` records by their names.
+        Mapping to which the schemas of `defined` records are added by name.
 
     Examples
     --------
@@ -284,7 +285,7 @@ def schema(kind: Any, definitions: Schema | None = None) -> Schema:
 
 
 def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
-    """Return the schema of a type with arguments."""
+    """Return the schema of a type that has arguments, such as `list[int]`."""
     origin, (first, *more) = get_origin(kind), get_args(kind)
     if origin is Annotated:
         return _of_marked(first, more[0], of)
@@ -302,7 +303,7 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
 
 
 def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
-    """Return the schema of an annotated type, invalid if an annex is missing."""
+    """Return the schema of an annotated type; no data match if the annex is not installed."""
     if isinstance(mark, Provided):
         declaring = module_of_type(mark)
         return of(getattr(module(declaring), mark)) if declaring else {"not": {}}
@@ -332,7 +333,7 @@ def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
 
 
 def head(form: str) -> dict[str, Any]:
-    """Return the first keys of every document: format, its version, and the program.
+    """Return the keys at the beginning of every document: format, version, and program.
 
     >>> head("vstatics-result")
     {'format': 'vstatics-result', 'version': 2, 'program': 'vstatics 0.1.0'}
@@ -341,30 +342,30 @@ def head(form: str) -> dict[str, Any]:
 
 
 def head_schema(form: str) -> Schema:
-    """Return the schema of the keys of `head`."""
+    """Return the JSON Schema of the keys that `head` returns."""
     program = {**TEXT, "description": "Name and version of the program that wrote the document."}
     return {"format": {"const": form}, "version": {"const": VERSION}, "program": program}
 
 
 def of_file(name: str, title: str, content: Schema) -> Schema:
-    """Return the schema of a file with the schema of the content."""
+    """Return the JSON Schema of a file, with a name and a title, from the schema of the content."""
     start = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
     return {**start, "$id": f"{name}.schema.json", "title": title, **content}
 
 
 def documents(name: str, title: str, content: Schema, definitions: Schema | None = None) -> Schema:
-    """Return the schema of a file of documents or cases in error.
+    """Return the JSON Schema of a file of documents, some of which can be cases with errors.
 
     Parameters
     ----------
     name : str
-        Name of the format, from which the file name of the schema is derived.
+        Name of the format, which determines the file name of the schema.
     title : str
         Title of the schema.
     content : dict
-        Schema of a document, without its `file`.
+        Schema of a document, without the key `file`.
     definitions : dict, optional
-        Schemas to which `content` refers by ``#/$defs/...``.
+        Schemas to which `content` refers as ``#/$defs/...``.
     """
     about = "Name of the file of the case, with folders only if several files have this name."
     file = {"type": "string", "description": about}
@@ -393,11 +394,11 @@ def documents(name: str, title: str, content: Schema, definitions: Schema | None
 
 
 def documents_of(name: str, title: str, kind: Any) -> Schema:
-    """Return the schema of a file of documents of a type; see `documents`."""
+    """Return the JSON Schema of a file of documents, where `kind` is the type of the document."""
     definitions: Schema = {}
     return documents(name, title, schema(kind, definitions), definitions)
 
 
 def failure(file: str, problems: Iterable[Problem]) -> dict[str, Any]:
-    """Return the document of a case in error."""
+    """Return the document that replaces the document of a case with errors."""
     return {"file": os.path.basename(file), "case": file, "errors": list(map(str, problems))}  # noqa: PTH119

@@ -1,4 +1,4 @@
-"""Tables as CSV, with texts that no spreadsheet mistakes for formulas."""
+"""Tables as CSV, in which no text looks like a formula to a spreadsheet."""
 
 from __future__ import annotations
 
@@ -11,14 +11,15 @@ from vstatics.core.tables.grid import Grid
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 FORMULA = re.compile(r"'*[=+\-@\t\r]")
-"""Beginning of a text that a spreadsheet calculates.
+"""Pattern of the beginning of a text that a spreadsheet takes for a formula.
 
-Leading apostrophes are included, so that the added apostrophe can be removed without doubt.
+The pattern includes apostrophes at the beginning, so that `unguarded` removes only apostrophes that
+`guarded` added.
 """
 
 
 def guarded(text: str) -> str:
-    """Put an apostrophe before a text that a spreadsheet would calculate as a formula.
+    """Put an apostrophe before a text that a spreadsheet would take for a formula.
 
     Examples
     --------
@@ -29,7 +30,7 @@ def guarded(text: str) -> str:
 
 
 def unguarded(text: str) -> str:
-    """Remove the apostrophe that `guarded` put before a text.
+    """Remove the apostrophe before a text if `guarded` added the apostrophe.
 
     >>> [unguarded(text) for text in ("'=1+1", "=1+1", "'low'", "''=1")]
     ['=1+1', '=1+1', "'low'", "'=1"]
@@ -44,7 +45,7 @@ def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
     ----------
     rows : iterable of iterable of str
     raw : bool
-        Whether texts that begin like a formula are left unguarded.
+        Whether to leave texts unchanged that a spreadsheet takes for formulas.
     """
     written = io.StringIO()
     texts = rows if raw else (map(guarded, row) for row in rows)
@@ -55,19 +56,19 @@ def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, raw: bool = False
 ) -> Iterator[str]:
-    """Write the tables of cases in sequence, with all digits, a piece for each case.
+    """Yield the tables of each case as CSV, with all digits of the numbers.
 
-    Each row begins with the name of its table; for several cases the file of the case precedes
-    it. A row of headings is written whenever the headings change.
+    Each row begins with the name of the table; if there are several cases, the file of the case
+    precedes the name. A row of headings is written whenever the headings change.
 
     Parameters
     ----------
     cases : iterable of (str, sequence of Grid)
-        Files of the cases, with their tables.
+        File and tables of each case.
     several : bool
-        Whether the first column is the file of the case.
+        Whether there are several cases, so that the first column is the file of the case.
     raw : bool
-        See `lines`.
+        See the function `lines`.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Tables as LaTeX for `\\input`, without any package."""
+"""Tables as LaTeX for `\\input`, without packages."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _COMMANDS = {
     "<": r"\textless{}",
     ">": r"\textgreater{}",
     "|": r"\textbar{}",
-    '"': "''",  # a straight double quote needs the font encoding T1
-    "[": "{[}",  # at the start of a row, it would begin the length after `\\`
+    '"': "''",  # because a straight double quote needs the font encoding T1
+    "[": "{[}",  # because at the start of a row, a bracket would begin the length after `\\`
     "]": "{]}",
     "*": "{*}",
     **{sign: f"\\{sign}" for sign in "&%$#_{}"},
@@ -27,7 +27,7 @@ _SPECIAL = re.compile("[" + re.escape("".join(_COMMANDS)) + "]")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Write tables in the environment `tabular` and sentences as list items.
+    r"""Write tables in the environment `tabular`, and sentences as items of lists.
 
     Examples
     --------
@@ -55,7 +55,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Escape all special characters of LaTeX in a text.
+    r"""Escape the characters of a text that have a special meaning in LaTeX.
 
     >>> print(escaped("50 % of R_1, --seed 3"))
     50 \% of R\_1, -{}-seed 3
@@ -64,18 +64,16 @@ def escaped(text: str) -> str:
 
 
 PAGE, SMALL_PAGE = 66, 86
-"""Number of characters in a line of usual and of small type."""
+"""Number of characters in a line of normal type and in a line of small type."""
 SHORT, ENOUGH = 20, 24
-"""Number of characters of the widest column of words whose lines are not broken, and least number
-of characters of a broken column for which the usual type size is kept.
-"""
+"""Characters of the longest unbroken column, and of the shortest broken column in normal type."""
 
 MOST_ROWS = 28
-"""Number of rows on a page."""
+"""Largest number of rows of a table on a page."""
 
 
 def _pages(grid: Grid) -> Iterator[Grid]:
-    """Split a table into parts that fit a page, each with the first column."""
+    """Split a table into tables that fit on a page, each with the first column."""
     if not grid.rows:
         yield grid
         return
@@ -97,9 +95,9 @@ def _pages(grid: Grid) -> Iterator[Grid]:
 
 
 def _lengths(grid: Grid) -> list[int]:
-    """Return the characters of each column, with the gap to the next.
+    """Return the width of each column with the gap behind the column, in characters.
 
-    Headings of numbers are stacked, so only their longest word counts.
+    For headings of numbers only the longest word counts, because each word is on a separate line.
     """
     headings = [
         max(column.heading.split() or [""], key=len) if column.is_number else column.heading
@@ -146,7 +144,7 @@ def _lines(grid: Grid) -> Iterator[str]:
 
 
 def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
-    """Return the characters of a line, and the widths of broken columns by index."""
+    """Return the characters per line, and the widths of columns with broken lines by index."""
     long = {
         index: length
         for index, length in enumerate(lengths)
@@ -156,14 +154,15 @@ def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
     page = PAGE if unbroken + ENOUGH * len(long) <= PAGE else SMALL_PAGE
     room: float = max(page - unbroken, SHORT)
     widths: dict[int, float] = {}
-    for index in sorted(long, key=long.__getitem__):  # short columns leave room to longer ones
+    # Begin with short columns, which leave room for longer columns.
+    for index in sorted(long, key=long.__getitem__):
         widths[index] = min(long[index], room / (len(long) - len(widths)))
         room -= widths[index]
     return page, widths
 
 
 def _heading(text: str) -> str:
-    """Write a heading above numbers, a word in each line."""
+    """Write a heading above numbers, with one word per line."""
     words = escaped(text).split()
     stacked = r"\\ ".join(words)
     return rf"\shortstack[r]{{{stacked}}}" if len(words) > 1 else stacked
@@ -179,7 +178,7 @@ def _cell(cell: Cell, column: Column) -> str:
 
 
 def _row(cells: Iterable[str], broken: Container[int]) -> str:
-    r"""Write a row; a ragged cell redefines `\\`, so the row ends differently."""
+    r"""Write a row; if cells are broken, end otherwise than with `\\`, which they redefine."""
     ragged = (
         rf"\raggedright {cell}" if index in broken else cell for index, cell in enumerate(cells)
     )
