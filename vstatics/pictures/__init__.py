@@ -14,11 +14,11 @@ b'<?xml'
 of picture, `paged` embeds pictures in HTML pages, `pair` puts two cases on one sheet, and `cli`
 contains the command `vstatics plot`. Other annexes draw their own results.
 
-The record of each annex declares its kinds of pictures. A kind is a function ``draw(results, style,
-gears)`` in a module that is imported only for drawing, because matplotlib is an extra. The function
-returns pages no larger than the style allows. Kinds that show a simulated run also take the run as
-``motion``. Kinds that calculate something common to all gears have a function ``each(results,
-style, shown)`` instead, which returns the pages of several lists of gears.
+The record of each annex declares its kinds of pictures. A kind is a function
+``draw(results, style, gears)`` in a module that is imported only for drawing, because matplotlib is
+an extra. The function returns pages no larger than the style allows. Kinds that show a simulated
+run also take the run as ``motion``. Kinds that calculate something common to all gears have a
+function ``each(results, style, shown)`` instead, which returns the pages of several lists of gears.
 """
 
 from __future__ import annotations

@@ -91,8 +91,8 @@ def linked_variants(
     places : sequence of Place or None
         Place of the text that names each varied number of `base`.
     texts : sequence of Text
-        Formulas of linked numbers, in their order, such as `P1.teeth.planet=(P1.teeth.ring -
-        P1.teeth.sun)/2`.
+        Formulas of linked numbers, in their order, such as
+        `P1.teeth.planet=(P1.teeth.ring - P1.teeth.sun)/2`.
 
     Raises
     ------

@@ -208,9 +208,9 @@ def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floa
     """Return the torque of the first link on each shift element, shape (sets, elements) [-].
 
     Torques are relative to the input torque. In each motion that the mechanisms permit, the input
-    power is transmitted to the shift elements and the output: ``w_in = sum M_e (w_first - w_second)
-    + M_out w_out`` for all free speeds. Therefore the linear equations that give the ratio of a
-    gear also give its torques.
+    power is transmitted to the shift elements and the output:
+    ``w_in = sum M_e (w_first - w_second) + M_out w_out`` for all free speeds. Therefore the linear
+    equations that give the ratio of a gear also give its torques.
 
     A torque is NaN if only the sum over several elements is determined, or if the loss of digits
     makes the output torque differ from the ratio. In a direct drive by a single shift element, its

@@ -32,9 +32,7 @@ from vstatics.core.readers.named.references import UnknownNameError
 NO_MERGE = "the merge key `<<` is not accepted, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
 _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
-"""Pattern of a key that YAML reads after a decimal comma within braces, such as `5 rpm` of `2000,5
-rpm`.
-"""
+"""Pattern of a key that YAML reads after a decimal comma in braces: `5 rpm` of `2000,5 rpm`."""
 _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
